@@ -1,0 +1,29 @@
+# What `cmake --install` lays down: the program, the libraries, their headers under
+# include/cognate/, and what find_package(cognate) reads.
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cognate)
+
+foreach(room IN ITEMS analysis synthesis problems)
+  set_target_properties(cognate_${room} PROPERTIES EXPORT_NAME ${room})
+  install(TARGETS cognate_${room} EXPORT cognate)
+  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cognate
+          FILES_MATCHING PATTERN "*.hpp" PATTERN library EXCLUDE
+          # What only the kernels of an instruction set may include, and what needs Boost.
+          REGEX "batch/(lanes|roots|evaluate)\\.hpp$" EXCLUDE
+          REGEX "nine_point/(numbers|eliminate|lane_equations|taylor|lane_state|inspector)\\.hpp$"
+          EXCLUDE
+          REGEX "(mechanism/zeros|coupler_curve/traced_curve)\\.hpp$" EXCLUDE)
+endforeach()
+if(TARGET cognate)
+  install(TARGETS cognate)
+endif()
+
+install(EXPORT cognate NAMESPACE cognate:: FILE cognateTargets.cmake DESTINATION ${config_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/cognateConfig.cmake.in
+                              cognateConfig.cmake INSTALL_DESTINATION ${config_dir}
+                              PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(cognateConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cognateConfig.cmake
+              ${PROJECT_BINARY_DIR}/cognateConfigVersion.cmake
+        DESTINATION ${config_dir})

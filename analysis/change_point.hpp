@@ -1,0 +1,101 @@
+/// @file The four-bars whose links can all lie on one line, and their motion through that position.
+///
+/// There two assemblies meet, and the root in the closure has a zero of first order: it changes
+/// sign, if the motion is to be smooth. With θ the crank angle from A→D and k = 2 l₁ l₄,
+///
+///     p = k (1 − cos θ),  √p → √(2k) sin(θ/2)   where l₃ + l₄ = l₁ + l₂ or l₂ + l₄ = l₁ + l₃,
+///     q = k (1 + cos θ),  √q → √(2k) cos(θ/2)   where l₁ + l₄ = l₂ + l₃.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/closure.hpp"
+#include "analysis/four_bar.hpp"
+#include "analysis/frame_axes.hpp"
+#include "analysis/motion.hpp"
+
+namespace cognate {
+
+/// Four-bars with a change point, by which of their links are equal.
+enum class ChangePointClass {
+  none,           ///< shortest + longest differs from the sum of the other two
+  single,         ///< equal sums alone: one such position
+  parallelogram,  ///< opposite links equal: it moves as parallelogram or as antiparallelogram
+  kite_b_on_d,    ///< crank = frame and coupler = rocker: B can lie on D
+  kite_c_on_a,    ///< crank = coupler and rocker = frame: C can lie on A
+  rhombus         ///< all equal
+};
+
+/// Sums of lengths, and lengths, count as equal within 16 ε of the longest.
+ChangePointClass change_point_class(const Lengths<double>& links);
+
+/// How a linkage with a change point moves.
+enum class ChangePointPath {
+  single,             ///< through both assemblies, in two turns of the crank if it turns fully
+  parallelogram,      ///< the rocker turns with the crank, the coupler keeps its direction
+  antiparallelogram,  ///< the coupler crosses the frame
+  deltoid,            ///< A–B–C–D keeps its axis of symmetry
+  folded              ///< C stays on A: crank and coupler turn as one, the rocker rests
+};
+
+/// A crank angle from the x axis, in [0, 2π), at which all links lie on one line. Where B lies on D
+/// the crank does not determine the position: coupler and rocker may turn about D together.
+struct ChangeAngle {
+  double crank_angle = 0;
+  bool determined = true;
+};
+
+/// A pose with the angular velocities of coupler and rocker at unit angular velocity of the crank.
+struct ChangePointPose {
+  Pose pose;
+  double coupler_rate = 0;
+  double rocker_rate = 0;
+  bool determined = true;  ///< false where B lies on D; the pose is then the limit of the motion
+};
+
+/// A four-bar with a change point, followed smoothly. Lengths that are equal within rounding are
+/// taken to be equal, so that the linkage neither locks nor jumps there.
+class ChangePointMotion {
+ public:
+  /// The motion on which `linkage` stands in its assembly at `start`, a crank angle from the x
+  /// axis; at a change point itself, just after it counter-clockwise. Empty for linkages without
+  /// one.
+  static std::optional<ChangePointMotion> through(const FourBar& linkage, double start);
+
+  /// The pose after turning on from the start to `crank_angle`, over any number of turns. Empty
+  /// where the linkage does not close, and at dead points, where the rates are infinite.
+  std::optional<ChangePointPose> at(double crank_angle) const;
+
+  ChangePointClass kind() const { return class_; }
+  ChangePointPath path() const;
+
+  /// After what turn of the crank the motion repeats: 2π or 4π. (A crank that does not turn fully
+  /// goes back and forth within it.)
+  double period() const;
+
+  std::vector<ChangeAngle> change_angles() const;
+
+ private:
+  ChangePointMotion(const FourBar& linkage, ChangePointClass kind);
+
+  bool meets_d() const;  ///< whether B can lie on D
+
+  /// √p and √q with their signs and derivatives by θ; h is their product.
+  struct Roots;
+  Roots roots(const Vec2d& half, const CrankDirection<double>& crank,
+              const ClosureTriangle<double>& side) const;
+  std::optional<ChangePointPose> about_d(double crank_angle, const Vec2d& half,
+                                         const Roots& root) const;
+
+  FourBar linkage_;
+  ChangePointClass class_ = ChangePointClass::none;
+  bool towards_ = false;  ///< p has its zero at θ = 0
+  bool away_ = false;     ///< q has its zero at θ = π
+  double sign_ = 1;       ///< of h where root_p and root_q are positive
+  FrameAxes axes_;
+  Lengths<double> links_;  ///< scaled as in `axes_`, equal where they should be
+  HalfClosure<double> near_, far_;
+};
+
+}  // namespace cognate

@@ -1,0 +1,13 @@
+/// @file A circle of the plane.
+#pragma once
+
+#include "analysis/vec2.hpp"
+
+namespace cognate {
+
+struct Circle {
+  Vec2d centre;
+  double radius = 0;
+};
+
+}  // namespace cognate

@@ -1,0 +1,69 @@
+#include "analysis/mechanism/dyad_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cognate {
+namespace {
+
+constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+using Bodies = std::span<const BodyMotion<double, 0>>;
+
+Vec2d place(const Attached<double>& at, Bodies bodies) {
+  return point_motion(bodies[static_cast<std::size_t>(at.body)], at.at)[0];
+}
+
+Vec2d direction(const Guide<double>& guide, Bodies bodies) {
+  return bodies[static_cast<std::size_t>(guide.body)].direction * guide.direction;
+}
+
+Reach reach_of(const Rrr<double>& dyad, Bodies bodies) {
+  const Vec2d from = place(dyad.first, bodies), to = place(dyad.second, bodies);
+  const double sum = dyad.first_length + dyad.second_length;
+  return {norm(to - from), std::abs(dyad.first_length - dyad.second_length), sum,
+          std::max({norm(from), norm(to), sum})};
+}
+
+Reach reach_of(const Rrp<double>& dyad, Bodies bodies) {
+  const Vec2d from = place(dyad.point, bodies);
+  const Vec2d through = place({dyad.guide.body, dyad.guide.through}, bodies);
+  const double h = cross(direction(dyad.guide, bodies), through - from) + dyad.guide.offset;
+  return {std::abs(h), 0, dyad.length,
+          std::max({norm(from), norm(through), std::abs(dyad.guide.offset), dyad.length})};
+}
+
+Reach reach_of(const Rpr<double>& dyad, Bodies bodies) {
+  const Vec2d block = place(dyad.block, bodies), pivot = place(dyad.pivot, bodies);
+  return {norm(block - pivot), std::abs(dyad.offset), kUnbounded,
+          std::max(norm(block), norm(pivot))};
+}
+
+Reach reach_of(const Prp<double>& dyad, Bodies bodies) {
+  const double sine = cross(direction(dyad.first, bodies), direction(dyad.second, bodies));
+  return {std::abs(sine), 0, 1, 1, true};
+}
+
+Reach reach_of(const Rpp<double>& dyad, Bodies /*bodies*/) {
+  return {std::abs(dyad.slot.y), 0, 1, 1, true};
+}
+
+}  // namespace
+
+Reach reach(const Dyad<double>& dyad, Bodies bodies) {
+  return std::visit([&](const auto& group) { return reach_of(group, bodies); }, dyad);
+}
+
+double discriminant_rounding(const Dyad<double>& dyad, const Reach& reach) {
+  const double error = kRounding * reach.extent;  // of a coordinate, a length
+  if (const auto* rrr = std::get_if<Rrr<double>>(&dyad)) {
+    return kRounding + 2 * error * reach.distance / (rrr->first_length * rrr->second_length);
+  }
+  if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) return error / rrp->length;
+  if (std::holds_alternative<Rpr<double>>(dyad)) return error * (error + 2 * reach.least);
+  return kRounding * kRounding;
+}
+
+}  // namespace cognate

@@ -1,0 +1,32 @@
+/// @file How near a dyad is to what it cannot reach.
+#pragma once
+
+#include <span>
+
+#include "analysis/mechanism/mechanism.hpp"
+#include "analysis/mechanism/motion_state.hpp"
+
+namespace cognate {
+
+/// What a dyad has to span and what it can, in lengths; of slides alone, the sine of the angle
+/// between them, which must not vanish.
+///
+///     RRR  |d|, the distance of its outer points: |l₁ − l₂| ≤ |d| ≤ l₁ + l₂
+///     RRP  |h|, the distance of the point from the guide: ≤ l
+///     RPR  |d|, the distance of block and pivot: ≥ |offset|
+///     PRP, RPP  |sin|: > 0
+struct Reach {
+  double distance = 0;
+  double least = 0;
+  double most = 0;    ///< infinite where nothing bounds it
+  double extent = 0;  ///< size of the coordinates from which `distance` comes
+  bool is_sine = false;
+};
+
+/// Of `dyad` on `bodies` (those before it).
+Reach reach(const Dyad<double>& dyad, std::span<const BodyMotion<double, 0>> bodies);
+
+/// How much rounding may have changed the dyad's discriminant.
+double discriminant_rounding(const Dyad<double>& dyad, const Reach& reach);
+
+}  // namespace cognate

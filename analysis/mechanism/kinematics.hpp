@@ -1,0 +1,102 @@
+/// @file Evaluating a mechanism: all bodies at one position of the drive.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "analysis/mechanism/drive_motion.hpp"
+#include "analysis/mechanism/dyad_motion.hpp"
+#include "analysis/mechanism/mechanism.hpp"
+#include "analysis/mechanism/motion_state.hpp"
+#include "analysis/mechanism/rrr_motion.hpp"
+
+namespace cognate {
+
+/// +1 or −1 for each dyad, as its `assembly` says (+1 where it has none).
+std::vector<double> sides(const Mechanism<double>& mechanism);
+
+/// The drive at `coordinate`: an angle from the x axis in radians, or a driving slider's
+/// displacement.
+DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double coordinate);
+
+/// Fills `bodies` (body_count(mechanism) of them, the frame at 0) with their motion at `drive`,
+/// derivatives up to `Order` ≤ 3, and `closures` (one for each dyad). `sides` are the signs of the
+/// dyads' assemblies; a motion that is followed through a change point flips them. Where a dyad
+/// cannot be assembled, its bodies and all that hang on them are not numbers; at a dead point
+/// derivatives are infinite or not numbers. Allocates nothing, and neither branches on values of T
+/// nor uses trigonometry. Lengths are 0 or from 1e-100 to 1e100.
+template <int Order, class T>
+void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_identity_t<T>>& drive,
+              std::span<const std::type_identity_t<T>> sides,
+              std::span<BodyMotion<std::type_identity_t<T>, Order>> bodies,
+              std::span<DyadClosure<std::type_identity_t<T>>> closures) {
+  static_assert(0 <= Order && Order <= 3);
+  bodies[0] = BodyMotion<T, Order>{};
+  std::visit([&](const auto& member) { place_drive<Order, T>(member, drive, bodies.subspan(1)); },
+             mechanism.drive);
+  const bool is_crank = std::holds_alternative<Crank<T>>(mechanism.drive);
+  auto next = static_cast<std::size_t>(first_body(mechanism, 0));
+  for (std::size_t i = 0; i < mechanism.dyads.size(); ++i, next += 2) {
+    const BodiesBefore<T, Order> before = bodies.first(next);
+    const DyadMotion<T, Order> dyad = std::visit(
+        [&](const auto& group) {
+          if constexpr (std::is_same_v<decltype(group), const Rrr<T>&>) {
+            const bool on_crank = is_crank && group.first.body + group.second.body == 1;
+            if (on_crank) return close_on_crank<Order, T>(group, sides[i], before);
+          }
+          return close_dyad<Order, T>(group, sides[i], before);
+        },
+        mechanism.dyads[i]);
+    bodies[next] = dyad.first;
+    bodies[next + 1] = dyad.second;
+    closures[i] = dyad.closure;
+  }
+}
+
+/// A mechanism with room for its state: bodies and closures as `evaluate` fills them.
+template <int Order>
+class MechanismMotion {
+ public:
+  explicit MechanismMotion(const Mechanism<double>& mechanism)
+      : mechanism_(mechanism),
+        sides_(cognate::sides(mechanism)),
+        bodies_(static_cast<std::size_t>(body_count(mechanism))),
+        closures_(mechanism.dyads.size()) {}
+
+  /// Moves to a drive coordinate (radians or length); whether every body has a place there.
+  /// Derivatives may still be infinite or not numbers, at a dead point.
+  bool move_to(double coordinate) { return move_to(drive_position(mechanism_, coordinate)); }
+  bool move_to(const DrivePosition<double>& drive) {
+    evaluate<Order>(mechanism_, drive, sides_, bodies_, closures_);
+    return std::ranges::all_of(bodies_, [](const BodyMotion<double, Order>& body) {
+      return std::isfinite(body.direction.x) && std::isfinite(body.origin[0].x) &&
+             std::isfinite(body.origin[0].y);
+    });
+  }
+
+  const Mechanism<double>& mechanism() const { return mechanism_; }
+  std::span<const BodyMotion<double, Order>> bodies() const { return bodies_; }
+  std::span<const DyadClosure<double>> closures() const { return closures_; }
+
+  /// dᵏ/dqᵏ of an attached point.
+  std::array<Vec2d, Order + 1> point(const Attached<double>& point) const {
+    return point_motion(bodies_[static_cast<std::size_t>(point.body)], point.at);
+  }
+
+  /// The signs of the assemblies; flip one to go on through a change point.
+  std::span<double> sides() { return sides_; }
+  std::span<const double> sides() const { return sides_; }
+
+ private:
+  Mechanism<double> mechanism_;
+  std::vector<double> sides_;
+  std::vector<BodyMotion<double, Order>> bodies_;
+  std::vector<DyadClosure<double>> closures_;
+};
+
+}  // namespace cognate

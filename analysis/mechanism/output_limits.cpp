@@ -1,0 +1,190 @@
+#include "analysis/mechanism/output_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "analysis/angle.hpp"
+#include "analysis/mechanism/zeros.hpp"
+
+namespace cognate {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+/// Parts of the scale of the drive: places closer than this are one.
+constexpr double kSamePlace = 1e-7;
+/// An output slower than this part of what it might be stands still.
+constexpr double kStanding = 1e-11;
+
+/// An output as a function of the state.
+struct Output {
+  std::function<double(const FollowedMotion<1>&)> value;
+  std::function<double(const FollowedMotion<1>&)> rate;
+  bool is_angle = false;
+};
+
+double size(std::span<const BodyMotion<double, 1>> bodies) {
+  double size = 0;
+  for (const auto& body : bodies) {
+    size = std::max({size, std::abs(body.origin[0].x), std::abs(body.origin[0].y)});
+  }
+  return size;
+}
+
+/// Goes through the runs of a course and collects what the output does.
+class Collector {
+ public:
+  Collector(const Mechanism<double>& mechanism, const Course& course, const Output& output)
+      : motion_(mechanism, course), output_(output) {}
+
+  std::optional<OutputRange> collect() {
+    for (const CourseRun& run : motion_.course().runs) sample(run);
+    if (samples_.empty()) return std::nullopt;
+    for (const CourseRun& run : motion_.course().runs) find_limits(run);
+    order_limits();
+    return std::move(range_);
+  }
+
+ private:
+  struct Sample {
+    double drive = 0;
+    double value = 0;
+    double rate = 0;
+    const CourseRun* run = nullptr;
+  };
+
+  double rate(double drive) {
+    return motion_.move_to(drive) ? output_.rate(motion_)
+                                  : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// The output's value where the motion stands, an angle counted on from `reference`.
+  double value_near(double reference) const {
+    const double value = output_.value(motion_);
+    return output_.is_angle ? reference + std::remainder(value - reference, kTurn) : value;
+  }
+
+  void sample(const CourseRun& run) {
+    for (const double drive : crowded(run.from, run.to, motion_.course().cells(run))) {
+      if (!motion_.move_to(drive)) continue;
+      const double value = value_near(samples_.empty() ? 0 : samples_.back().value);
+      const double rate = output_.rate(motion_);
+      include({drive, value});
+      samples_.push_back({drive, value, rate, &run});
+      // Next to a dead point the output is as fast as one likes, and says nothing of the rest.
+      if (std::abs(rate) * motion_.course().scale < 1e3) {
+        fastest_ = std::max(fastest_, std::abs(rate));
+      }
+      size_ = output_.is_angle ? 1 : std::max(size_, size(motion_.bodies()));
+    }
+  }
+
+  void include(const OutputValue& at) {
+    if (samples_.empty() || at.value < range_.least.value) range_.least = at;
+    if (samples_.empty() || at.value > range_.greatest.value) range_.greatest = at;
+  }
+
+  void add_limit(double drive, double reference) {
+    for (const OutputValue& limit : range_.limits) {
+      if (std::abs(limit.drive - drive) <= kSamePlace * motion_.course().scale) return;
+    }
+    if (!motion_.move_to(drive)) return;
+    const OutputValue limit{drive, value_near(reference)};
+    range_.limits.push_back(limit);
+    include(limit);
+  }
+
+  void find_limits(const CourseRun& run) {
+    const double slow = kStanding * std::max(fastest_, size_ / motion_.course().scale);
+    const Sample* last = nullptr;
+    for (const Sample& s : samples_) {
+      if (s.run != &run || !std::isfinite(s.rate)) continue;
+      if (std::abs(s.rate) <= slow) {
+        if (turns_back_at_end(run, s.drive)) add_limit(s.drive, s.value);
+        continue;
+      }
+      if (last != nullptr && last->rate * s.rate < 0) {
+        const auto f = [this](double drive) { return rate(drive); };
+        const auto bracket = bracket_zero(f, last->drive, last->rate, s.drive, s.rate);
+        add_limit(better_end(f, bracket), s.value);
+      }
+      last = &s;
+    }
+  }
+
+  /// Whether the motion starts or ends at `drive`, where the output stands, and would turn back
+  /// beyond: next to a simple zero the rate goes with the distance.
+  bool turns_back_at_end(const CourseRun& run, double drive) {
+    const bool at_from = drive == run.from && run.from_dyad < 0;
+    const bool at_to = drive == run.to && run.to_dyad < 0;
+    if (!at_from && !at_to) return false;
+    const double step =
+        (at_from ? 1e-3 : -1e-3) * std::min(motion_.course().scale, run.to - run.from);
+    const double ratio = rate(drive + 2 * step) / rate(drive + step);
+    return std::abs(ratio - 2) < 0.2;
+  }
+
+  void order_limits() {
+    const Course& course = motion_.course();
+    std::vector<OutputValue>& limits = range_.limits;
+    std::ranges::sort(limits, {}, &OutputValue::drive);
+    if (course.end < course.start) std::ranges::reverse(limits);
+    const bool turns = !std::holds_alternative<DrivingSlider<double>>(motion_.mechanism().drive);
+    if (turns && limits.size() > 1 &&
+        std::abs(std::abs(limits.back().drive - limits.front().drive) - kTurn) < kSamePlace) {
+      limits.pop_back();
+    }
+  }
+
+  FollowedMotion<1> motion_;
+  const Output& output_;
+  std::vector<Sample> samples_;
+  double fastest_ = 0;
+  double size_ = 0;
+  OutputRange range_;
+};
+
+/// Whether `limits` holds the place `at`, but for whole turns.
+bool is_limit(const std::vector<OutputValue>& limits, const OutputValue& at) {
+  return std::ranges::any_of(limits, [&](const OutputValue& limit) {
+    return std::abs(std::remainder(limit.drive - at.drive, kTurn)) <= kSamePlace;
+  });
+}
+
+}  // namespace
+
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+                                        const Travel& travel) {
+  const Output output{
+      [&](const FollowedMotion<1>& motion) { return travelled(travel, motion.bodies()); },
+      [&](const FollowedMotion<1>& motion) { return travel_rate(travel, motion.bodies()); },
+      !travel.slides};
+  return Collector(mechanism, course, output).collect();
+}
+
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+                                        const Attached<double>& point, const Vec2d& direction) {
+  const Output output{
+      [&](const FollowedMotion<1>& motion) { return dot(motion.point(point)[0], direction); },
+      [&](const FollowedMotion<1>& motion) { return dot(motion.point(point)[1], direction); },
+      false};
+  return Collector(mechanism, course, output).collect();
+}
+
+std::optional<double> time_ratio(const Mechanism<double>& mechanism, const Course& course,
+                                 const OutputRange& output) {
+  const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  const bool is_whole = course.runs.size() == 1 && course.points.empty() &&
+                        std::abs(course.end - course.start) >= kTurn * (1 - 1e-12);
+  if (!turns || !is_whole || !is_limit(output.limits, output.least) ||
+      !is_limit(output.limits, output.greatest)) {
+    return std::nullopt;
+  }
+  const double advance = in_one_turn(output.greatest.drive - output.least.drive);
+  const double longer = std::max(advance, kTurn - advance);
+  return longer / (kTurn - longer);
+}
+
+}  // namespace cognate

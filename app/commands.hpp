@@ -1,0 +1,31 @@
+/// @file The commands of the program. Each says what there is to say and returns how to end.
+#pragma once
+
+#include <filesystem>
+
+#include "app/exit_status.hpp"
+#include "app/options.hpp"
+
+namespace cognate::app {
+
+/// Solves the problem in `file`: prints the table of designs (with `--json` the result document,
+/// with `--quiet` nothing) and writes NAME.result.json and NAME.report.html, NAME being the file's
+/// stem, to the folder `--out`, else to the current one; with `--json` only where `--out` is given.
+/// Whether they can be written is found out before anything is solved.
+ExitStatus solve_command(const std::filesystem::path& file, const Options& options);
+
+/// Evaluates the mechanism in `file` over its drive: prints the facts of its motion (with `--json`
+/// the result document, with `--quiet` nothing) and writes NAME.result.json, NAME.csv and
+/// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
+/// cannot be assembled anywhere.
+ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);
+
+/// Reads the problem in `file` without solving it and says what it is, or every fault in it; with
+/// `--json` as a document `cognate-check/1`.
+ExitStatus check_command(const std::filesystem::path& file, const Options& options);
+
+/// Prints the kinds of problems, mechanisms, solvers and options, or with `metrics` every metric
+/// and every column with its unit; with `--json` as a document.
+ExitStatus list_command(bool metrics, const Options& options);
+
+}  // namespace cognate::app

@@ -1,0 +1,12 @@
+/// @file Ctrl-C ends a run in good order; a second one ends it at once.
+#pragma once
+
+#include <atomic>
+
+namespace cognate::app {
+
+/// From now on SIGINT and SIGTERM set the flag that is returned, and nothing else; the second one
+/// ends the program as if it had never been caught. A signal that the caller ignores stays ignored.
+const std::atomic<bool>& catch_interrupts();
+
+}  // namespace cognate::app

@@ -1,0 +1,141 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/catalogue.hpp"
+#include "app/commands.hpp"
+#include "app/mechanism_catalogue.hpp"
+#include "app/messages.hpp"
+#include "app/problem_catalogue.hpp"
+#include "app/result_json.hpp"
+#include "app/text_table.hpp"
+#include "app/version.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<Entry> solvers() {
+  std::vector<Entry> all;
+  for (const auto& named : problems::names<problems::SolverChoice>()) {
+    all.push_back({named.name, meaning(named.value)});
+  }
+  return all;
+}
+
+std::string section(const std::string& heading, std::span<const Entry> entries) {
+  std::string text = heading + '\n';
+  std::size_t width = 0;
+  for (const auto& entry : entries) width = std::max(width, entry.name.size());
+  for (const auto& entry : entries) {
+    text += fmt::format("  {:<{}}  {}\n", entry.name, width, entry.meaning);
+  }
+  return text;
+}
+
+std::string keyed_section(const std::string& heading, std::span<const KeyedEntry> entries) {
+  std::string text = heading + '\n';
+  for (const auto& entry : entries) {
+    text += fmt::format("  {}: {}\n", entry.name, entry.meaning);
+    std::size_t width = 0;
+    for (const auto& key : entry.keys) width = std::max(width, key.name.size());
+    for (const auto& key : entry.keys) {
+      text += fmt::format("      {:<{}}  {}\n", key.name, width, key.meaning);
+    }
+  }
+  return text;
+}
+
+std::string capabilities_text() {
+  return section("problem kinds (kind = ...)", problem_kinds()) + '\n' +
+         keyed_section("keys of the kinds that cognate solve takes", synthesis_problems()) + '\n' +
+         keyed_section("tables of all these kinds", common_tables()) + '\n' +
+         section("options of [solve]", solve_options()) + '\n' +
+         section("solvers (solve.solver = ...)", solvers()) + '\n' +
+         keyed_section(
+             "mechanisms to be analysed (mechanism.type = ...) and their keys in [mechanism]",
+             mechanisms()) +
+         '\n' +
+         keyed_section(
+             "dyads of a chain (dyad.type = ...; names = [\"...\", \"...\"] of the bodies)",
+             dyads()) +
+         '\n' + keyed_section("tables of an analysis", analysis_tables());
+}
+
+std::string metrics_section(const std::string& heading, std::span<const Metric> all) {
+  Column keys{heading, Align::left, {}};
+  Column units{"unit", Align::left, {}};
+  Column meanings{"meaning", Align::left, {}};
+  for (const auto& metric : all) {
+    keys.cells.emplace_back(metric.key);
+    units.cells.emplace_back(metric.unit);
+    meanings.cells.emplace_back(metric.meaning);
+  }
+  std::string text;
+  for (const auto& line : set_columns({keys, units, meanings})) text += line + '\n';
+  return text;
+}
+
+std::string metrics_text() {
+  return metrics_section("metric of a design", metrics()) + '\n' +
+         metrics_section("fact of a synthesis", facts()) + '\n' +
+         metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
+         metrics_section("column of an analysis", analysis_columns());
+}
+
+ordered_json entries_json(std::span<const Entry> entries) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& entry : entries) {
+    rows.push_back({{"name", entry.name}, {"meaning", entry.meaning}});
+  }
+  return rows;
+}
+
+ordered_json keyed_json(std::span<const KeyedEntry> entries) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& entry : entries) {
+    rows.push_back(
+        {{"name", entry.name}, {"meaning", entry.meaning}, {"keys", entries_json(entry.keys)}});
+  }
+  return rows;
+}
+
+ordered_json metrics_json(std::span<const Metric> all) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& metric : all) {
+    rows.push_back({{"key", metric.key}, {"unit", metric.unit}, {"meaning", metric.meaning}});
+  }
+  return rows;
+}
+
+ordered_json list_json(bool with_metrics) {
+  ordered_json document = {{"format", "cognate-list/1"}, {"version", version()}};
+  if (with_metrics) {
+    document["metrics"] = metrics_json(metrics());
+    document["facts"] = metrics_json(facts());
+    document["analysis_metrics"] = metrics_json(analysis_metrics());
+    document["analysis_columns"] = metrics_json(analysis_columns());
+    return document;
+  }
+  document["problem_kinds"] = entries_json(problem_kinds());
+  document["synthesis_problems"] = keyed_json(synthesis_problems());
+  document["common_tables"] = keyed_json(common_tables());
+  document["mechanisms"] = keyed_json(mechanisms());
+  document["dyads"] = keyed_json(dyads());
+  document["analysis_tables"] = keyed_json(analysis_tables());
+  document["solvers"] = entries_json(solvers());
+  document["solve_options"] = entries_json(solve_options());
+  return document;
+}
+
+}  // namespace
+
+ExitStatus list_command(bool metrics, const Options& options) {
+  if (options.json) return print(write_json(list_json(metrics)));
+  return print(metrics ? metrics_text() : capabilities_text());
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,248 @@
+/// @file The program `cognate`: what it is told on the command line, and how it ends.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/terminal.hpp"
+#include "app/version.hpp"
+
+namespace cognate::app {
+namespace {
+
+constexpr const char* kDescription =
+    "Cognate finds planar linkages that do what a problem file asks for, and analyses "
+    "mechanisms.\n";
+
+constexpr const char* kFooter = R"(Examples:
+  cognate solve rocker.toml     find designs; then open rocker.report.html
+  cognate analyze press.toml    how a mechanism moves and what it bears
+  cognate check rocker.toml     is the file sound?
+  cognate list --metrics        what a result says of a design, and in which unit
+
+Exit status:
+  0  done; for solve: at least one design meets every constraint
+  1  the problem was well posed, but no design meets every constraint; for
+     analyze: the mechanism can be assembled nowhere
+  2  bad input: options, a file, or a place that cannot be written to
+  3  a fault of Cognate's own
+
+'cognate COMMAND --help' says more about a command.)";
+
+constexpr const char* kSolveFooter = R"(Output:
+  A table of the designs, best first, on standard output, and two files in DIR,
+  NAME being FILE's name without its ending:
+    NAME.result.json   every number of the designs, for programs
+    NAME.report.html   the linkages moving, their curves and errors, for a browser
+  With --json no files are written unless --out is given.
+  Ctrl-C ends the search and reports what was found; a second one ends at once.
+  The same file, seed and version give the same designs with any number of
+  threads, unless a time limit ended the run.
+
+Examples:
+  cognate solve rocker.toml
+  cognate solve rocker.toml --out results --time-limit 30
+  cognate solve rocker.toml --json --seed 7 > rocker.json)";
+
+constexpr const char* kAnalyzeFooter = R"(Output:
+  What is true of the motion as a whole (class, transmission angle, limits, time
+  ratio, greatest forces) on standard output, and three files in DIR, NAME being
+  FILE's name without its ending:
+    NAME.csv           one row for each step of the drive; units in the header
+    NAME.result.json   the same numbers and the facts, for programs
+    NAME.report.html   the mechanism moving, curves of motion and forces
+  With --json no files are written unless --out is given.
+  Where the mechanism cannot be assembled, cells are empty and a note says why.
+
+Examples:
+  cognate analyze press.toml
+  cognate analyze press.toml --out results
+  cognate analyze press.toml --json > press.json)";
+
+constexpr const char* kCheckFooter =
+    R"(Every fault is reported as FILE:LINE:COLUMN: what is wrong; what is allowed.
+
+Examples:
+  cognate check rocker.toml
+  cognate check rocker.toml --json)";
+
+constexpr const char* kListFooter = R"(Examples:
+  cognate list
+  cognate list --metrics)";
+
+constexpr const char* kNoCommand =
+    "no command of this version; available are solve, analyze, check and list; see 'cognate "
+    "--help'";
+
+/// The commands that later versions will have.
+constexpr std::array<std::string_view, 2> kLaterCommands = {"sweep", "export"};
+
+/// What the help calls the parts of a command line, for CLI11's own words.
+constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
+    {{"SUBCOMMAND", "COMMAND"}, {"Positionals", "Arguments"}, {"REQUIRED", ""}, {"TEXT", ""}}};
+
+/// What the command line says, as it was written.
+struct Arguments {
+  std::string file;
+  std::string seed, threads, time_limit, out;
+  bool json = false;
+  bool quiet = false;
+  bool metrics = false;
+};
+
+void add_common_options(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--json", arguments.json, "print a JSON document on standard output, nothing else");
+  app.add_option("--seed", arguments.seed, "start of all random choices (default 1)")
+      ->type_name("N");
+  app.add_option("--threads", arguments.threads, "threads to use (default: all processors)")
+      ->type_name("N");
+  app.add_option("--time-limit", arguments.time_limit, "stop then, and report what was found")
+      ->type_name("SECONDS");
+  app.add_flag("--quiet", arguments.quiet, "print neither progress nor table");
+}
+
+CLI::App& add_command(CLI::App& app, Arguments& arguments, const char* name, const char* purpose,
+                      const char* footer) {
+  CLI::App& command = *app.add_subcommand(name, purpose);
+  command.get_option("--help")->description("print this help");
+  add_common_options(command, arguments);
+  command.group("Commands");
+  command.footer(footer);
+  return command;
+}
+
+void add_file(CLI::App& command, Arguments& arguments) {
+  command.add_option("FILE", arguments.file, "the problem, a TOML file")->required();
+}
+
+void add_folder(CLI::App& command, Arguments& arguments) {
+  command.add_option("--out", arguments.out, "folder of the files (default: the current one)")
+      ->type_name("DIR");
+}
+
+/// Copies `parsed` to `value`, or says what is wrong with it.
+template <class Parsed, class Value>
+bool take(const Parsed& parsed, Value& value) {
+  if (parsed) {
+    value = *parsed;
+  } else {
+    complain(parsed.error());
+  }
+  return parsed.has_value();
+}
+
+/// The options in `arguments`; empty, once every fault has been said, where one is not allowed.
+std::optional<Options> options_of(const CLI::App& app, const Arguments& arguments) {
+  const auto counts_in = [](const CLI::App& where, const char* name) {
+    const auto* option = where.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0;
+  };
+  const auto given = [&](const char* name) {
+    return counts_in(app, name) || counts_in(*app.get_subcommands().front(), name);
+  };
+  Options options{.json = arguments.json, .quiet = arguments.quiet};
+  bool allowed = true;
+  if (given("--seed")) allowed &= take(parse_seed(arguments.seed), options.seed);
+  if (given("--threads")) allowed &= take(parse_threads(arguments.threads), options.threads);
+  if (given("--time-limit")) {
+    allowed &= take(parse_time_limit(arguments.time_limit), options.time_limit);
+  }
+  if (given("--out")) allowed &= take(parse_folder(arguments.out), options.out);
+  return allowed ? std::optional(options) : std::nullopt;
+}
+
+/// Refuses what is not a command of this version; true where `name` may be one.
+bool may_be_command(std::string_view name) {
+  const auto complain_that = [&](const std::string& what) {
+    complain("'" + std::string(name) + "' " + what +
+             "; available are solve, analyze, check and list");
+    return false;
+  };
+  if (std::ranges::find(kLaterCommands, name) != kLaterCommands.end()) {
+    return complain_that("is not available in this version");
+  }
+  constexpr std::array<std::string_view, 4> kCommands = {"solve", "analyze", "check", "list"};
+  const bool known = std::ranges::find(kCommands, name) != kCommands.end();
+  return known || name.starts_with('-') || complain_that("is not a command");
+}
+
+ExitStatus complain_about(const CLI::ParseError& error, const CLI::App& app) {
+  const auto called = app.get_subcommands();
+  if (called.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    complain(kNoCommand);
+    return exit_bad_input;
+  }
+  const std::string name = called.empty() ? "" : " " + called.front()->get_name();
+  complain(std::string(error.what()) + "; 'cognate" + name + " --help' says what is allowed");
+  return exit_bad_input;
+}
+
+ExitStatus run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app(kDescription, "cognate");
+  app.footer(kFooter);
+  app.set_version_flag("--version", "cognate " + std::string(version()), "print the version");
+  app.require_subcommand(1);
+  app.get_option("--help")->description("print this help");
+  for (const auto& [label, shown] : kLabels) app.get_formatter()->label(label, shown);
+  add_common_options(app, arguments);
+  auto& solve = add_command(app, arguments, "solve", "Find designs for a problem.", kSolveFooter);
+  add_file(solve, arguments);
+  add_folder(solve, arguments);
+  auto& analyze = add_command(app, arguments, "analyze", "Evaluate a mechanism over its drive.",
+                              kAnalyzeFooter);
+  add_file(analyze, arguments);
+  add_folder(analyze, arguments);
+  auto& check =
+      add_command(app, arguments, "check", "Validate a file without solving it.", kCheckFooter);
+  add_file(check, arguments);
+  auto& list =
+      add_command(app, arguments, "list",
+                  "Say what can be asked for: problem kinds, mechanisms, solvers.", kListFooter);
+  list.add_flag("--metrics", arguments.metrics,
+                "every metric of a result and column of a table, with its unit");
+
+  if (argc < 2) {
+    complain(kNoCommand);
+    return exit_bad_input;
+  }
+  if (!may_be_command(argv[1])) return exit_bad_input;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return print(app.help());
+  } catch (const CLI::CallForVersion&) {
+    return print(app.version() + '\n');
+  } catch (const CLI::ParseError& error) {
+    return complain_about(error, app);
+  }
+
+  const CLI::App& called = *app.get_subcommands().front();
+  const auto options = options_of(app, arguments);
+  if (!options) return exit_bad_input;
+  if (called.get_name() == "solve") return solve_command(arguments.file, *options);
+  if (called.get_name() == "analyze") return analyze_command(arguments.file, *options);
+  if (called.get_name() == "check") return check_command(arguments.file, *options);
+  return list_command(arguments.metrics, *options);
+}
+
+}  // namespace
+}  // namespace cognate::app
+
+int main(int argc, char** argv) {
+  cognate::app::hold_standard_descriptors();
+  try {
+    return cognate::app::run(argc, argv);
+  } catch (const std::exception& error) {
+    cognate::app::complain(std::string("a fault of Cognate's own: ") + error.what());
+  } catch (...) {
+    cognate::app::complain("a fault of Cognate's own, of an unknown kind");
+  }
+  return cognate::app::exit_own_fault;
+}

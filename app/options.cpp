@@ -1,0 +1,63 @@
+#include "app/options.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <memory>
+
+namespace cognate::app {
+namespace {
+
+constexpr std::uint64_t kGreatestSeed = (std::uint64_t{1} << 53) - 1;
+constexpr int kMostThreads = 1024;
+constexpr double kLongestTime = 1e9;  // seconds; far within what clocks count in nanoseconds
+
+/// The number that all of `text` spells.
+template <class Number>
+std::optional<Number> parse_all(std::string_view text) {
+  Number value{};
+  const char* begin = std::to_address(text.begin());
+  const char* end = begin + text.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+
+tl::unexpected<std::string> refusal(std::string_view option, std::string_view text,
+                                    std::string_view allowed) {
+  return tl::unexpected(
+      fmt::format("{}: '{}' is not possible; allowed is {}", option, text, allowed));
+}
+
+}  // namespace
+
+tl::expected<std::uint64_t, std::string> parse_seed(std::string_view text) {
+  const auto seed = parse_all<std::uint64_t>(text);
+  if (!seed || *seed > kGreatestSeed) {
+    return refusal("--seed", text, fmt::format("a whole number from 0 to {}", kGreatestSeed));
+  }
+  return *seed;
+}
+
+tl::expected<int, std::string> parse_threads(std::string_view text) {
+  const auto threads = parse_all<int>(text);
+  if (!threads || *threads < 1 || *threads > kMostThreads) {
+    return refusal("--threads", text, fmt::format("a whole number from 1 to {}", kMostThreads));
+  }
+  return *threads;
+}
+
+tl::expected<double, std::string> parse_time_limit(std::string_view text) {
+  const auto seconds = parse_all<double>(text);
+  if (!seconds || !(*seconds > 0 && *seconds <= kLongestTime)) {
+    return refusal("--time-limit", text,
+                   fmt::format("a number of seconds above 0, at most {}", kLongestTime));
+  }
+  return *seconds;
+}
+
+tl::expected<std::filesystem::path, std::string> parse_folder(std::string_view text) {
+  if (text.empty()) return refusal("--out", text, "the name of a folder");
+  return std::filesystem::path(text);
+}
+
+}  // namespace cognate::app

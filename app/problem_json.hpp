@@ -1,0 +1,16 @@
+/// @file A problem as it was read, with every default filled in, as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "problems/problem.hpp"
+
+namespace cognate::app {
+
+/// The tables of the problem file (`kind`, `title`, `target`, `mechanism`, `bounds`, `constraints`,
+/// `solve`) under the file's own keys, angles in degrees where the key ends in `_deg`. A default
+/// that stands for a value is written out; what has no value (a free length, an unlimited bound) is
+/// left out. Limits of `bounds.length` appear at each of the four links.
+nlohmann::ordered_json to_json(const problems::Problem& problem);
+
+}  // namespace cognate::app

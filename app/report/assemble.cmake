@@ -1,0 +1,54 @@
+# Puts the page together from its parts and writes it as a C++ source.
+# OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; STYLES and
+# SCRIPTS in order; UPLOT: the package's folder, or empty.
+cmake_minimum_required(VERSION 3.25)
+
+# join(VARIABLE FILES...): the text of all.
+function(join variable)
+  set(joined "")
+  foreach(part IN LISTS ARGN)
+    file(READ ${part} text)
+    string(APPEND joined "${text}\n")
+  endforeach()
+  set(${variable} "${joined}" PARENT_SCOPE)
+endfunction()
+
+file(READ page/index.html page)
+file(READ ${CONTENT} content)
+join(style ${STYLES})
+join(script ${SCRIPTS})
+
+set(uplot_style "")
+set(uplot_script "")
+if(UPLOT)
+  file(READ "${UPLOT}/LICENSE" licence)
+  file(READ "${UPLOT}/dist/uPlot.min.css" uplot_style)
+  file(READ "${UPLOT}/dist/uPlot.iife.min.js" text)
+  set(uplot_script "/*\n${licence}*/\n${text}")
+endif()
+
+string(REPLACE "@CONTENT@" "${content}" page "${page}")
+string(REPLACE "@STYLE@" "${uplot_style}\n${style}" page "${page}")
+string(REPLACE "@UPLOT@" "${uplot_script}" page "${page}")
+string(REPLACE "@SCRIPT@" "${script}" page "${page}")
+
+# Compilers need take no literal longer than 65536 bytes: pieces, cut after an ASCII character so
+# that each is valid UTF-8.
+set(source "// Written by assemble.cmake.\n#include \"app/report/page.hpp\"\n\n")
+string(APPEND source "namespace cognate::app {\n\nstd::string ${FUNCTION}() {\n  std::string text;\n")
+string(LENGTH "${page}" left)
+while(left GREATER 0)
+  string(SUBSTRING "${page}" 0 30000 piece)
+  if(left GREATER 30000)
+    string(REGEX MATCH "^.*[\n,;]" piece "${piece}")
+  endif()
+  string(LENGTH "${piece}" length)
+  if(length EQUAL 0)
+    message(FATAL_ERROR "no place to cut the page")
+  endif()
+  string(SUBSTRING "${page}" ${length} -1 page)
+  string(LENGTH "${page}" left)
+  string(APPEND source "  text += R\"~page~(${piece})~page~\";\n")
+endwhile()
+string(APPEND source "  return text;\n}\n\n}  // namespace cognate::app\n")
+file(WRITE "${OUTPUT}" "${source}")

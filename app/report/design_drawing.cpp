@@ -1,0 +1,128 @@
+#include "app/report/design_drawing.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analysis/mechanism/kinematics.hpp"
+#include "app/report/convex_hull.hpp"
+#include "app/report/design_motion.hpp"
+#include "app/report/drive_span.hpp"
+#include "app/report/guided_body.hpp"
+#include "app/report/mechanism_json.hpp"
+#include "app/report/mechanism_poses.hpp"
+#include "app/report/mechanism_shapes.hpp"
+#include "app/report/report_data.hpp"
+#include "problems/degrees.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::Design;
+using synthesis::Pose;
+
+ordered_json drawn_degrees(const std::vector<double>& angles) {
+  ordered_json list = ordered_json::array();
+  for (const double angle : angles) list.push_back(drawn(problems::degrees(angle)));
+  return list;
+}
+
+ordered_json linkage_motion(const Design& design, int samples) {
+  const DesignMotion motion = sample_motion(four_bar(design), design.crank_angles, samples);
+  const bool even = motion.full_turn && std::ssize(motion.crank) == samples;
+  return {{"motion",
+           {{"full_turn", motion.full_turn},
+            {"crank_deg", even ? ordered_json(nullptr) : drawn_degrees(motion.crank)},
+            {"rocker_deg", drawn_degrees(motion.rocker)}}}};
+}
+
+ordered_json mechanism_motion(const Design& design, int samples) {
+  const double unit = drive_unit(design.mechanism);
+  ordered_json stations = ordered_json::array();
+  for (const double at : design.crank_angles) stations.push_back(drawn(unit * at));
+  ordered_json table = {{"drive", nullptr}, {"mechanism", nullptr}, {"stations", stations}};
+  if (const auto span = drive_span(design.mechanism.mechanism, design.crank_angles)) {
+    table["drive"] = drive_json(design.mechanism, *span);
+    table["mechanism"] = mechanism_motion_json(design.mechanism, *span, samples);
+  }
+  return table;
+}
+
+ordered_json pair_json(const Vec2d& point) {
+  return ordered_json::array({drawn(point.x), drawn(point.y)});
+}
+
+ordered_json pose_json(const Pose& pose) {
+  return ordered_json::array(
+      {drawn(pose.at.x), drawn(pose.at.y), drawn(problems::degrees(pose.angle))});
+}
+
+/// Corners of the guided body in its own axes, from the shapes that the mechanism is drawn with,
+/// the origin of the target's axes among them.
+ordered_json outline_json(const Design& design, const GuidedBody& guided) {
+  std::vector<Vec2d> corners = {guided.target_in_body.at};
+  if (const auto span = drive_span(design.mechanism.mechanism, design.crank_angles)) {
+    constexpr int kFew = 24;
+    const auto poses = sample_poses(design.mechanism.mechanism, span->from, span->to, kFew);
+    const auto shapes = mechanism_shapes(design.mechanism, poses);
+    const auto& outline = shapes.bodies[static_cast<std::size_t>(guided.body)].outline;
+    corners.insert(corners.end(), outline.begin(), outline.end());
+  }
+  ordered_json list = ordered_json::array();
+  for (const Vec2d& corner : convex_hull(corners, 0)) list.push_back(pair_json(corner));
+  return list;
+}
+
+}  // namespace
+
+Fineness fineness(std::size_t designs) {
+  constexpr int kLinkage = 24'000, kMechanism = 8'000;
+  const int count = static_cast<int>(std::clamp<std::size_t>(designs, 1, 10'000));
+  return {.linkage = std::clamp(kLinkage / count, 91, 361),
+          .mechanism = std::clamp(kMechanism / count, 61, 361)};
+}
+
+ordered_json motion_of(const Design& design, const Fineness& fineness) {
+  return design.mechanism.four_bar ? linkage_motion(design, fineness.linkage)
+                                   : mechanism_motion(design, fineness.mechanism);
+}
+
+ordered_json reached_points(const Design& design) {
+  const auto& points = design.mechanism.points;
+  const auto traced = std::ranges::find(points, "P", &problems::NamedPoint::name);
+  MechanismMotion<0> motion(design.mechanism.mechanism);
+  ordered_json list = ordered_json::array();
+  for (const double at : design.crank_angles) {
+    if (traced == points.end() || !motion.move_to(at)) {
+      list.push_back(nullptr);
+      continue;
+    }
+    const auto& body = motion.bodies()[static_cast<std::size_t>(traced->at.body)];
+    const Vec2d point = point_motion(body, traced->at.at)[0];
+    list.push_back(ordered_json::array({point.x, point.y}));
+  }
+  return {{"reached", list}};
+}
+
+ordered_json reached_poses(const Design& design, std::span<const Pose> targets) {
+  const auto guided = guided_body(design.mechanism, design.crank_angles, targets);
+  if (!guided) return {{"reached", ordered_json::array()}, {"guided", nullptr}};
+  ordered_json origins = ordered_json::array(), reached = origins;
+  for (const auto& pose : guided->reached) {
+    reached.push_back(pose ? pose_json(*pose) : ordered_json(nullptr));
+    if (!pose) {
+      origins.push_back(nullptr);
+      continue;
+    }
+    const Vec2d origin = to_frame(*pose, guided->target_in_body.at);
+    origins.push_back(ordered_json::array({origin.x, origin.y}));
+  }
+  return {{"reached", origins},
+          {"guided",
+           {{"body", guided->body},
+            {"reached", reached},
+            {"axes", pose_json(guided->target_in_body)},
+            {"outline", outline_json(design, *guided)}}}};
+}
+
+}  // namespace cognate::app

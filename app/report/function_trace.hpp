@@ -1,0 +1,26 @@
+/// @file The structural error of a function generator, sampled for drawing.
+#pragma once
+
+#include <vector>
+
+#include "problems/function_samples.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::app {
+
+/// One entry in each array for each position; angles in radians.
+struct FunctionTrace {
+  std::vector<double> x;      ///< the function's argument; empty for angle pairs
+  std::vector<double> crank;  ///< from the x axis, continuous
+  std::vector<double> error;  ///< rocker angle generated less wanted, in [−π, π]
+};
+
+/// The structural error of `design` over the whole domain in equal steps, or at the angle pairs.
+/// Positions in which the linkage does not close are left out; empty arrays where the design has no
+/// start angles.
+FunctionTrace function_trace(const problems::FunctionProblem& problem,
+                             const problems::FunctionSamples& wanted,
+                             const problems::Design& design);
+
+}  // namespace cognate::app

@@ -1,0 +1,14 @@
+/// @file The report pages before they have data; their text is assembled by the build.
+#pragma once
+
+#include <string>
+
+namespace cognate::app {
+
+/// The page of a design problem's result, with `@DATA@` once where the data belong.
+std::string design_page();
+
+/// The page of an analysis, likewise.
+std::string analysis_page();
+
+}  // namespace cognate::app

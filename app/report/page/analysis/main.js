@@ -1,0 +1,130 @@
+// The page of an analysis: where the drive stands, and everything that follows from it.
+
+const data = JSON.parse(byId("data").textContent);
+const { result, drive: driving } = data;
+const angular = driving.kind !== "slider";
+const mechanism = new Mechanism(data.mechanism, driving);
+const table = new Table(data.table, data.vectors, data.normals);
+const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
+const state = { drive: mechanism.start, parts: new Set() };
+const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table);
+const colours = partColours(table, scene);
+const curves = new Curves(byId("plots"), (drive) => goTo(drive, true));
+const loci = new Loci(byId("loci-plots"), table);
+const values = new Values(table);
+const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
+  (sense, large) => goTo(state.drive + sense * (large ? 10 : 1) * (angular ? 1 : (mechanism.to - mechanism.from) / 360), true));
+controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
+
+// More parts than are shown all at once.
+const MANY_PARTS = 40;
+const driveText = (drive, decimals = 2) => (angular ? degrees(drive, decimals) : number(drive, 5));
+
+// Everything that follows the drive. `byHand` stops the clock.
+function goTo(drive, byHand = false) {
+  if (drive === null) return;
+  if (byHand) controls.play(false);
+  state.drive = mechanism.within(drive);
+  scene.move(state.drive);
+  curves.move(state.drive);
+  loci.move(state.drive);
+  values.move(state.drive);
+  const slider = byId("drive");
+  slider.value = state.drive;
+  slider.setAttribute("aria-valuetext", angular ? `${fixed(state.drive, 0)} degrees` : number(state.drive, 4));
+  byId("drive-value").textContent = driveText(state.drive, 1);
+  byId("open").hidden = mechanism.places(state.drive).every(Boolean);
+}
+
+function choose(parts) {
+  state.parts = parts;
+  for (const button of document.querySelectorAll("[data-part]")) button.setAttribute("aria-pressed", String(parts.has(button.dataset.part)));
+  byId("all-parts").setAttribute("aria-pressed", String(parts.size === table.parts.length));
+  const xLabel = angular ? `${sentence(driving.name)} angle, °` : `${sentence(driving.name)}, units`;
+  curves.build(analysisSheets(table, mechanism, parts, landmarks, xLabel, colours));
+  const sheets = lociSheets(table, parts, colours);
+  byId("loci").hidden = sheets.length === 0;
+  loci.build(sheets);
+  values.build(parts);
+  goTo(state.drive);
+}
+
+// The parts shown at first: all where they are few, else the output and the points beside it.
+function firstParts() {
+  if (table.parts.length <= 6) return new Set(table.parts);
+  const output = mechanism.bodies[mechanism.output]?.name;
+  const points = mechanism.pointsOf(mechanism.output).map((p) => p.name);
+  const drive = table.columns.filter((c) => c.quantity === "torque").map((c) => c.of);
+  const wanted = new Set([output, ...points, ...drive]);
+  const parts = table.parts.filter((part) => wanted.has(part));
+  return new Set(parts.length ? parts : table.parts.slice(0, 4));
+}
+
+function showParts() {
+  const all = element("button", { type: "button", id: "all-parts", title: "Show all parts, or the first ones again" }, "All");
+  all.addEventListener("click", () => choose(state.parts.size < table.parts.length ? new Set(table.parts) : firstParts()));
+  all.hidden = table.parts.length > MANY_PARTS;
+  byId("parts").replaceChildren(all, ...table.parts.map((part) => {
+    const button = element("button", { type: "button", "data-part": part }, part);
+    button.addEventListener("click", () => {
+      const parts = new Set(state.parts);
+      if (!parts.delete(part)) parts.add(part);
+      choose(new Set(table.parts.filter((p) => parts.has(p))));
+    });
+    return button;
+  }));
+}
+
+function showLegend() {
+  const bodies = mechanism.bodies.length > 9 ? [] : mechanism.bodies.slice(1).map((body, i) => legendItem(scene.tint(i + 1).slice(2), "line", sentence(body.name)));
+  const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", "Path")] : [];
+  const centrodes = table.centrodes.map(({ of }) => legendItem(scene.tint(mechanism.bodies.findIndex((b) => b.name === of)).slice(2), "dashed", `Fixed centrode of ${of}`));
+  const arrows = Object.keys(ARROWS).filter((kind) => scene.shown[kind]).map((kind) => legendItem(kind === "reactions" ? "error" : kind, "line", ARROWS[kind]));
+  byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows);
+  const kinds = [...new Set(landmarks.map((l) => l.kind))];
+  byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(kind))));
+}
+
+// Buttons that show and hide what the picture can have besides the mechanism.
+function listenToLayers() {
+  const kinds = new Set(scene.arrows.map((arrow) => arrow.quantity));
+  for (const button of document.querySelectorAll("[data-layer]")) {
+    const { layer } = button.dataset;
+    button.hidden = layer in ARROWS ? !kinds.has(layer) : !mechanism.points.some((p) => layer === "names" || p.moves);
+    button.setAttribute("aria-pressed", String(Boolean(scene.shown[layer])));
+    button.addEventListener("click", () => {
+      const shown = !scene.shown[layer];
+      scene.show({ [layer]: shown });
+      button.setAttribute("aria-pressed", String(shown));
+      scene.move(state.drive);
+      showLegend();
+    });
+  }
+}
+
+function listen() {
+  set(byId("drive"), { min: mechanism.from, max: mechanism.to });
+  byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
+  new ResizeObserver(() => { scene.build(); goTo(state.drive); }).observe(byId("picture"));
+}
+
+byId("drive-name").textContent = sentence(driving.name);
+showHead(result, "Analysis of a mechanism", [plural(mechanism.bodies.length - 1, "moving body").replace(/bodys$/, "bodies"),
+  plural(table.rows, "position"), result.work ? duration(result.work.seconds) : ""], "space plays, ← → move the drive (with shift ten times as far)");
+showNotes(result.notes ?? []);
+showWork(result.work);
+showFacts(data.facts, driving, mechanism);
+followTheme(() => curves.redraw());
+if (!result.analysis?.columns) byId("save").textContent = "Save the result without its table as JSON";
+byId("save").addEventListener("click", () => saveResult(result));
+byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", table.csv));
+if (table.thinned) byId("save-table").textContent = `Save the ${table.drawn.toLocaleString("en")} rows drawn as CSV`;
+showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
+showLegend();
+showParts();
+scene.build();
+choose(firstParts());
+byId("parts").scrollTop = (document.querySelector('[data-part][aria-pressed="true"]')?.offsetTop ?? 0) - byId("parts").offsetTop;
+listenToLayers();
+listen();
+controls.start();

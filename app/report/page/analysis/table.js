@@ -1,0 +1,67 @@
+// The columns of the analysis, and which of them belong together.
+
+const UNIT_TEXTS = { deg: "°", length: "units", "length/s": "units/s", "length/s2": "units/s²", "rad/s2": "rad/s²", "N m": "N·m", "1/length": "1/unit" };
+const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
+const UNIT_SUFFIX = /_(deg|per_s2|per_s|rad_s2|rad_s|N_m|N)$/;
+
+const INSTANT_GEOMETRY = "instant-geometry";
+
+// A column's name without its unit: "E vx", "bar ω".
+function columnLabel(name) {
+  return name.replace(UNIT_SUFFIX, "").replace(/_omega$/, " ω").replace(/_alpha$/, " α").replaceAll("_", " ");
+}
+
+class Table {
+  constructor({ rows, drive, columns }, vectors, normals) {
+    const rising = drive.length < 2 || drive.at(-1) >= drive[0];
+    const turned = (list) => (rising ? list : [...list].reverse());
+    Object.assign(this, { rows, drawn: drive.length, drive: turned(drive), vectors, normals });
+    this.columns = columns.map((column, index) => ({ ...column, index, label: columnLabel(column.name), written: turned(column.values) }));
+    this.#hush();
+    for (const column of this.columns) [column.least, column.greatest] = extremes(column.values);
+    // Parts in the order of the table; the drive itself is on every plot's axis.
+    this.parts = [...new Set(this.columns.filter((c) => c.quantity !== "drive").map((c) => c.of))];
+  }
+
+  // Rounding is no motion: what is next to nothing beside all else of its kind is shown as zero.
+  #hush() {
+    const sizes = new Map();
+    const kind = (column) => `${column.quantity} ${column.unit}`;
+    for (const column of this.columns) sizes.set(kind(column), Math.max(sizes.get(kind(column)) ?? 0, quantile(column.written, 0.95)));
+    for (const column of this.columns) {
+      const least = 1e-11 * sizes.get(kind(column));
+      column.values = column.written.map((v) => (v !== null && Math.abs(v) < least ? 0 : v));
+    }
+  }
+
+  // The centrodes that poles trace in the plane, for each body a path with gaps.
+  get centrodes() {
+    return this.vectorsOf(INSTANT_GEOMETRY).filter(({ x }) => x.name === `${x.of}_pole_x`)
+      .map(({ x, y }) => ({ of: x.of, path: x.values.map((value, i) => (value === null || y.values[i] === null ? null : [value, y.values[i]])) }));
+  }
+
+  get thinned() { return this.drawn < this.rows; }
+
+  // The value of a column at a drive coordinate, by interpolation.
+  at(column, drive) {
+    if (this.drawn === 0 || drive < this.drive[0] - 1e-9 || drive > this.drive.at(-1) + 1e-9) return null;
+    return this.drawn === 1 ? column.values[0] : interpolate(column.values, locate(this.drive, drive));
+  }
+
+  // The vectors of a quantity, their components as columns.
+  vectorsOf(quantity) {
+    return this.vectors.map(({ x, y, body, at }) => ({ x: this.columns[x], y: this.columns[y], body, at })).filter((v) => v.x.quantity === quantity);
+  }
+
+  get csv() {
+    const cell = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+    const lines = [this.columns.map((c) => cell(c.name)), ...this.drive.map((_, i) => this.columns.map((c) => c.written[i] ?? ""))];
+    return `${lines.map((line) => line.join(",")).join("\n")}\n`;
+  }
+}
+
+function extremes(values) {
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const v of values) if (v !== null) { least = Math.min(least, v); greatest = Math.max(greatest, v); }
+  return least <= greatest ? [least, greatest] : [null, null];
+}

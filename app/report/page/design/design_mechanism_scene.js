@@ -1,0 +1,33 @@
+// The picture of a design that is no four-bar.
+
+class DesignMechanismScene extends MechanismScene {
+  constructor(frame, design, onDrag) {
+    super(frame, design.mechanism, onDrag);
+    this.design = design;
+  }
+
+  build(design, options) {
+    this.box = design.boxes[options.framing];
+    super.build();
+    this.layers.backdrop.append(...backdropOf(this.view, design, options));
+    this.axes = new GuidedAxes(this.view, design.guided);
+    this.layers.targets.append(...targetsOf(this.view, design, options), this.axes.part);
+  }
+
+  move(drive) {
+    super.move(drive);
+    this.axes?.move(this.mechanism.places(drive)[this.design.guided?.body ?? 0]);
+  }
+
+  legend() {
+    return this.mechanism.bodies.slice(1).map((body, i) => legendItem(this.tint(i + 1).slice(2), "line", sentence(body.name)));
+  }
+}
+
+// In the place of a design whose links cannot be assembled.
+class EmptyScene extends Picture {
+  constructor(frame) { super(frame, "No picture"); }
+  build() { this.clear(null, "The links of this design cannot be assembled."); }
+  move() {}
+  legend() { return []; }
+}

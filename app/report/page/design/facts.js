@@ -1,0 +1,127 @@
+// What is known of the design chosen, and of the run.
+
+const units = (x, digits = 7) => element("span", { title: `${x}` }, `${number(x, digits)}`);
+const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
+
+function showDimensions({ entry: { mechanism } }) {
+  const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
+  byId("dimensions-list").replaceChildren(...rows, ...fact("Lengths in", "units of the problem"));
+}
+
+function linkageRows(m) {
+  const [a, d] = m.fixed_pivots;
+  const [dx, dy] = [d[0] - a[0], d[1] - a[1]];
+  return [
+    ...fact("Crank A–B", units(m.crank)), ...fact("Coupler B–C", units(m.coupler)), ...fact("Rocker C–D", units(m.rocker)),
+    ...fact("Frame A–D", units(Math.hypot(dx, dy))), ...fact("Frame angle", degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
+    ...fact("Pivot A", pointText(a), a.join(", ")), ...fact("Pivot D", pointText(d), d.join(", ")),
+    ...(m.coupler_point ? fact("Coupler point u, v", pointText(m.coupler_point), m.coupler_point.join(", ")) : []),
+    ...fact("Assembly", m.assembly)];
+}
+
+// The table of any other mechanism, key by key; the parts of a chain each in a row.
+function mechanismRows({ type, ...table }) {
+  const rows = Object.entries(table).flatMap(([key, value]) => {
+    if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(`Pivot ${"AD"[i]}`, pointText(pivot), pivot.join(", ")));
+    const parts = Array.isArray(value) && value.every((part) => typeof part === "object" && !Array.isArray(part)) ? value : [value];
+    return parts.flatMap((part) => fact(factName(key.replace(/_deg$/, "")), partText(part, key), JSON.stringify(part)));
+  });
+  return [...fact("Mechanism", sentence(type)), ...rows];
+}
+
+// A value of a mechanism's table in words.
+function partText(value, key) {
+  if (typeof value === "number") return key.endsWith("_deg") ? degreesShort(value, 7) : number(value, 7);
+  if (Array.isArray(value)) return value.map((part) => partText(part, "")).join(", ");
+  if (typeof value !== "object" || value === null) return String(value);
+  return Object.entries(value).map(([name, part]) => `${name.replace(/_deg$/, "").replaceAll("_", " ")} ${partText(part, name)}`).join("; ");
+}
+
+// Metrics with their levels joined by dots, as `cognate list --metrics` names them.
+function flatMetrics(table, above = "") {
+  return Object.entries(table).flatMap(([key, value]) =>
+    (value !== null && typeof value === "object" && !Array.isArray(value) ? flatMetrics(value, `${above}${key}.`) : [[above + key, value]]));
+}
+
+// Metrics that have a row of their own; all others are told by their names.
+const TOLD_METRICS = /^(class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
+
+function otherMetrics(metrics) {
+  const facts = flatMetrics(metrics).filter(([name]) => !TOLD_METRICS.test(name)).map(([name, value]) => ({ name, value }));
+  return factPairs(facts);
+}
+
+const factPairs = (facts) => [...factRows(facts)].flatMap(([key, { text = "", place, exact }]) =>
+  fact(factName(key), place ? `${text} at ${place}`.trim() : text, typeof exact === "number" ? String(exact) : undefined));
+
+function errorRows(error, kind) {
+  if (!ERRORS[kind]) return [];
+  const angular = error.max_deg !== undefined;
+  return [
+    ...fact("Sum of squares", `${number(error.sum_of_squares, 10)}${angular ? " rad²" : ""}`, String(error.sum_of_squares)),
+    ...fact("Root mean square", angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(error.rms)),
+    ...fact("Largest", angular ? degreesShort(error.max_deg) : number(error.max, 6), String(error.max))];
+}
+
+function showQualities({ entry }, kind) {
+  const { error, metrics } = entry;
+  const t = metrics.transmission_angle_deg?.max > 0 ? metrics.transmission_angle_deg : null;
+  const optional = (name, value, text) => (value === undefined || value === null ? [] : fact(name, text(value)));
+  byId("qualities-list").replaceChildren(
+    ...errorRows(error, kind),
+    ...optional("Class", metrics.class, (name) => name + (metrics.change_point ? " (change point)" : "")),
+    ...(t ? [...fact("Transmission angle", `${degrees(t.min)} to ${degrees(t.max)}`), ...fact("Least acute", degrees(t.acute_min))] : []),
+    ...optional("Time ratio", metrics.time_ratio, (v) => number(v, 6)),
+    ...fact("Defects", metrics.defects?.length ? metrics.defects.join(", ") : "none"),
+    ...optional("Input start", metrics.input_start_deg, (v) => degreesShort(v, 8)),
+    ...optional("Output start", metrics.output_start_deg, (v) => degreesShort(v, 8)),
+    ...optional("Residual of the exact synthesis", metrics.precision_residual, (v) => number(v, 3)),
+    ...optional("Condition number", metrics.condition, (v) => number(v, 3)),
+    ...otherMetrics(metrics),
+    ...fact("Found by", originText(entry)));
+}
+
+// What the synthesis tells of itself as a whole.
+function showFindings(facts) {
+  const pairs = factPairs(flatMetrics(facts ?? {}).map(([name, value]) => ({ name, value })));
+  byId("findings").hidden = pairs.length === 0;
+  byId("findings-list").replaceChildren(...Array.from({ length: pairs.length / 2 }, (_, i) => element("div", {}, pairs[2 * i], pairs[2 * i + 1])));
+}
+
+function boundText(bound) {
+  if (bound === null || bound === undefined) return "–";
+  if (typeof bound === "number") return number(bound, 7);
+  if (Array.isArray(bound)) return bound.map((b) => number(b, 7)).join(" to ");
+  if (typeof bound === "object") return "min" in bound ? `at least ${number(bound.min, 7)}` : `at most ${number(bound.max, 7)}`;
+  return String(bound);
+}
+
+function showConstraints({ entry }) {
+  const checks = entry.constraints ?? [];
+  const head = ["Constraint", "Value", "Bound", "Met"].map((name, i) => element("th", { scope: "col", class: i === 1 || i === 2 ? "number" : "" }, name));
+  document.querySelector(".checks thead").replaceChildren(element("tr", {}, ...head));
+  byId("checks").replaceChildren(...[...checks].sort((a, b) => a.satisfied - b.satisfied).map((check) =>
+    element("tr", { class: check.satisfied ? "met" : "missed" }, element("td", {}, element("code", {}, ...breakable(check.name))),
+      element("td", { class: "number" }, boundText(check.value)), element("td", { class: "number" }, boundText(check.bound)),
+      element("td", {}, element("span", { class: `mark ${check.satisfied ? "yes" : "no"}` }, check.satisfied ? "✓ yes" : "✗ no")))));
+  const count = missed(entry).length;
+  byId("constraints-count").textContent = checks.length === 0 ? "none asked for"
+    : count ? `${count} of ${checks.length} missed` : `all ${checks.length} met`;
+}
+
+const KINDS = { "path-generation": "Path generation", "function-generation": "Function generation", "motion-generation": "Motion generation",
+  "quick-return": "Quick return", "straight-line": "Straight line" };
+
+// What is to be known first of the best design.
+function bestText(best, kind) {
+  if (!best) return "";
+  if (kind === "straight-line") return `straight to 0.1 % over ${straightLength(best)}`;
+  return ERRORS[kind] ? `${ERRORS[kind].best} ${ERRORS[kind].text(best)}` : "";
+}
+
+function showDesignHead(result, kind) {
+  const { problem, designs, work } = result;
+  showHead(result, KINDS[problem?.kind] ?? problem?.kind ?? "",
+    [plural(designs.length, "design"), bestText(designs[0], kind), work ? duration(work.seconds) : ""],
+    "space plays, ← → turn the crank (with shift by 10°)");
+}

@@ -1,0 +1,149 @@
+// The page: what is chosen, and everything that follows from it.
+
+const data = JSON.parse(byId("data").textContent);
+const { result } = data;
+const { kind } = data.target;
+const isFunction = kind === "function";
+const makeDesign = (entry, i) => (data.designs[i].motion ? new Design(entry, data.designs[i], data.target) : new MechanismDesign(entry, data.designs[i], data.target));
+const designs = result.designs.map(makeDesign);
+const loci = data.loci ?? [];
+const state = { index: 0, crank: 0, framing: "whole", magnify: 0, shownLoci: new Set(loci.keys()) };
+let scene = null;
+const curves = new Curves(byId("plots"), (crank) => { if (crank !== null) turnTo(crank, true); });
+const controls = new Controls((seconds) => turnTo(controls.player.next(playedCrank(), current().played, seconds)),
+  (sense, large) => turnTo(state.crank + sense * (large ? 10 : 1) * stepOf(current()), true));
+
+function current() { return designs[state.index]; }
+
+// What an arrow key moves the drive by: a degree, or a part of a slider's way.
+const stepOf = (design) => (design.angular ? 1 : (design.to - design.from) / 360);
+
+// The crank angle counted as the range that plays counts it.
+function playedCrank() {
+  const [from, to, round] = current().played;
+  return round || !current().angular ? state.crank : turnInto(state.crank, [from, to]);
+}
+
+// Everything that follows the drive. `byHand` stops the clock.
+function turnTo(crank, byHand = false) {
+  if (byHand) controls.play(false);
+  const design = current();
+  if (!design.assembles) return;
+  state.crank = design.within(crank);
+  design.crank = state.crank;
+  scene.move(design.moved(state.crank));
+  curves.move(state.crank);
+  const slider = byId("crank");
+  slider.value = state.crank;
+  slider.setAttribute("aria-valuetext", design.angular ? `${fixed(state.crank, 0)} degrees` : number(state.crank, 4));
+  byId("crank-value").textContent = design.angular ? degrees(state.crank, 1) : number(state.crank, 4);
+  byId("readout").textContent = design.readout(state.crank);
+}
+
+function drawScene() {
+  scene.build(current(), { framing: state.framing, magnify: MAGNIFICATIONS[state.magnify], loci, shownLoci: state.shownLoci });
+  turnTo(state.crank);
+}
+
+function setFraming(framing) {
+  state.framing = framing;
+  for (const button of document.querySelectorAll("[data-framing]")) {
+    button.setAttribute("aria-pressed", String(button.dataset.framing === framing));
+    if (isFunction && button.dataset.framing === "moving") button.textContent = "Range used";
+    button.hidden = button.dataset.framing === "curve" && !current().boxes.curve;
+  }
+}
+
+function setMagnification(step) {
+  state.magnify = step;
+  const text = `×${MAGNIFICATIONS[step].toLocaleString("en")}`;
+  byId("magnify").value = step;
+  byId("magnify").setAttribute("aria-valuetext", text);
+  byId("magnify-value").textContent = text;
+  showLegend(text);
+}
+
+function showLegend(magnification) {
+  const design = current();
+  const own = isFunction && design.trace ? [legendItem("target", "dashed", `Wanted output, error ${magnification}`)] : [];
+  if (design.boxes.curve) own.push(legendItem("curve", "line", "Coupler curve"));
+  if (design.poses.length) own.push(legendItem("target", "line", "Pose wanted"), legendItem("coupler", "line", "Body reached"));
+  else if (design.targets.length) own.push(legendItem("target", "dot", "Target"));
+  if (design.targets.length) own.push(legendItem("error", "line", `Error ${magnification}`));
+  if (design.stretch.length) own.push(legendItem("error", "line", "Straight stretch"));
+  byId("legend").replaceChildren(...scene.legend(), ...own);
+}
+
+// A button for each curve of the synthesis, which shows and hides it.
+function showLoci() {
+  byId("loci").hidden = loci.length === 0;
+  byId("loci").replaceChildren(...loci.map(({ name }, i) => {
+    const button = element("button", { type: "button", "aria-pressed": "true" }, keySign({ colour: locusColour(i) }), sentence(name));
+    button.addEventListener("click", () => {
+      if (!state.shownLoci.delete(i)) state.shownLoci.add(i);
+      button.setAttribute("aria-pressed", String(state.shownLoci.has(i)));
+      drawScene();
+    });
+    return button;
+  }));
+}
+
+// What the drive of a design is called and how far it goes.
+function setDrive(design) {
+  set(byId("crank"), { min: design.from, max: design.to, "aria-label": `${design.driveName}${design.angular ? " angle" : ""}` });
+  byId("drive-name").textContent = design.driveName;
+  controls.player.pace = design.angular ? 60 : (design.to - design.from) / 4;
+}
+
+function choose(index) {
+  state.index = index;
+  const design = current();
+  table.choose(index);
+  families.choose(index);
+  showDimensions(design);
+  showQualities(design, kind);
+  showConstraints(design);
+  scene?.remove();
+  scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
+  setDrive(design);
+  setFraming(design.assembles ? bestFraming(design.boxes) : "whole");
+  byId("magnify-label").hidden = !isFunction && design.targets.length === 0;
+  setMagnification(fittingMagnification(design, design.boxes[state.framing]));
+  byId("stage-title").textContent = `${isFourBar(design.entry) ? "Linkage" : "Mechanism"} of design ${index + 1}`;
+  curves.build(design.assembles ? design.sheets(data.transmission_limits_deg) : []);
+  byId("curves").hidden = !design.assembles;
+  state.crank = design.crank;
+  drawScene();
+}
+
+function listen() {
+  byId("crank").addEventListener("input", (event) => turnTo(Number(event.target.value), true));
+  byId("magnify").addEventListener("input", (event) => { setMagnification(Number(event.target.value)); drawScene(); });
+  byId("framing").addEventListener("click", (event) => {
+    const framing = event.target.closest("button")?.dataset.framing;
+    if (framing) { setFraming(framing); drawScene(); }
+  });
+  new ResizeObserver(drawScene).observe(byId("picture"));
+}
+
+let table = null;
+let families = null;
+showDesignHead(result, kind);
+showNotes(result.notes ?? []);
+showFindings(result.facts);
+showWork(result.work);
+followTheme(() => { curves.redraw(); families?.redraw(); });
+if (loci.length && !result.loci) byId("save").textContent = "Save the result without its curves as JSON";
+byId("save").addEventListener("click", () => saveResult(result));
+if (designs.length === 0) {
+  for (const id of ["stage", "choice", "curves", "dimensions", "qualities", "constraints"]) byId(id).hidden = true;
+  if (!result.notes?.length) showNotes(["No design was found."]);
+} else {
+  byId("choice-count").textContent = designs.length > 1 ? "choose a row, or use the arrow keys" : "";
+  table = new DesignTable(designs, kind, choose);
+  families = new Families(data.families ?? [], result.designs, choose);
+  showLoci();
+  choose(0);
+  listen();
+  controls.start();
+}

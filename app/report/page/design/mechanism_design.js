@@ -1,0 +1,94 @@
+// A design that is no four-bar: its bodies move as the analysis kernel sampled them.
+
+// The samples from the first to the last at which every body is placed.
+function placedSamples(drawn) {
+  const { bodies, drive } = drawn;
+  const placed = (k) => bodies.every((body) => ["x", "y", "deg"].every((track) => !Array.isArray(body[track]) || body[track][k] !== null));
+  const first = drive.findIndex((_, k) => placed(k));
+  if (first < 0) return null;
+  const last = drive.findLastIndex((_, k) => placed(k));
+  const cut = (track) => (Array.isArray(track) ? track.slice(first, last + 1) : track);
+  return { ...drawn, drive: cut(drive), bodies: bodies.map((body) => ({ ...body, x: cut(body.x), y: cut(body.y), deg: cut(body.deg) })) };
+}
+
+class MechanismDesign {
+  constructor(entry, drawn, target) {
+    this.entry = entry;
+    takeTargets(this, drawn, target);
+    const samples = drawn.mechanism && placedSamples(drawn.mechanism);
+    this.angular = drawn.drive?.kind !== "slider";
+    this.driveName = sentence(drawn.drive?.name ?? "drive");
+    this.stations = drawn.stations ?? [];
+    this.assembles = Boolean(samples) && samples.drive.length > 1;
+    const ends = this.assembles ? [samples.drive[0], samples.drive.at(-1)] : [0, 1];
+    this.fullTurn = Boolean(drawn.drive?.round);
+    [this.from, this.to] = ends;
+    Object.assign(this, { boxes: { curve: null, moving: null, whole: null }, stretch: [], crank: 0 });
+    if (!this.assembles) return;
+    this.mechanism = new Mechanism(samples, { from: this.from, to: this.to, round: this.fullTurn });
+    this.point = this.mechanism.points.find((point) => point.name === "P" && point.moves && !point.isPin) ?? null;
+    this.boxes = this.#boxes();
+    this.stretch = target.kind === "straight-line" ? stretchOf(entry, (drive) => this.#pointAt(drive)) : [];
+    this.crank = this.within(this.stations[0] ?? this.from);
+  }
+
+  // The coordinate within the motion that is nearest to `drive`.
+  within(drive) {
+    if (!this.assembles) return drive;
+    if (this.fullTurn || !this.angular) return this.mechanism.within(drive);
+    return this.mechanism.within(turnInto(drive, [this.from, this.to]));
+  }
+
+  // Whether the output turns; else it slides along its own first axis.
+  get outputTurns() { return Array.isArray(this.mechanism.bodies[this.mechanism.output].deg); }
+
+  // Angle of the output in degrees, or its way along its slide from where it stands first.
+  outputAt(drive) {
+    const [x, y, c, s] = this.mechanism.places(drive)[this.mechanism.output];
+    if (this.outputTurns) {
+      const { deg } = this.mechanism.bodies[this.mechanism.output];
+      return interpolate(deg, locate(this.mechanism.samples, this.mechanism.within(drive)));
+    }
+    const [x0, y0] = this.mechanism.places(this.from)[this.mechanism.output];
+    return (x - x0) * c + (y - y0) * s;
+  }
+
+  get outputName() { return this.mechanism.bodies[this.mechanism.output].name; }
+
+  #pointAt(drive) {
+    return this.point && Mechanism.point(this.mechanism.places(drive)[this.point.body], this.point.at);
+  }
+
+  #boxes() {
+    const moving = this.mechanism.box;
+    const corners = [[moving.x0, moving.y0], [moving.x1, moving.y1]];
+    return { curve: this.point ? boxOf([...this.point.path, ...this.targets]) : null, moving, whole: boxOf([...corners, ...this.targets]) };
+  }
+
+  errorAt() { return null; }
+  get largestError() { return largestDistance(this.targets, this.reached); }
+  get played() { return [this.from, this.to, this.fullTurn]; }
+
+  sceneIn(frame, onDrag) {
+    return this.assembles ? new DesignMechanismScene(frame, this, onDrag) : new EmptyScene(frame);
+  }
+
+  moved(drive) { return drive; }
+
+  readout(drive) {
+    const at = this.angular ? degrees(drive, 1) : number(drive, 5);
+    const output = this.outputTurns ? degrees(this.outputAt(drive), 1) : number(this.outputAt(drive), 5);
+    return `${this.driveName.toLowerCase()} ${at} · ${this.outputName} ${output}`;
+  }
+
+  sheets() {
+    const turns = this.outputTurns;
+    const drives = this.mechanism.samples;
+    const values = drives.map((drive) => this.outputAt(drive));
+    const [least, greatest] = [Math.min(...values), Math.max(...values)];
+    const text = (v) => (turns ? degrees(v, 1) : `${number(v, 5)} units`);
+    const sheet = { ...overDrive(this), x: drives, title: `${turns ? "Angle" : "Displacement"} of the ${this.outputName}, ${turns ? "°" : "units"}`,
+      lines: [{ y: values, colour: "--rocker" }], note: `${turns ? "Swing" : "Stroke"} ${text(greatest - least)}`, summary: `from ${text(least)} to ${text(greatest)}` };
+    return [sheet, this.stretch.length ? deviationSheet(this) : distanceSheet(this)].filter(Boolean);
+  }
+}

@@ -1,0 +1,100 @@
+// What is plotted for a design: one sheet for each plot.
+
+function curveSheets(design, limits) {
+  const error = design.trace ? structuralErrorSheet(design) : design.stretch.length ? deviationSheet(design) : distanceSheet(design);
+  return [rockerSheet(design), error, transmissionSheet(design, limits)].filter(Boolean);
+}
+
+// What the plots over the drive have in common.
+function overDrive(design) {
+  return { xRange: [design.from, design.to], xLabel: design.angular ? `${design.driveName} angle, °` : `${design.driveName}, units`,
+    xSteps: design.angular ? TURN_STEPS : undefined, xAt: (drive) => design.within(drive), driveAt: (x) => x };
+}
+
+const overCrank = (design) => ({ ...overDrive(design), x: design.linkage.cranks });
+
+// The part of the crank's turn in which a function is generated, moved into the motion drawn.
+function usedShade(design) {
+  if (!design.trace || design.trace.crank_deg.length < 2) return [];
+  const { linkage, span } = design;
+  const from = linkage.within(span[0]);
+  const to = from + span[1] - span[0];
+  const shades = [{ axis: "x", from, to, colour: "--accent-soft" }];
+  if (linkage.fullTurn && to > linkage.to) shades.push({ axis: "x", from: from - 360, to: to - 360, colour: "--accent-soft" });
+  return shades;
+}
+
+function rockerSheet(design) {
+  const { linkage } = design;
+  const lines = [{ y: linkage.rockers, colour: "--rocker" }];
+  const rocker = linkage.rockers;
+  const sheet = { ...overCrank(design), title: "Output angle of the rocker, °", lines, shades: usedShade(design),
+    summary: `from ${degrees(Math.min(...rocker), 1)} to ${degrees(Math.max(...rocker), 1)}` };
+  if (design.trace) {
+    lines.push({ y: linkage.cranks.map((crank) => {
+      const error = design.errorAt(crank);
+      return error === null ? null : linkage.pose(crank).rocker - error;
+    }), colour: "--target", dash: [6, 4] });
+    sheet.note = "Generated, and wanted (dashed) in the range used (tinted)";
+  } else {
+    sheet.note = `Swing ${degrees(Math.max(...rocker) - Math.min(...rocker), 1)}, counted from the x axis`;
+  }
+  return sheet;
+}
+
+function distanceSheet(design) {
+  const rows = design.targets.map((target, i) => ({ crank: design.within(design.stations[i]),
+    distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) : null }))
+    .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
+  if (rows.length === 0) return null;
+  const { values, unit, size } = scaled(rows.map((row) => row.distance), "units");
+  return { ...overDrive(design), x: rows.map((row) => row.crank), title: `Distance from each target, ${unit}`,
+    lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
+    yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: `Largest ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
+}
+
+// How far the stretch is from its best line, the middle of the narrowest strip around it.
+function deviationSheet({ stretch, entry: { metrics } }) {
+  const points = stretch.filter(Boolean);
+  if (points.length < 2) return null;
+  const [x, y] = unitVector(metrics.direction_deg_at_0_001 ?? 0);
+  const start = points[0];
+  const along = points.map((p) => (p[0] - start[0]) * x + (p[1] - start[1]) * y);
+  const across = points.map((p) => (p[1] - start[1]) * x - (p[0] - start[0]) * y);
+  const middle = (Math.min(...across) + Math.max(...across)) / 2;
+  const { values, unit, size } = scaled(across.map((d) => d - middle), "units");
+  const order = along.map((_, i) => i).sort((i, j) => along[i] - along[j]);
+  const length = Math.max(...along) - Math.min(...along);
+  return { x: order.map((i) => along[i]), xRange: [Math.min(...along), Math.max(...along)], xLabel: "Along the line, units",
+    title: `Deviation from the straight line, ${unit}`, lines: [{ y: order.map((i) => values[i]), colour: "--error" }], hover: false,
+    yRange: size > 0 ? undefined : [-1, 1], xAt: () => null, driveAt: () => null,
+    note: `Over ${number(length, 5)} units at most ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
+}
+
+const unitVector = (deg) => [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];
+
+function structuralErrorSheet(design) {
+  const { trace } = design;
+  const byX = trace.x !== null;
+  const { values, unit, size } = scaled(trace.error_deg, "°");
+  const x = byX ? trace.x : trace.crank_deg;
+  const order = x.map((_, i) => i).sort((i, j) => x[i] - x[j]);
+  const sortedX = order.map((i) => x[i]);
+  const cranks = order.map((i) => trace.crank_deg[i]);
+  const margin = 0.03 * (sortedX.at(-1) - sortedX[0]) || 1;
+  return { x: sortedX, xRange: [sortedX[0] - margin, sortedX.at(-1) + margin], xLabel: byX ? "x" : "Crank angle, °",
+    lines: [{ y: order.map((i) => values[i]), colour: "--error", dots: !byX }], stems: !byX, hover: byX,
+    yRange: size > 0 ? undefined : [-1, 1],
+    title: `Structural error, ${unit}`, note: `Generated less wanted; largest ${number(size, 4)}°`, summary: `at most ${number(size, 4)} degrees`,
+    xAt: (crank) => design.between(crank, cranks, sortedX), driveAt: (at) => design.between(at, sortedX, cranks, false) };
+}
+
+function transmissionSheet(design, limits) {
+  const values = design.linkage.poses.map((pose) => pose.transmission);
+  const [least, greatest] = [Math.min(...values), Math.max(...values)];
+  const sheet = { ...overCrank(design), title: "Transmission angle, °", lines: [{ y: values, colour: "--coupler" }], shades: usedShade(design),
+    yRange: limits ? [0, 180] : padded(least, greatest), summary: `from ${degrees(least, 1)} to ${degrees(greatest, 1)}` };
+  sheet.note = `${sentence(sheet.summary)}; ${limits ? `limits ${number(limits[0])}° and ${number(limits[1])}°` : "no limits asked for"}`;
+  if (limits) sheet.shades.push({ axis: "y", from: 0, to: limits[0], colour: "--shade" }, { axis: "y", from: limits[1], to: 180, colour: "--shade" });
+  return sheet;
+}

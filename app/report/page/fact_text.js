@@ -1,0 +1,46 @@
+// Facts of a motion or of a synthesis in words.
+
+const FACT_WORDS = { min: "least", max: "greatest", acute_min: "least acute", N_m: "N·m", N: "N", deg: "°" };
+
+// Shares of a stretch's length to which it is straight, as names end.
+const STRAIGHTNESS = { _at_0_001: " at 0.1 %", _at_0_01: " at 1 %" };
+
+// A fact's name without its unit, and whether it says where something is reached: "torque_N_m.max"
+// and "torque_N_m.max_at_deg" are of one "torque.max".
+function factParts(name) {
+  const [share = ""] = /_at_0_0*1$/.exec(name) ?? [];
+  if (share) {
+    const parts = factParts(name.slice(0, -share.length));
+    return { ...parts, key: parts.key + share };
+  }
+  const where = /_at(_deg)?(?=\.|$)/.test(name);
+  const bare = name.replace(/_at(_deg)?(?=\.|$)/, "");
+  const [, unit = ""] = /_(N_m|N|deg)(?=\.|$)/.exec(bare) ?? [];
+  return { key: bare.replace(/_(N_m|N|deg)(?=\.|$)/, ""), unit: where && name.includes("_at_deg") ? "deg" : unit, where };
+}
+
+function factName(key) {
+  const [of, what] = key.split(/\.(.*)/);
+  const words = (text) => text.replace(/_at_0_0*1$/, (share) => STRAIGHTNESS[share] ?? share).replaceAll("_", " ");
+  if (!what) return sentence(words(of));
+  const largest = /^(.*)_max$/.exec(of);
+  return largest ? `Largest ${words(largest[1])}, ${words(what)}` : `${sentence(words(of))}, ${FACT_WORDS[what] ?? words(what)}`;
+}
+
+function factText(value, unit) {
+  if (value === null) return "–";
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (typeof value !== "number") return String(value).replaceAll("_", " ");
+  return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)}${unit ? ` ${FACT_WORDS[unit]}` : ""}`;
+}
+
+// The facts by their names, each with the place where it holds.
+function factRows(facts) {
+  const rows = new Map();
+  for (const { name, value } of facts) {
+    const { key, unit, where } = factParts(name);
+    const row = rows.get(key) ?? {};
+    rows.set(key, where ? { ...row, place: factText(value, unit) } : { ...row, text: factText(value, unit), exact: value });
+  }
+  return rows;
+}

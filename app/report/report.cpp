@@ -1,0 +1,73 @@
+#include "app/report/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/analysis_report_data.hpp"
+#include "app/report/page.hpp"
+#include "app/report/report_data.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// How many characters of a member of the result that the page draws from elsewhere it bears.
+constexpr std::size_t kLarge = 400'000;
+
+/// JSON that may stand in a script element: ASCII alone, so no U+2028, and every '<' escaped, so no
+/// text in it can end the element or open a comment.
+std::string embedded(const ordered_json& value) {
+  using Handler = ordered_json::error_handler_t;
+  std::string text;
+  for (const char c : value.dump(-1, ' ', true, Handler::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+/// `page` with `data` in its place.
+std::string filled(std::string page, const ordered_json& data) {
+  constexpr std::string_view kMarker = "@DATA@";
+  return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
+}
+
+bool is_large(const ordered_json& table, const char* member) {
+  return table.contains(member) && table[member].dump().size() > kLarge;
+}
+
+/// `document` without what would make the page too large: the table of an analysis, and with it the
+/// positions of its drive; the curves of a synthesis.
+ordered_json without_large_tables(const ordered_json& document) {
+  ordered_json kept = document;
+  if (kept.contains("analysis") && is_large(kept["analysis"], "columns")) {
+    kept["analysis"].erase("columns");
+    for (auto& design : kept["designs"]) {
+      for (const char* positions : {"crank_deg", "slide"}) design.erase(positions);
+    }
+  }
+  if (is_large(kept, "loci")) kept.erase("loci");
+  return kept;
+}
+
+}  // namespace
+
+std::string report_html(const ordered_json& result_document, const problems::Problem& problem,
+                        const problems::Result& result) {
+  ordered_json data = report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  return filled(design_page(), data);
+}
+
+std::string report_html(const ordered_json& result_document,
+                        const problems::AnalysisProblem& problem,
+                        const problems::AnalysisResult& result) {
+  ordered_json data = analysis_report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  return filled(analysis_page(), data);
+}
+
+}  // namespace cognate::app

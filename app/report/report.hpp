@@ -1,0 +1,28 @@
+/// @file The report: one HTML page that shows a result.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "problems/analysis/analysis_result.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::app {
+
+/// A whole HTML page that opens from disk and loads nothing: `result_document` (the
+/// `cognate-result/1` document of `result`, embedded as it is but for loci that would make the page
+/// too large), the targets of `problem`, and the motion of each design, sampled by the analysis
+/// kernel. Text of the user's cannot become markup.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::Problem& problem, const problems::Result& result);
+
+/// The page of an analysis, likewise: the mechanism in motion, sampled by the analysis kernel, and
+/// the columns, landmarks and facts of `result`. Rows are thinned where there are more than can be
+/// drawn. `result_document` is embedded as it is, but the columns of its `analysis`, and with them
+/// the drive's positions in its design, are left out where the page would become too large.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::AnalysisProblem& problem,
+                        const problems::AnalysisResult& result);
+
+}  // namespace cognate::app

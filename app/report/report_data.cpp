@@ -1,0 +1,119 @@
+#include "app/report/report_data.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "app/report/design_drawing.hpp"
+#include "app/report/drawn_findings.hpp"
+#include "app/report/function_trace.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+ordered_json point_json(const Vec2d& point) {
+  return {point.x, point.y};
+}
+
+ordered_json drawn_degrees(const std::vector<double>& angles) {
+  ordered_json list = ordered_json::array();
+  for (const double angle : angles) {
+    list.push_back(round_to_digits(kDegrees * angle, kDrawnDigits));
+  }
+  return list;
+}
+
+ordered_json trace_json(const FunctionTrace& trace) {
+  ordered_json x = ordered_json::array();
+  for (const double value : trace.x) x.push_back(round_to_digits(value, kDrawnDigits));
+  return {{"x", trace.x.empty() ? ordered_json(nullptr) : x},
+          {"crank_deg", drawn_degrees(trace.crank)},
+          {"error_deg", drawn_degrees(trace.error)}};
+}
+
+ordered_json poses_json(const std::vector<synthesis::Pose>& poses) {
+  ordered_json list = ordered_json::array();
+  for (const auto& pose : poses) {
+    list.push_back(ordered_json::array({pose.at.x, pose.at.y, kDegrees * pose.angle}));
+  }
+  return list;
+}
+
+struct TargetJson {
+  ordered_json operator()(const problems::PathProblem& problem) const {
+    ordered_json points = ordered_json::array();
+    for (const Vec2d& point : problem.points) points.push_back(point_json(point));
+    return {{"kind", "path"}, {"points", points}};
+  }
+  ordered_json operator()(const problems::FunctionProblem&) const { return {{"kind", "function"}}; }
+  ordered_json operator()(const problems::MotionProblem& problem) const {
+    return {{"kind", "motion"}, {"poses", poses_json(problem.poses)}};
+  }
+  ordered_json operator()(const problems::QuickReturnProblem&) const {
+    return {{"kind", "quick-return"}};
+  }
+  ordered_json operator()(const problems::StraightLineProblem&) const {
+    return {{"kind", "straight-line"}};
+  }
+};
+
+/// What a design reaches at the targets of its problem, or how it errs.
+struct ReachedJson {
+  const problems::Design& design;
+
+  ordered_json operator()(const problems::FunctionProblem& problem) const {
+    const auto wanted = problems::function_samples(problem);
+    return {{"trace", trace_json(function_trace(problem, wanted, design))}};
+  }
+  ordered_json operator()(const problems::MotionProblem& problem) const {
+    return reached_poses(design, problem.poses);
+  }
+  template <class Other>
+  ordered_json operator()(const Other&) const {
+    return reached_points(design);
+  }
+};
+
+ordered_json transmission_limits(const problems::Problem& problem) {
+  const auto& limits = std::visit(
+      [](const auto& p) -> const auto& { return p.constraints.transmission_angle; }, problem);
+  if (!limits) return nullptr;
+  return {std::isfinite(limits->min) ? kDegrees * limits->min : 0,
+          std::isfinite(limits->max) ? kDegrees * limits->max : 180};
+}
+
+}  // namespace
+
+double round_to_digits(double x, int digits) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x,
+                                 std::chars_format::scientific, digits - 1)
+                       .ptr;
+  double rounded = x;
+  std::from_chars(text.data(), end, rounded);
+  return rounded;
+}
+
+ordered_json report_data(const problems::Problem& problem, const problems::Result& result) {
+  const Fineness finely = fineness(result.designs.size());
+  ordered_json designs = ordered_json::array();
+  for (const problems::Design& design : result.designs) {
+    ordered_json entry = motion_of(design, finely);
+    entry.update(std::visit(ReachedJson{design}, problem));
+    designs.push_back(entry);
+  }
+  return {{"target", std::visit(TargetJson{}, problem)},
+          {"transmission_limits_deg", transmission_limits(problem)},
+          {"designs", designs},
+          {"loci", drawn_loci(result.loci)},
+          {"families", drawn_families(result.families)}};
+}
+
+}  // namespace cognate::app

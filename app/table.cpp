@@ -1,0 +1,211 @@
+#include "app/table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "app/design_columns.hpp"
+#include "app/messages.hpp"
+#include "app/paint.hpp"
+#include "app/text_table.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::Design;
+using problems::FunctionProblem;
+using problems::PathProblem;
+using problems::Problem;
+using problems::Result;
+using problems::Status;
+
+/// How many designs are printed.
+constexpr std::size_t kShown = 20;
+
+/// "1 design", "3 designs".
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string description(const PathProblem& problem) {
+  const bool prescribed = problem.timing == problems::Timing::prescribed;
+  return fmt::format("path generation{}, {} points, {} timing",
+                     problem.method == problems::PathMethod::exact ? " exactly" : "",
+                     problem.points.size(), prescribed ? "prescribed" : "free");
+}
+
+std::string description(const FunctionProblem& problem) {
+  if (const auto* pairs = std::get_if<problems::AnglePairs>(&problem.target)) {
+    const bool slider = problem.type == problems::MechanismType::slider_crank;
+    return fmt::format("function generation, {} pairs of angles{}", pairs->size(),
+                       slider ? " and displacements" : "");
+  }
+  const auto& function = std::get<problems::FunctionOfX>(problem.target);
+  const auto what = function.text.empty()
+                        ? fmt::format("a table of {} points", function.table.size())
+                        : "y = " + function.text;
+  const auto aim =
+      problem.objective == problems::FunctionObjective::exact
+          ? counted(static_cast<std::size_t>(problem.precision_points), "precision point")
+          : counted(problem.sample_at.size(), "sample");
+  return fmt::format("function generation, {}, {}", what, aim);
+}
+
+std::string description(const problems::MotionProblem& problem) {
+  return fmt::format("motion generation, {} poses", problem.poses.size());
+}
+
+std::string description(const problems::QuickReturnProblem& problem) {
+  return fmt::format("quick return, time ratio {}", problem.time_ratio);
+}
+
+std::string description(const problems::StraightLineProblem&) {
+  return "approximate straight line";
+}
+
+constexpr FactColumn kQuickReturnFacts[] = {
+    {"swing_deg", "swing [deg]"}, {"stroke", "stroke"}, {"pressure_angle_deg", "pressure [deg]"}};
+constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
+                                             {"straight_length_at_0_001", "straight to 0.1 %"},
+                                             {"straight_length_at_0_01", "to 1 %"}};
+
+/// What is told of the designs of each kind of problem.
+struct Choice {
+  ColumnChoice operator()(const PathProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const FunctionProblem& problem) const {
+    const bool angles = problem.type == problems::MechanismType::four_bar;
+    return {.error_unit = angles ? "deg" : "length"};
+  }
+  ColumnChoice operator()(const problems::MotionProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const problems::QuickReturnProblem&) const {
+    return {.facts = kQuickReturnFacts};
+  }
+  ColumnChoice operator()(const problems::StraightLineProblem&) const {
+    return {.coupler_point = true, .facts = kStraightLineFacts};
+  }
+};
+
+std::string status_line(const Result& result) {
+  const auto designs = counted(result.designs.size(), "design");
+  const int feasible = feasible_count(result);
+  auto met = result.designs.empty() ? std::string("no design found")
+                                    : fmt::format("{}; {} meet{} every constraint", designs,
+                                                  feasible, feasible == 1 ? "s" : "");
+  switch (result.status) {
+    case Status::solved:
+      return "solved: " + met;
+    case Status::infeasible:
+      return "infeasible: no design satisfies every constraint; the nearest follow";
+    case Status::no_solution:
+      return "no solution: " + met;
+    case Status::time_limit:
+      return "stopped at the time limit: " + met;
+    case Status::interrupted:
+      return "interrupted: " + met;
+  }
+  return met;
+}
+
+Colour status_colour(const Result& result) {
+  if (result.status == Status::solved) return Colour::green;
+  return feasible_count(result) > 0 ? Colour::yellow : Colour::red;
+}
+
+struct Written {
+  std::string operator()(double value) const { return fmt::format("{:.6g}", value); }
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(const std::string& value) const { return printable(value); }
+  std::string operator()(const problems::Range& range) const {
+    if (std::isinf(range.max)) return fmt::format("at least {:.6g}", range.min);
+    if (std::isinf(range.min)) return fmt::format("at most {:.6g}", range.max);
+    return fmt::format("{:.6g}…{:.6g}", range.min, range.max);
+  }
+};
+
+/// A name as words: "complex_solutions" is "complex solutions", "real.triplets" "real triplets".
+std::string words(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c == '_' || c == '.'; }, ' ');
+  return printable(name);
+}
+
+/// The facts of the synthesis as a whole on one line; empty without facts.
+std::string facts_line(const Result& result) {
+  std::string line;
+  for (const auto& fact : result.facts) {
+    const auto* number = std::get_if<double>(&fact.value);
+    if (number != nullptr && !std::isfinite(*number)) continue;
+    if (!line.empty()) line += "; ";
+    line += words(fact.name) + ": " + std::visit(Written{}, fact.value);
+  }
+  return line.empty() ? line : line + '\n';
+}
+
+std::span<const Design> shown_designs(const Result& result) {
+  return std::span(result.designs).first(std::min(kShown, result.designs.size()));
+}
+
+void append_designs(std::string& text, const Problem& problem, const Result& result, bool colour) {
+  const auto designs = shown_designs(result);
+  if (designs.empty()) return;
+  const auto lines = set_columns(design_columns(designs, std::visit(Choice{}, problem)));
+  text += '\n' + paint(lines.front(), Colour::bold, colour) + '\n';
+  for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + '\n';
+  const std::size_t left_out = result.designs.size() - designs.size();
+  if (left_out > 0) {
+    text += fmt::format("and {} more, which the result file and the report hold\n", left_out);
+  }
+  text += '\n';
+}
+
+void append_violations(std::string& text, const Result& result, bool colour) {
+  const auto designs = shown_designs(result);
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    for (const auto& check : designs[i].constraints) {
+      if (check.satisfied) continue;
+      text += paint(fmt::format("design {} violates {}", i + 1, check.name), Colour::red, colour);
+      text += fmt::format(": {}; allowed: {}\n", std::visit(Written{}, check.value),
+                          std::visit(Written{}, check.bound));
+    }
+  }
+}
+
+}  // namespace
+
+bool is_feasible(const Design& design) {
+  return std::ranges::all_of(design.constraints, &problems::ConstraintCheck::satisfied);
+}
+
+int feasible_count(const Result& result) {
+  return static_cast<int>(std::ranges::count_if(result.designs, is_feasible));
+}
+
+std::string describe(const Problem& problem) {
+  return std::visit(
+      [](const auto& given) {
+        const auto what = description(given);
+        return printable(given.title.empty() ? what : given.title + ": " + what);
+      },
+      problem);
+}
+
+std::string design_table(const Problem& problem, const Result& result, bool colour) {
+  std::string text = describe(problem) + '\n';
+  text += paint(status_line(result), status_colour(result), colour) + '\n';
+  text += facts_line(result);
+  append_designs(text, problem, result, colour);
+  append_violations(text, result, colour);
+  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
+  text += fmt::format("{:.3g} s on {}", result.work.seconds,
+                      counted(static_cast<std::size_t>(result.work.threads), "thread"));
+  if (result.work.candidates > 0) {
+    text += fmt::format(", {} candidates screened", result.work.candidates);
+  }
+  text += '\n';
+  return text;
+}
+
+}  // namespace cognate::app

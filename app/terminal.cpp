@@ -1,0 +1,59 @@
+#include "app/terminal.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+
+namespace cognate::app {
+namespace {
+
+bool is_capable_terminal(int descriptor) {
+  const char* kind = std::getenv("TERM");
+  return isatty(descriptor) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+std::error_code write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return {errno, std::generic_category()};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+bool colour_on_standard_output() {
+  const char* refused = std::getenv("NO_COLOR");
+  return is_capable_terminal(STDOUT_FILENO) && (refused == nullptr || *refused == '\0');
+}
+
+bool error_is_terminal() {
+  return is_capable_terminal(STDERR_FILENO);
+}
+
+void hold_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+    // The lowest free descriptor is the closed one. Opened for the wrong direction, so that using
+    // it is the same error as before.
+    const int mode = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (::open("/dev/null", mode) == -1) return;
+  }
+}
+
+std::error_code write_standard_output(std::string_view text) {
+  return write_all(STDOUT_FILENO, text);
+}
+
+void write_standard_error(std::string_view text) {
+  // Where even this cannot be written there is no one left to tell.
+  [[maybe_unused]] const std::error_code unheard = write_all(STDERR_FILENO, text);
+}
+
+}  // namespace cognate::app

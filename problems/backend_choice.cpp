@@ -1,0 +1,29 @@
+#include "problems/backend_choice.hpp"
+
+namespace cognate::problems {
+
+using synthesis::Backend;
+
+Backend backend_of(SolverChoice choice) {
+  switch (choice) {
+    case SolverChoice::automatic:
+    case SolverChoice::gauss_newton:
+      return Backend::gauss_newton;
+    case SolverChoice::ceres:
+      return Backend::ceres;
+    case SolverChoice::slsqp:
+      return Backend::slsqp;
+    case SolverChoice::cobyla:
+      return Backend::cobyla;
+    case SolverChoice::ipopt:
+      return Backend::ipopt;
+  }
+  return Backend::gauss_newton;
+}
+
+std::string search_origin(Backend backend) {
+  const std::string text = "search + gauss-newton";
+  return backend == Backend::gauss_newton ? text : text + " + " + std::string(name(backend));
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,18 @@
+/// @file Which back end a file's `solve.solver` means.
+#pragma once
+
+#include <string>
+
+#include "problems/problem.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// `auto` is Gauss–Newton: see tests/bench for the evidence.
+synthesis::Backend backend_of(SolverChoice choice);
+
+/// The `origin` of a design found by search: Gauss–Newton refines every start, and another solver,
+/// where the file names one, finishes the best.
+std::string search_origin(synthesis::Backend backend);
+
+}  // namespace cognate::problems

@@ -1,0 +1,75 @@
+/// Function generation from problem to designs: exact synthesis, or search and verification.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "analysis/parallel.hpp"
+#include "problems/backend_choice.hpp"
+#include "problems/deadline.hpp"
+#include "problems/function_designs.hpp"
+#include "problems/function_exact.hpp"
+#include "problems/function_search.hpp"
+
+namespace cognate::problems {
+namespace {
+
+Status status(const Result& result, const Deadline& deadline, bool ended_early) {
+  if (ended_early) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  if (result.designs.empty()) return Status::no_solution;
+  const auto& constraints = result.designs.front().constraints;
+  const bool sound = std::all_of(constraints.begin(), constraints.end(),
+                                 [](const ConstraintCheck& check) { return check.satisfied; });
+  return sound ? Status::solved : Status::infeasible;
+}
+
+/// Where a design came from, then the solvers that refined it.
+std::string origin(StartOrigin start, synthesis::Backend finisher) {
+  const std::string refined = search_origin(finisher).substr(std::string_view("search").size());
+  switch (start) {
+    case StartOrigin::overlay:
+      return "exact:overlay" + refined;
+    case StartOrigin::five_points:
+      return "exact:freudenstein-5" + refined;
+    case StartOrigin::search:
+      break;
+  }
+  return "search" + refined;
+}
+
+Result solve_by_search(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  const auto minima = search_functions(problem, wanted, run, deadline, result.work);
+  const bool ended_early = deadline.reached();
+  std::vector<Design> designs;
+  for (const auto& [minimum, from] : minima) {
+    Design design = function_design(problem, wanted, minimum, positions_of(minimum, wanted.samples),
+                                    origin(from, finisher_of(problem)));
+    if (std::isfinite(design.error.sum_of_squares)) designs.push_back(std::move(design));
+  }
+  result.designs = best_designs(std::move(designs), problem.objective, problem.solve.designs);
+  result.status = status(result, deadline, ended_early);
+  if (result.status == Status::no_solution) {
+    result.notes.push_back(
+        "No four-bar was found that closes over the whole range; wider bounds, free start angles "
+        "or more starts may help.");
+  }
+  return result;
+}
+
+}  // namespace
+
+Result solve(const FunctionProblem& problem, const Run& run) {
+  const Deadline deadline(run);
+  const bool exact = problem.objective == FunctionObjective::exact;
+  Result result =
+      exact ? solve_exactly(problem, deadline) : solve_by_search(problem, run, deadline);
+  result.work.skipped = {"velocities", "accelerations", "forces"};
+  if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
+  result.work.threads = exact ? 1 : thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

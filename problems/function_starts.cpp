@@ -1,0 +1,290 @@
+#include "problems/function_starts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+
+#include "analysis/parallel.hpp"
+#include "problems/dead_centre.hpp"
+#include "problems/length_ranges.hpp"
+#include "problems/link_ratios.hpp"
+#include "synthesis/exact/chebyshev.hpp"
+#include "synthesis/exact/function/four_bar_function.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::AnglePair;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t kScreened = 21;  ///< samples looked at, at most
+constexpr int kGrid = 48;              ///< steps of each start angle over [0, π)
+constexpr int kReweightings = 2;       ///< fits weighted by the slopes of the fit before
+constexpr int kDrawsPerStart = 400;    ///< random proportions of which the best is kept
+
+/// At most `kScreened` of the samples, in even steps, both ends among them.
+std::vector<AnglePair> thinned(const std::vector<AnglePair>& samples) {
+  if (samples.size() <= kScreened) return samples;
+  std::vector<AnglePair> result;
+  for (std::size_t i = 0; i < kScreened; ++i) {
+    result.push_back(samples[i * (samples.size() - 1) / (kScreened - 1)]);
+  }
+  return result;
+}
+
+/// What all workers look up.
+struct Screen {
+  const FunctionProblem& problem;
+  std::vector<AnglePair> wanted;
+  std::array<Range, 4> ranges;
+
+  std::vector<Assembly> assemblies() const {
+    if (problem.given.assembly) return {*problem.given.assembly};
+    return {Assembly::open, Assembly::crossed};
+  }
+
+  Lengths<double> within(const Lengths<double>& l) const {
+    const auto clamp = [&](double value, int i) {
+      return std::clamp(value, ranges[i].min, ranges[i].max);
+    };
+    return {clamp(l.crank, 0), clamp(l.coupler, 1), clamp(l.rocker, 2), clamp(l.frame, 3)};
+  }
+
+  bool fixed(int i) const { return ranges[i].min == ranges[i].max; }
+
+  /// `links` in the unit of the lengths that are fixed, or of the bounds' middle.
+  Lengths<double> scaled(const Lengths<double>& l) const {
+    const std::array values{l.crank, l.coupler, l.rocker, l.frame};
+    double factor = std::sqrt(ranges[0].min * ranges[0].max) / l.crank;
+    for (const int i : {2, 1, 3, 0}) {
+      if (fixed(i)) factor = ranges[i].min / values[i];
+    }
+    return within({factor * l.crank, factor * l.coupler, factor * l.rocker, factor * l.frame});
+  }
+
+  double clamped_start(double angle, const std::optional<Range>& bounds) const {
+    if (!bounds) return angle;
+    const double middle = 0.5 * (bounds->min + bounds->max);
+    return std::clamp(middle + wrapped(angle - middle), bounds->min, bounds->max);
+  }
+
+  /// Completes the start angles that follow from the rest, and scores the generator.
+  FunctionStartPoint scored(FunctionGenerator g) const {
+    const FunctionStartPoint nothing{g, kInfinite};
+    if (problem.start != FunctionStart::free) {
+      const auto dead = dead_centre(g.links, g.assembly, problem.start);
+      if (!dead) return nothing;
+      g.input_start = dead->crank_angle;
+      g.output_start = dead->rocker_angle;
+    } else {
+      g.input_start = clamped_start(g.input_start, problem.input_start_bounds);
+      if (problem.output_start) {
+        g.output_start = *problem.output_start;
+      } else {
+        const auto start = best_output_start(g, wanted);
+        if (!start) return nothing;
+        g.output_start = clamped_start(*start, problem.output_start_bounds);
+      }
+    }
+    const double sum = StructuralError(g).sum_of_squares(wanted);
+    return {g, sum / static_cast<double>(wanted.size())};
+  }
+
+  /// The better assembly of a linkage.
+  FunctionStartPoint best_assembly(FunctionGenerator g) const {
+    FunctionStartPoint best{g, kInfinite};
+    for (const Assembly assembly : assemblies()) {
+      g.assembly = assembly;
+      const FunctionStartPoint point = scored(g);
+      if (point.error < best.error) best = point;
+    }
+    return best;
+  }
+};
+
+/// Weights that turn the residual of Freudenstein's equation into an output angle: 1/(∂F/∂θ₃)²,
+/// bounded where the slope vanishes.
+std::vector<double> slope_weights(std::span<const AnglePair> pairs,
+                                  const std::array<double, 3>& p) {
+  std::vector<double> squares;
+  double mean = 0;
+  for (const AnglePair& pair : pairs) {
+    const double slope = p[0] * std::sin(pair.output) + p[1] * std::sin(pair.output - pair.input);
+    squares.push_back(slope * slope);
+    mean += squares.back() / static_cast<double>(pairs.size());
+  }
+  for (double& value : squares) value = mean / (value + 1e-3 * mean);
+  return squares;
+}
+
+/// The linkage whose structural error with these start angles is about least.
+FunctionStartPoint fitted(const Screen& screen, double input_start, double output_start) {
+  FunctionStartPoint nothing{{}, kInfinite};
+  std::vector<AnglePair> pairs = screen.wanted;
+  for (AnglePair& pair : pairs) {
+    pair.input += input_start;
+    pair.output += output_start;
+  }
+  auto ratios = synthesis::freudenstein_fit(pairs);
+  for (int i = 0; ratios && i < kReweightings; ++i) {
+    ratios = synthesis::freudenstein_fit(pairs, slope_weights(pairs, ratios->p));
+  }
+  if (!ratios) return nothing;
+  const auto linkage = synthesis::freudenstein_linkage(ratios->p);
+  if (linkage.outcome != synthesis::FreudensteinOutcome::linkage) return nothing;
+  if (screen.problem.input_start && linkage.input_turn != 0) return nothing;
+  FunctionGenerator g;
+  g.links = screen.scaled(linkage.links);
+  g.input_start = input_start + linkage.input_turn;
+  g.output_start = output_start + linkage.output_turn;
+  FunctionStartPoint point = screen.best_assembly(g);
+  point.origin = StartOrigin::overlay;
+  return point;
+}
+
+/// The angles at which a start angle is looked at: one where the file gives it, else steps over
+/// half a turn (the other half gives the same linkages turned), shifted at random.
+std::vector<double> angles(const std::optional<double>& given, double shift) {
+  if (given) return {*given};
+  std::vector<double> result;
+  for (int i = 0; i < kGrid; ++i) result.push_back(kPi * (i + shift) / kGrid);
+  return result;
+}
+
+/// Local minima over the grid of start angles, neighbours across its edges included.
+std::vector<FunctionStartPoint> grid_minima(const std::vector<FunctionStartPoint>& grid, int rows,
+                                            int columns) {
+  const auto at = [&](int i, int j) -> const FunctionStartPoint& {
+    return grid[((i + rows) % rows) * columns + (j + columns) % columns];
+  };
+  std::vector<FunctionStartPoint> minima;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const double error = at(i, j).error;
+      bool least = std::isfinite(error);
+      for (int k = 0; least && k < 9; ++k) {
+        least = at(i + k / 3 - 1, j + k % 3 - 1).error >= error;
+      }
+      if (least) minima.push_back(at(i, j));
+    }
+  }
+  return minima;
+}
+
+/// Whether the equation's three ratios are all free: then lengths follow from start angles.
+bool ratios_are_free(const Screen& screen) {
+  return screen.problem.start == FunctionStart::free && !screen.fixed(1) && !screen.fixed(2) &&
+         !(screen.fixed(0) && screen.fixed(3));
+}
+
+std::vector<FunctionStartPoint> freudenstein_starts(const Screen& screen, const StartSearch& search,
+                                                    std::uint64_t& candidates) {
+  if (!ratios_are_free(screen)) return {};
+  std::mt19937_64 random(search.seed);
+  std::uniform_real_distribution<double> shift(0, 1);
+  const double first_shift = shift(random), second_shift = shift(random);
+  const auto inputs = angles(screen.problem.input_start, first_shift);
+  const auto outputs = angles(screen.problem.output_start, second_shift);
+  const int rows = static_cast<int>(inputs.size()), columns = static_cast<int>(outputs.size());
+  std::vector<FunctionStartPoint> grid(inputs.size() * outputs.size(),
+                                       FunctionStartPoint{{}, kInfinite});
+  parallel_for(rows, search.threads, [&](int i, int) {
+    if (search.deadline && search.deadline->reached()) return;
+    for (int j = 0; j < columns; ++j) grid[i * columns + j] = fitted(screen, inputs[i], outputs[j]);
+  });
+  candidates += grid.size();
+  return grid_minima(grid, rows, columns);
+}
+
+/// The linkages through five samples about where Chebyshev's points lie, where no start is given.
+std::vector<FunctionStartPoint> five_point_starts(const Screen& screen) {
+  const FunctionProblem& problem = screen.problem;
+  const auto count = static_cast<double>(screen.wanted.size());
+  if (!ratios_are_free(screen) || problem.input_start || problem.output_start || count < 5) {
+    return {};
+  }
+  std::vector<synthesis::PrecisionPoint> points;
+  for (const double place : synthesis::chebyshev_spacing(0, count - 1, 5)) {
+    const AnglePair& pair = screen.wanted[static_cast<std::size_t>(std::lround(place))];
+    points.push_back({.input = pair.input, .output = {pair.output}});
+  }
+  std::vector<FunctionStartPoint> starts;
+  for (const auto& solution : synthesis::four_bar_functions(points, {}).solutions) {
+    if (solution.outcome != synthesis::FourBarOutcome::linkage) continue;
+    FunctionGenerator g;
+    g.links = screen.scaled(solution.links);
+    g.input_start = solution.input_start;
+    g.output_start = solution.output_start;
+    FunctionStartPoint point = screen.best_assembly(g);
+    point.origin = StartOrigin::five_points;
+    if (std::isfinite(point.error)) starts.push_back(point);
+  }
+  return starts;
+}
+
+std::uint64_t mixed(std::uint64_t seed, std::uint64_t index) {
+  return (seed + 1) * 0x9E3779B97F4A7C15u ^ (index + 1) * 0xD1B54A32D192ED03u;
+}
+
+/// The best of some random linkages.
+FunctionStartPoint drawn(const Screen& screen, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  double largest = 1;
+  for (const Range& a : screen.ranges) {
+    for (const Range& b : screen.ranges) largest = std::max(largest, a.max / b.min);
+  }
+  largest = std::min(largest, screen.problem.constraints.link_ratio_max.value_or(30));
+  FunctionStartPoint best{{}, kInfinite};
+  for (int i = 0; i < kDrawsPerStart; ++i) {
+    FunctionGenerator g;
+    g.links =
+        screen.scaled(random_ratios(random, screen.problem.constraints.required_class, largest));
+    g.input_start = screen.problem.input_start.value_or(angle(random));
+    const FunctionStartPoint point = screen.best_assembly(g);
+    if (point.error < best.error) best = point;
+  }
+  return best;
+}
+
+std::vector<FunctionStartPoint> random_starts(const Screen& screen, const StartSearch& search,
+                                              std::uint64_t& candidates) {
+  std::vector<FunctionStartPoint> starts(search.count, FunctionStartPoint{{}, kInfinite});
+  parallel_for(search.count, search.threads, [&](int i, int) {
+    if (search.deadline && search.deadline->reached()) return;
+    starts[i] = drawn(screen, mixed(search.seed, i));
+  });
+  candidates += static_cast<std::uint64_t>(search.count) * kDrawsPerStart;
+  std::erase_if(starts, [](const auto& start) { return !std::isfinite(start.error); });
+  return starts;
+}
+
+}  // namespace
+
+FoundStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
+                        const StartSearch& search) {
+  const Screen screen{problem, thinned(wanted.samples), length_ranges(problem)};
+  FoundStarts found;
+  auto fits = freudenstein_starts(screen, search, found.candidates);
+  auto exact = five_point_starts(screen);
+  found.candidates += exact.size();
+  fits.insert(fits.end(), exact.begin(), exact.end());
+  auto draws = random_starts(screen, search, found.candidates);
+  for (auto* kind : {&fits, &draws}) {
+    std::ranges::stable_sort(*kind, {}, &FunctionStartPoint::error);
+  }
+  for (std::size_t i = 0; i < std::max(fits.size(), draws.size()); ++i) {
+    for (const auto* kind : {&fits, &draws}) {
+      const bool room = found.starts.size() < static_cast<std::size_t>(search.count);
+      if (i < kind->size() && room) found.starts.push_back((*kind)[i]);
+    }
+  }
+  return found;
+}
+
+}  // namespace cognate::problems

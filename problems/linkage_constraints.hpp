@@ -1,0 +1,50 @@
+/// @file The constraints that depend on the four link lengths alone, as smooth functions c ≥ 0.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/four_bar.hpp"
+#include "problems/problem.hpp"
+
+namespace cognate::problems {
+
+/// Class, transmission angle over the full turn and largest link ratio, as functions c(l) ≥ 0.
+///
+/// Class: with s the link that must be the shortest, s + k ≤ sum of the other two for each other
+/// link k. These three half spaces imply that s is the shortest, and together are Grashof's
+/// criterion. `grashof` and `non_grashof` use shortest + longest − the other two as it stands.
+/// Transmission: cos μ at crank and frame collinear, d = |l₄ ∓ l₁|, against the limits' cosines.
+class LinkageConstraints {
+ public:
+  /// `scale`: typical length by which linear constraints are divided.
+  LinkageConstraints(const Constraints& constraints, double scale);
+
+  int count() const { return static_cast<int>(terms_.size()); }
+
+  /// Whether a limit on the transmission angle is among them. It is not when no class with a fully
+  /// turning crank is asked for: the limit then refers to the motion between the targets.
+  bool limits_transmission() const { return limits_transmission_; }
+
+  /// Values (size count) and, unless `gradient` is empty, derivatives with respect to the lengths.
+  void evaluate(const Lengths<double>& links, std::span<double> values,
+                std::span<Lengths<double>> gradient) const;
+
+ private:
+  enum class Kind { linear, grashof_excess, transmission_min, transmission_max };
+  struct Term {
+    Kind kind = Kind::linear;
+    Lengths<double> weights;  ///< linear: c = weights · lengths; excess: ±1/scale in `crank`
+    double limit_cosine = 0;  ///< transmission
+    double margin = 0;        ///< linear: by how much c is to exceed zero
+  };
+
+  void add_shortest(double Lengths<double>::*link, double scale);
+  void add_class(RequiredClass required, double scale);
+  void add_link_ratio(double ratio, double scale);
+
+  std::vector<Term> terms_;
+  bool limits_transmission_ = false;
+};
+
+}  // namespace cognate::problems

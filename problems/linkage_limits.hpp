@@ -1,0 +1,69 @@
+/// @file What a file gives, bounds and demands of a linkage, whatever it is for. Angles are in
+/// radians, lengths in the file's unit.
+#pragma once
+
+#include <optional>
+
+#include "analysis/four_bar.hpp"
+
+namespace cognate::problems {
+
+/// A closed interval; a side that is not limited is infinite.
+struct Range {
+  double min = 0;
+  double max = 0;
+};
+
+/// An axis-parallel rectangle.
+struct Box {
+  Vec2d min;
+  Vec2d max;
+};
+
+/// Dimensions that `[mechanism]` fixes. What is empty is found.
+struct Given {
+  std::optional<double> crank, coupler, rocker, frame, frame_angle;
+  std::optional<Vec2d> pivot_a, pivot_d, coupler_point;
+  std::optional<Assembly> assembly;
+};
+
+/// `[bounds]`. `length` has already been merged into the four links (the narrower limits hold).
+struct Bounds {
+  std::optional<Range> crank, coupler, rocker, frame, frame_angle;
+  std::optional<Box> pivot_a, pivot_d, coupler_point;
+};
+
+/// The classes that `constraints.class` may ask for. `grashof`: any with a fully turning link.
+enum class RequiredClass {
+  crank_rocker,
+  double_crank,
+  rocker_crank,
+  double_rocker,
+  triple_rocker,
+  grashof,
+  non_grashof
+};
+
+/// `[constraints]` common to linkages. The transmission angle is the angle BCD in [0, π].
+struct Constraints {
+  std::optional<RequiredClass> required_class;
+  std::optional<Range> transmission_angle;
+  std::optional<double> link_ratio_max;
+  std::optional<Box> pivot_region;
+  bool no_branch_defect = true;
+  bool no_order_defect = true;
+  bool no_circuit_defect = true;
+};
+
+/// `solve.solver`.
+enum class SolverChoice { automatic, gauss_newton, ceres, slsqp, cobyla, ipopt };
+
+/// `[solve]`.
+struct Solve {
+  SolverChoice solver = SolverChoice::automatic;
+  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;                  ///< how many different designs to return, 1…100
+  std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
+};
+
+}  // namespace cognate::problems

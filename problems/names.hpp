@@ -1,0 +1,85 @@
+/// @file The one spelling of each enum value, in problem files, results and reports alike.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "analysis/mobility.hpp"
+#include "problems/analysis/analysis_problem.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// A value of `Enum` and how it is written.
+template <class Enum>
+struct Named {
+  std::string_view name;
+  Enum value;
+};
+
+/// Every value of `Enum` with its name, in the order of its declaration. Specialised for the enums
+/// below and for no others.
+template <class Enum>
+std::span<const Named<Enum>> names();
+
+template <>
+std::span<const Named<Assembly>> names<Assembly>();
+template <>
+std::span<const Named<MobilityClass>> names<MobilityClass>();
+template <>
+std::span<const Named<RequiredClass>> names<RequiredClass>();
+template <>
+std::span<const Named<SolverChoice>> names<SolverChoice>();
+template <>
+std::span<const Named<Timing>> names<Timing>();
+template <>
+std::span<const Named<CrankReference>> names<CrankReference>();
+template <>
+std::span<const Named<CrankSense>> names<CrankSense>();
+template <>
+std::span<const Named<PointOrder>> names<PointOrder>();
+template <>
+std::span<const Named<PathMethod>> names<PathMethod>();
+template <>
+std::span<const Named<FunctionStart>> names<FunctionStart>();
+template <>
+std::span<const Named<FunctionObjective>> names<FunctionObjective>();
+template <>
+std::span<const Named<BestBy>> names<BestBy>();
+template <>
+std::span<const Named<PointSpacing>> names<PointSpacing>();
+template <>
+std::span<const Named<MechanismType>> names<MechanismType>();
+template <>
+std::span<const Named<QuickReturnType>> names<QuickReturnType>();
+template <>
+std::span<const Named<DyadType>> names<DyadType>();
+template <>
+std::span<const Named<LoadSense>> names<LoadSense>();
+template <>
+std::span<const Named<Status>> names<Status>();
+template <>
+std::span<const Named<Defect>> names<Defect>();
+template <>
+std::span<const Named<synthesis::DyadKind>> names<synthesis::DyadKind>();
+
+/// How `value` is written, e.g. "crank-rocker"; empty for a number that is no value of the enum.
+template <class Enum>
+std::string_view to_string(Enum value) {
+  const auto all = names<Enum>();
+  const auto found = std::ranges::find(all, value, &Named<Enum>::value);
+  return found == all.end() ? std::string_view{} : found->name;
+}
+
+/// The value written `name`, exactly; empty where there is none.
+template <class Enum>
+std::optional<Enum> from_string(std::string_view name) {
+  const auto all = names<Enum>();
+  const auto found = std::ranges::find(all, name, &Named<Enum>::name);
+  return found == all.end() ? std::nullopt : std::optional(found->value);
+}
+
+}  // namespace cognate::problems

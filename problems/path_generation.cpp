@@ -1,0 +1,156 @@
+/// Path generation from problem to designs: search, conversion to the file's units, verification.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/angle.hpp"
+#include "analysis/cognates.hpp"
+#include "analysis/parallel.hpp"
+#include "problems/backend_choice.hpp"
+#include "problems/crank_sense.hpp"
+#include "problems/path_exact.hpp"
+#include "problems/path_scale.hpp"
+#include "problems/path_search.hpp"
+#include "problems/result.hpp"
+#include "problems/same_design.hpp"
+#include "problems/verify.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Every problem of the library is solved from each of 100 seeds with 600; the rest is reserve.
+constexpr int kDefaultStarts = 1000;
+constexpr double kDefaultTolerance = 1e-13;
+/// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
+constexpr double kSameWithin = 1e-3;
+/// Sums of squares below this share of the path's squared size are rounding: the points are met.
+constexpr double kMetExactly = 1e-20;
+
+class Designs {
+ public:
+  /// `size`: of the path, in the file's unit.
+  Designs(const PathProblem& problem, double size, std::string origin)
+      : problem_(problem), exact_below_(kMetExactly * size * size), origin_(std::move(origin)) {}
+
+  /// Adds the design and its timed cognate, unless they are known.
+  void add(const FourBar& linkage, const std::vector<double>& crank_angles) {
+    if (!add_one(linkage, crank_angles)) return;
+    const auto cognate = timed_cognate(linkage);
+    if (!cognate) return;
+    const double turned = frame_angle(*cognate) - frame_angle(linkage);
+    std::vector<double> angles = crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle + turned);
+    Design design = verified(*cognate, angles);
+    if (all_satisfied(design.constraints)) insert(std::move(design));
+  }
+
+  bool enough() const {
+    return feasible_.size() >= static_cast<std::size_t>(problem_.solve.designs);
+  }
+  bool any_feasible() const { return !feasible_.empty(); }
+
+  /// The best designs, with cognates named: feasible ones if there are any. Among those that meet
+  /// the points to rounding the better transmission angle comes first.
+  std::vector<Design> take() {
+    const auto wanted = static_cast<std::size_t>(problem_.solve.designs);
+    std::vector<Design> all = std::move(feasible_.empty() ? violating_ : feasible_);
+    const auto exact = std::stable_partition(all.begin(), all.end(), [&](const Design& design) {
+      return design.error.sum_of_squares <= exact_below_;
+    });
+    std::stable_sort(all.begin(), exact, [](const Design& a, const Design& b) {
+      return a.metrics.transmission_acute_min > b.metrics.transmission_acute_min;
+    });
+    if (all.size() > wanted) all.resize(wanted);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = 0; k < i && !all[i].cognate_of; ++k) {
+        if (is_cognate(four_bar(all[k]), four_bar(all[i]), kSameWithin)) {
+          all[i].cognate_of = static_cast<int>(k);
+        }
+      }
+    }
+    return all;
+  }
+
+ private:
+  Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    Design design;
+    design.mechanism = named(linkage);
+    design.crank_angles = crank_angles;
+    design.error = path_error(linkage, problem_.points, crank_angles);
+    design.metrics = design_metrics(linkage, crank_angles,
+                                    {problem_.order, problem_.timing == Timing::prescribed});
+    design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
+                                           linkage, design.metrics);
+    const bool sense_limited =
+        problem_.crank_sense != CrankSense::either &&
+        (problem_.timing == Timing::free || problem_.crank_reference == CrankReference::first);
+    if (sense_limited && problem_.timing == Timing::free) {
+      design.constraints.push_back(check_sense(problem_.crank_sense, crank_angles));
+    }
+    design.origin = origin_;
+    return design;
+  }
+
+  bool add_one(const FourBar& linkage, const std::vector<double>& crank_angles) {
+    Design design = verified(linkage, crank_angles);
+    if (!std::isfinite(design.error.sum_of_squares)) return false;
+    return insert(std::move(design));
+  }
+
+  /// Keeps the design in its list unless an equal one is there.
+  bool insert(Design design) {
+    auto& list = all_satisfied(design.constraints) ? feasible_ : violating_;
+    for (const Design& known : list) {
+      if (same_design(four_bar(known), four_bar(design), kSameWithin)) return false;
+    }
+    list.push_back(std::move(design));
+    return true;
+  }
+
+  const PathProblem& problem_;
+  double exact_below_;
+  std::string origin_;
+  std::vector<Design> feasible_, violating_;
+};
+
+Status status(const Deadline& deadline, bool ended_early, const Designs& designs, bool any) {
+  if (ended_early) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  if (!any) return Status::no_solution;
+  return designs.any_feasible() ? Status::solved : Status::infeasible;
+}
+
+}  // namespace
+
+Result solve(const PathProblem& problem, const Run& run) {
+  if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
+  const Deadline deadline(run);
+  const PathScale scale(problem);
+  const PathProblem scaled = scale.into(problem);
+  const synthesis::Backend solver = backend_of(problem.solve.solver);
+
+  Result result;
+  const auto minima =
+      search_paths(scaled, problem.solve.starts.value_or(kDefaultStarts), solver,
+                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  const bool ended_early = deadline.reached();
+  Designs designs(problem, scale.size, search_origin(solver));
+  for (const PathMinimum& minimum : minima) {
+    const PathModel model = model_of(scaled, minimum);
+    std::vector<double> angles = model.crank_angles(minimum.solution.x);
+    for (double& angle : angles) angle = in_one_turn(angle);
+    designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles);
+  }
+  result.status = status(deadline, ended_early, designs, !minima.empty());
+  result.designs = designs.take();
+  if (result.status == Status::no_solution) {
+    result.notes.push_back(
+        "No four-bar was found that closes at every target point; wider bounds or more starts may "
+        "help.");
+  }
+  result.work.skipped = {"velocities", "accelerations", "forces"};
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,87 @@
+/// @file Path generation of a four-bar as a nonlinear program.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "analysis/closure.hpp"
+#include "problems/linkage_constraints.hpp"
+#include "problems/problem.hpp"
+#include "synthesis/optimise/model.hpp"
+
+namespace cognate::problems {
+
+/// Distances from coupler points to target points, with exact derivatives.
+///
+/// Dimensions (in this order, those that the file fixes left out of the variables): crank, coupler,
+/// rocker, frame, coupler point u, v, anchor x, y, frame angle, phase. The anchor is the crank
+/// pivot A, or D where the file fixes D alone. The phase, the first point's crank angle from the
+/// frame, exists for increments only. With free timing the crank angle of each point, from the
+/// frame line, is a local variable. Lengths are in units of the path's size: see path_scale.hpp.
+class PathModel final : public synthesis::Model {
+ public:
+  static constexpr int dimensions = 10;
+  enum Dimension {
+    crank,
+    coupler,
+    rocker,
+    frame,
+    point_u,
+    point_v,
+    anchor_x,
+    anchor_y,
+    angle,
+    phase
+  };
+
+  /// `problem`: already scaled. `clockwise`: increments are counted clockwise.
+  PathModel(const PathProblem& problem, Assembly assembly, bool clockwise);
+
+  std::span<const synthesis::Variable> variables() const override { return variables_; }
+  int residual_count() const override { return 2 * static_cast<int>(problem_.points.size()); }
+  int constraint_count() const override;
+  std::span<const int> local_of_residual() const override { return local_of_residual_; }
+  int local_count() const override {
+    return timed() ? 0 : static_cast<int>(problem_.points.size());
+  }
+  bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
+                 std::span<double> local) const override;
+  void constraints(std::span<const double> x, std::span<double> c,
+                   std::span<double> jacobian) const override;
+
+  /// The variables that stand for `linkage` with its first point (or each point, with free timing)
+  /// at the crank angles given, from the x axis.
+  std::vector<double> variables_of(const FourBar& linkage,
+                                   std::span<const double> crank_angles) const;
+
+  FourBar linkage(std::span<const double> x) const;
+  std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis
+
+ private:
+  using Full = std::array<double, dimensions>;
+
+  bool timed() const { return problem_.timing == Timing::prescribed; }
+  void add_variable(Dimension dimension, std::optional<double> given, Range range,
+                    const char* name);
+  void list_variables();
+  void list_increments(bool clockwise);
+  Full full(std::span<const double> x) const;
+  double timing_offset(const Full& v) const;
+  int pivot_limits() const;
+
+  PathProblem problem_;
+  double assembly_;
+  bool anchor_is_d_ = false;
+  Full fixed_{};           ///< values of the dimensions that are not variables
+  std::vector<int> free_;  ///< dimension of each global variable
+  std::vector<synthesis::Variable> variables_;
+  std::vector<int> local_of_residual_;
+  std::vector<double> root_weight_;
+  std::vector<double> increment_;      ///< timed: crank angle of each point before phase or angle
+  std::vector<Vec2d> increment_half_;  ///< unit vectors of their halves
+  LinkageConstraints linkage_constraints_;
+  Box other_pivot_box_;  ///< limits of the pivot that is not the anchor; sides may be infinite
+};
+
+}  // namespace cognate::problems

@@ -1,0 +1,78 @@
+#include "problems/path_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cognate::problems {
+namespace {
+
+void shrink(std::optional<double>& length, double size) {
+  if (length) *length /= size;
+}
+
+void shrink(std::optional<Range>& range, double size) {
+  if (range) range = Range{range->min / size, range->max / size};
+}
+
+}  // namespace
+
+PathScale::PathScale(const PathProblem& problem) : given_(problem.given) {
+  const auto weight = [&](std::size_t j) {
+    return problem.weights.empty() ? 1 : problem.weights[j];
+  };
+  double total = 0;
+  for (std::size_t j = 0; j < problem.points.size(); ++j) total += weight(j);
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    centre = centre + (weight(j) / total) * problem.points[j];
+  }
+  // The largest distance is taken out first, so that squares neither overflow nor vanish.
+  double largest = 0;
+  for (const Vec2d& p : problem.points) {
+    largest = std::max(largest, std::hypot(p.x - centre.x, p.y - centre.y));
+  }
+  double squares = 0;
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    squares += weight(j) / total * squared_norm((1 / largest) * (problem.points[j] - centre));
+  }
+  size = largest * std::sqrt(squares);
+}
+
+PathProblem PathScale::into(PathProblem problem) const {
+  const auto move = [&](const Vec2d& p) { return (1 / size) * (p - centre); };
+  for (Vec2d& p : problem.points) p = move(p);
+  Given& given = problem.given;
+  for (auto* length : {&given.crank, &given.coupler, &given.rocker, &given.frame}) {
+    shrink(*length, size);
+  }
+  if (given.pivot_a) given.pivot_a = move(*given.pivot_a);
+  if (given.pivot_d) given.pivot_d = move(*given.pivot_d);
+  if (given.coupler_point) given.coupler_point = (1 / size) * *given.coupler_point;
+  Bounds& bounds = problem.bounds;
+  for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
+    shrink(*range, size);
+  }
+  for (auto* box : {&bounds.pivot_a, &bounds.pivot_d, &problem.constraints.pivot_region}) {
+    if (*box) *box = Box{move((*box)->min), move((*box)->max)};
+  }
+  if (auto& box = bounds.coupler_point) box = Box{(1 / size) * box->min, (1 / size) * box->max};
+  return problem;
+}
+
+FourBar PathScale::out_of(const FourBar& linkage) const {
+  FourBar moved = linkage;
+  moved.pivot_a = centre + size * linkage.pivot_a;
+  moved.pivot_d = centre + size * linkage.pivot_d;
+  moved.crank *= size;
+  moved.coupler *= size;
+  moved.rocker *= size;
+  if (moved.coupler_point) moved.coupler_point = size * *linkage.coupler_point;
+  moved.crank = given_.crank.value_or(moved.crank);
+  moved.coupler = given_.coupler.value_or(moved.coupler);
+  moved.rocker = given_.rocker.value_or(moved.rocker);
+  moved.pivot_a = given_.pivot_a.value_or(moved.pivot_a);
+  moved.pivot_d = given_.pivot_d.value_or(moved.pivot_d);
+  if (given_.coupler_point) moved.coupler_point = given_.coupler_point;
+  return moved;
+}
+
+}  // namespace cognate::problems

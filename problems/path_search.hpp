@@ -1,0 +1,37 @@
+/// @file The global search for path generation: many screened starts, each brought to its minimum.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problems/deadline.hpp"
+#include "problems/path_model.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// A local minimum of a scaled path problem.
+struct PathMinimum {
+  Assembly assembly = Assembly::open;
+  bool clockwise = false;
+  /// The class that the search kept to. Beside the file's own it is set where the transmission
+  /// angle is limited and the crank of the start turns fully: the limits are then those of the full
+  /// turn.
+  std::optional<RequiredClass> confined_to;
+  synthesis::Solution solution;
+};
+
+/// The model of which `minimum` is a minimum.
+PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum);
+
+/// The minima found from `starts` starts, best first, feasible ones before others; equal for any
+/// number of threads. All starts are explored with few iterations of Gauss–Newton, the best
+/// different ones brought to convergence, and the best of these finished by `backend` where it is
+/// another. Counts what was done in `work`.
+std::vector<PathMinimum> search_paths(const PathProblem& scaled, int starts,
+                                      synthesis::Backend backend, double tolerance, const Run& run,
+                                      const Deadline& deadline, Work& work);
+
+}  // namespace cognate::problems

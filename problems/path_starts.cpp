@@ -1,0 +1,248 @@
+#include "problems/path_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "problems/link_ratios.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::PathCandidates;
+using synthesis::SeparableTarget;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+double uniform(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+double least(const std::optional<double>& given, const std::optional<Range>& bounds) {
+  if (given) return *given;
+  return bounds ? bounds->min : 0;
+}
+
+double greatest(const std::optional<double>& given, const std::optional<Range>& bounds) {
+  if (given) return *given;
+  return bounds ? bounds->max : std::numeric_limits<double>::infinity();
+}
+
+/// The largest ratio of two links worth drawing: what the bounds allow, at most 300.
+double largest_ratio(const Given& given, const Bounds& bounds) {
+  const double low =
+      std::min({least(given.crank, bounds.crank), least(given.coupler, bounds.coupler),
+                least(given.rocker, bounds.rocker), least(given.frame, bounds.frame)});
+  const double high =
+      std::max({greatest(given.crank, bounds.crank), greatest(given.coupler, bounds.coupler),
+                greatest(given.rocker, bounds.rocker), greatest(given.frame, bounds.frame)});
+  return std::min(300.0, high / low);
+}
+
+}  // namespace
+
+PathStarts::PathStarts(const PathProblem& scaled) : problem_(scaled) {
+  const std::size_t n = problem_.points.size();
+  weight_ = problem_.weights;
+  weight_.resize(n, 1.0);
+  if (problem_.given.pivot_a) {
+    origin_ = *problem_.given.pivot_a;
+  } else {
+    const double total = std::accumulate(weight_.begin(), weight_.end(), 0.0);
+    for (std::size_t j = 0; j < n; ++j) {
+      origin_ = origin_ + (weight_[j] / total) * problem_.points[j];
+    }
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec2d relative = problem_.points[j] - origin_;
+    x_.push_back(relative.x);
+    y_.push_back(relative.y);
+  }
+  largest_ratio_ = largest_ratio(problem_.given, problem_.bounds);
+}
+
+double PathStarts::gap(std::size_t from, std::size_t to) const {
+  const Vec2d step = problem_.points[to] - problem_.points[from];
+  return std::hypot(step.x, step.y);
+}
+
+/// The order in which the points are met: as given, or, where any order will do, from a random
+/// point on to the nearest one left or, one time in four, to any.
+std::vector<std::size_t> PathStarts::random_tour(std::mt19937_64& random) const {
+  std::vector<std::size_t> tour(problem_.points.size());
+  std::iota(tour.begin(), tour.end(), std::size_t{0});
+  if (problem_.order == PointOrder::cyclic) return tour;
+  std::swap(tour[0], tour[random() % tour.size()]);
+  for (std::size_t k = 1; k + 1 < tour.size(); ++k) {
+    const auto rest = tour.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto nearest = std::min_element(rest, tour.end(), [&](std::size_t a, std::size_t b) {
+      return gap(tour[k - 1], a) < gap(tour[k - 1], b);
+    });
+    const bool stray = random() % 4 == 0;
+    std::swap(tour[k], stray ? tour[k + random() % (tour.size() - k)] : *nearest);
+  }
+  return tour;
+}
+
+/// Increments from point to point in proportion to a mixture of the distances between them and
+/// equal steps, disturbed at random; over the whole turn or a part of it.
+std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const {
+  const std::vector<std::size_t> tour = random_tour(random);
+  const std::size_t n = tour.size();
+  std::vector<double> gaps(n);
+  for (std::size_t k = 0; k < n; ++k) gaps[k] = gap(tour[k], tour[(k + 1) % n]);
+  const double mean_gap = std::accumulate(gaps.begin(), gaps.end(), 0.0) / double(n);
+  const double by_length = uniform(random, 0, 1);
+  std::normal_distribution<double> disturbance(0, uniform(random, 0.01, 0.8));
+  std::vector<double> share(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    share[k] = (by_length * gaps[k] + (1 - by_length) * mean_gap) * std::exp(disturbance(random));
+  }
+  // Over the whole turn the step from the last point back to the first takes its share.
+  const bool whole_turn = random() % 2 == 0;
+  const bool repeated = gaps.back() == 0;
+  if (!whole_turn || repeated) share.back() = 0;
+  const double sweep = whole_turn ? kTurn : uniform(random, 0.1, 1) * kTurn;
+  const double total = std::accumulate(share.begin(), share.end(), 0.0);
+  std::vector<double> angles(n);
+  double angle = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    angles[tour[k]] = angle;
+    angle += sweep * share[k] / total;
+  }
+  return angles;
+}
+
+PathStarts::CrankTiming PathStarts::random_timing(std::mt19937_64& random) const {
+  const bool increments =
+      problem_.timing == Timing::free || problem_.crank_reference == CrankReference::first;
+  CrankTiming timing;
+  timing.clockwise = increments && (problem_.crank_sense == CrankSense::cw ||
+                                    (problem_.crank_sense == CrankSense::either && random() % 2));
+  timing.angles =
+      problem_.timing == Timing::free ? random_increments(random) : problem_.crank_angles;
+  if (!increments) return timing;
+  const double first = timing.angles.front();
+  for (double& angle : timing.angles) angle = (timing.clockwise ? -1 : 1) * (angle - first);
+  return timing;
+}
+
+void PathStarts::set_limits(SeparableTarget& target) const {
+  const Given& given = problem_.given;
+  const Bounds& bounds = problem_.bounds;
+  const auto set = [&](int k, const auto& value, const auto& range) {
+    target.least[k] = least(value, range);
+    target.greatest[k] = greatest(value, range);
+  };
+  set(0, given.crank, bounds.crank);
+  set(1, given.coupler, bounds.coupler);
+  set(2, given.rocker, bounds.rocker);
+  set(3, given.frame, bounds.frame);
+}
+
+void PathStarts::set_direction(SeparableTarget& target) const {
+  const bool global =
+      problem_.timing == Timing::prescribed && problem_.crank_reference == CrankReference::global;
+  if (problem_.given.frame_angle) {
+    target.direction = SeparableTarget::Direction::fixed;
+    target.direction_cos = std::cos(*problem_.given.frame_angle);
+    target.direction_sin = std::sin(*problem_.given.frame_angle);
+  } else if (global) {
+    target.direction = SeparableTarget::Direction::minus_phase;
+  }
+}
+
+std::optional<double> PathStarts::fixed_phase() const {
+  if (problem_.timing == Timing::free) return std::nullopt;
+  switch (problem_.crank_reference) {
+    case CrankReference::first:
+      return std::nullopt;
+    case CrankReference::frame:
+      return 0.0;
+    case CrankReference::global:
+      if (problem_.given.frame_angle) return -*problem_.given.frame_angle;
+  }
+  return std::nullopt;
+}
+
+void PathStarts::fill(std::mt19937_64& random, PathCandidates& candidates) const {
+  const auto phase = fixed_phase();
+  for (std::size_t i = 0; i < candidates.coupler.size(); ++i) {
+    const Lengths<double> ratios =
+        random_ratios(random, problem_.constraints.required_class, largest_ratio_);
+    candidates.coupler[i] = ratios.coupler;
+    candidates.rocker[i] = ratios.rocker;
+    candidates.frame[i] = ratios.frame;
+    const double half = 0.5 * (phase ? *phase : uniform(random, 0, kTurn));
+    candidates.phase_cos[i] = std::cos(half);
+    candidates.phase_sin[i] = std::sin(half);
+  }
+}
+
+PathStart PathStarts::start(const SeparableTarget& target, const CrankTiming& timing,
+                            const PathCandidates& candidates, std::size_t best) const {
+  const std::size_t i = best / 2;
+  const Assembly assembly = best % 2 == 0 ? Assembly::open : Assembly::crossed;
+  const Vec2d half{candidates.phase_cos[i], candidates.phase_sin[i]};
+  const Lengths<double> ratios{1, candidates.coupler[i], candidates.rocker[i], candidates.frame[i]};
+  const auto fit = separable_fit(target, ratios, half, sign(assembly));
+  const Vec2d pivot = target.pivot_fixed ? origin_ : origin_ + fit.pivot;
+  PathStart start;
+  start.error = fit.error;
+  start.clockwise = timing.clockwise;
+  start.linkage = {.pivot_a = pivot,
+                   .pivot_d = pivot + (fit.crank * ratios.frame) * fit.frame_direction,
+                   .crank = fit.crank,
+                   .coupler = fit.crank * ratios.coupler,
+                   .rocker = fit.crank * ratios.rocker,
+                   .assembly = assembly,
+                   .coupler_point = conj(fit.frame_direction) * fit.coupler_point};
+  const double offset = 2 * std::atan2(half.y, half.x) + frame_angle(start.linkage);
+  for (const double angle : timing.angles) start.crank_angles.push_back(offset + angle);
+  return start;
+}
+
+std::optional<PathStart> PathStarts::draw(std::mt19937_64& random, std::size_t count) const {
+  const CrankTiming timing = random_timing(random);
+  std::vector<double> half_cos, half_sin;
+  for (const double angle : timing.angles) {
+    half_cos.push_back(std::cos(0.5 * angle));
+    half_sin.push_back(std::sin(0.5 * angle));
+  }
+  SeparableTarget target;
+  target.half_cos = half_cos.data();
+  target.half_sin = half_sin.data();
+  target.x = x_.data();
+  target.y = y_.data();
+  target.weight = weight_.data();
+  target.count = static_cast<int>(x_.size());
+  for (std::size_t j = 0; j < x_.size(); ++j) {
+    target.weight_sum += weight_[j];
+    target.squares += weight_[j] * (x_[j] * x_[j] + y_[j] * y_[j]);
+  }
+  target.pivot_fixed = problem_.given.pivot_a.has_value();
+  set_limits(target);
+  set_direction(target);
+
+  PathCandidates candidates((count + PathCandidates::lanes - 1) / PathCandidates::lanes *
+                            PathCandidates::lanes);
+  fill(random, candidates);
+  synthesis::screen(target, candidates);
+  double least_error = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < candidates.open.size(); ++i) {
+    for (const bool crossed : {false, true}) {
+      const double error = crossed ? candidates.crossed[i] : candidates.open[i];
+      if (error < least_error) {
+        least_error = error;
+        best = 2 * i + (crossed ? 1 : 0);
+      }
+    }
+  }
+  if (!std::isfinite(least_error)) return std::nullopt;
+  return start(target, timing, candidates, best);
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,29 @@
+/// @file Long lists of target points, looked at in part while the search is far from a design.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "problems/problem.hpp"
+
+namespace cognate::problems {
+
+/// At most a few dozen points of a problem in even steps, the first and last among them. A problem
+/// with fewer points, or with points in any order, stays as it is.
+class PathThinning {
+ public:
+  explicit PathThinning(const PathProblem& problem);
+
+  const PathProblem& coarse() const { return coarse_; }
+  bool is_whole() const { return kept_.size() == whole_size_; }
+
+  /// Crank angles at all points from those at the kept ones, linear in between.
+  std::vector<double> interpolated(std::span<const double> crank_angles) const;
+
+ private:
+  std::size_t whole_size_;
+  std::vector<std::size_t> kept_;
+  PathProblem coarse_;
+};
+
+}  // namespace cognate::problems

@@ -1,0 +1,113 @@
+/// @file What a problem file says, as values. Angles are in radians, lengths in the file's unit.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "problems/analysis/named_mechanism.hpp"
+#include "problems/linkage_limits.hpp"
+#include "problems/motion_problem.hpp"
+#include "problems/quick_return_problem.hpp"
+#include "problems/straight_line_problem.hpp"
+
+namespace cognate::problems {
+
+enum class Timing { free, prescribed };
+enum class CrankReference { first, frame, global };
+enum class CrankSense { either, ccw, cw };
+enum class PointOrder { cyclic, any };
+/// `least_squares`: as near to the points as can be. `exact`: through each of them, all solutions.
+enum class PathMethod { least_squares, exact };
+
+/// `kind = "path-generation"`.
+struct PathProblem {
+  std::string title;
+  PathMethod method = PathMethod::least_squares;
+  /// At least 3, neighbours distinct (the last may repeat the first); `exact`: 2 to 9, all
+  /// distinct.
+  std::vector<Vec2d> points;
+  /// `exact`: orientations of the coupler at the first of the points, which are `target.poses`.
+  std::vector<double> pose_angles;
+  Timing timing = Timing::free;
+  /// One for each point when timing is prescribed, else empty. With reference `first` only their
+  /// differences count.
+  std::vector<double> crank_angles;
+  CrankReference crank_reference = CrankReference::first;
+  CrankSense crank_sense = CrankSense::either;
+  PointOrder order = PointOrder::cyclic;
+  std::vector<double> weights;  ///< one for each point; all 1 when the file gives none
+  Given given;
+  Bounds bounds;
+  Constraints constraints;
+  Solve solve;
+};
+
+/// Where the start angles of a function generator are taken from.
+enum class FunctionStart { free, outer_dead_centre, inner_dead_centre };
+enum class FunctionObjective { exact, least_squares, minimax };
+
+/// `target.function` with `domain`, or `target.table`: y as a function of x on [domain.min,
+/// domain.max]. `y` may be called from one thread at a time and is finite on the whole domain.
+struct FunctionOfX {
+  std::string text;                              ///< the expression as written; empty for a table
+  std::vector<std::pair<double, double>> table;  ///< as written; empty for an expression
+  std::function<double(double)> y;
+  Range domain;
+  /// Input and output angle swept over the domain, signed (negative: clockwise). Empty with
+  /// relation = "angles": then x and y are themselves angles from the start angles. The output of a
+  /// slider-crank is a displacement (negative: against the slide direction).
+  std::optional<double> input_range, output_range;
+};
+
+/// `target.pairs_deg`: input and output angles, in radians, counted from the start angles; of a
+/// slider-crank, `target.pairs`, input angles and displacements from the start.
+using AnglePairs = std::vector<std::pair<double, double>>;
+
+/// `solve.best_by`: what chooses among exact designs where they form a family.
+enum class BestBy {
+  error,        ///< the least of the largest structural errors over the domain
+  transmission  ///< the greatest of the least transmission angles
+};
+
+/// `target.spacing`: how precision points are placed where `at` does not.
+enum class PointSpacing {
+  chebyshev,
+  equal_peaks  ///< so that the peaks of the structural error are level; four-bars only
+};
+
+/// `kind = "function-generation"`. All angles of links are measured from the directed line A→D.
+struct FunctionProblem {
+  std::string title;
+  MechanismType type = MechanismType::four_bar;  ///< or slider_crank, with objective `exact` alone
+  std::variant<FunctionOfX, AnglePairs> target;
+  FunctionObjective objective = FunctionObjective::least_squares;
+  int precision_points = 0;  ///< 3, 4 or 5 with objective `exact`, else 0
+  std::vector<double> at;    ///< precision points in x, given; empty: Chebyshev spacing
+  PointSpacing spacing = PointSpacing::chebyshev;
+  /// How many conditions each precision point is, one for each; empty: each is one. k: the output
+  /// and its first k − 1 derivatives. Their sum is `precision_points`.
+  std::vector<int> multiplicity;
+  /// With pairs: derivatives of the output by the input in radians, a list for each pair; empty:
+  /// none. Each derivative is a condition besides the pair's own.
+  std::vector<std::vector<double>> derivatives;
+  std::vector<double> sample_at;  ///< sample abscissae in x, explicit; empty for angle pairs
+  FunctionStart start = FunctionStart::free;
+  /// α₀, φ₀ where the file fixes them; of a slider-crank the crank's angle from the slide direction
+  /// and the displacement from the foot of the perpendicular from the pivot.
+  std::optional<double> input_start, output_start;
+  Given given;    ///< lengths and assembly only
+  Bounds bounds;  ///< lengths only
+  std::optional<Range> input_start_bounds, output_start_bounds;
+  Constraints constraints;
+  Solve solve;
+  std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
+};
+
+using Problem = std::variant<PathProblem, FunctionProblem, MotionProblem, QuickReturnProblem,
+                             StraightLineProblem>;
+
+}  // namespace cognate::problems

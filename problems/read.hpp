@@ -1,0 +1,42 @@
+/// @file Reading problem files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+#include "problems/analysis/analysis_problem.hpp"
+#include "problems/problem.hpp"
+
+namespace cognate::problems {
+
+/// One fault of a file. Lines and columns count from 1.
+struct Fault {
+  std::size_t line = 1;
+  std::size_t column = 1;
+  std::string message;  ///< what is wrong; what is allowed
+};
+
+/// Whatever a file may ask for: a design, or the analysis of a mechanism.
+using Task = std::variant<Problem, AnalysisProblem>;
+
+/// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
+tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
+
+/// As `parse_task`, for a file. A file that cannot be read or is larger than 8 MiB is a fault at
+/// 1:1.
+tl::expected<Task, std::vector<Fault>> read_task(const std::filesystem::path& file);
+
+/// As `parse_task` and `read_task`, where a design problem is wanted: that a sound file asks for
+/// an analysis is then a fault at its `kind`.
+tl::expected<Problem, std::vector<Fault>> parse_problem(std::string_view text);
+tl::expected<Problem, std::vector<Fault>> read_problem(const std::filesystem::path& file);
+
+/// The same where an analysis is wanted.
+tl::expected<AnalysisProblem, std::vector<Fault>> parse_analysis(std::string_view text);
+tl::expected<AnalysisProblem, std::vector<Fault>> read_analysis(const std::filesystem::path& file);
+
+}  // namespace cognate::problems

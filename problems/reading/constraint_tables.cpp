@@ -1,0 +1,120 @@
+#include "problems/reading/constraint_tables.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "problems/reading/linkage_tables.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+// The four lengths, for a message: "crank 2, coupler 1 to 3, …".
+std::string in_words(const LengthLimits& limits) {
+  constexpr std::string_view kNames[] = {"crank", "coupler", "rocker", "frame"};
+  std::string text;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const auto& [min, max] = limits[i];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", kNames[i], min);
+    if (max != min) text += fmt::format(" to {}", max);
+  }
+  return text;
+}
+
+void read_class(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
+  constraints.required_class = table.choice<RequiredClass>("class");
+  if (!constraints.required_class || class_is_possible(limits, *constraints.required_class)) return;
+  table.fault("class", fmt::format("is \"{}\", which the lengths exclude ({}); widen [bounds] or "
+                                   "give fewer lengths",
+                                   to_string(*constraints.required_class), in_words(limits)));
+}
+
+void read_transmission_angle(TableReader& table, Constraints& constraints) {
+  constexpr std::string_view kKey = "transmission_angle_deg";
+  const auto range = table.range(kKey, kTransmissionAngle);
+  if (!range) return;
+  if (range->min == range->max) {
+    table.fault(kKey, fmt::format("allows only {} degrees, and no linkage keeps one transmission "
+                                  "angle; [min, max] with min < max is wanted",
+                                  range->min));
+    return;
+  }
+  constraints.transmission_angle = Range{radians(range->min), radians(range->max)};
+}
+
+void read_link_ratio(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
+  constraints.link_ratio_max = table.number("link_ratio_max", kRatio);
+  if (!constraints.link_ratio_max) return;
+  const double longest = std::ranges::max(limits, {}, &Range::min).min;
+  const double shortest = std::ranges::min(limits, {}, &Range::max).max;
+  if (longest > shortest * *constraints.link_ratio_max) {
+    table.fault("link_ratio_max",
+                fmt::format("is {}, which the lengths exclude ({}); at least {} "
+                            "is possible",
+                            *constraints.link_ratio_max, in_words(limits), longest / shortest));
+  }
+}
+
+// What of `constraints` Ceres cannot honour, as a key; empty where it can.
+std::string_view beyond_bounds(const Constraints& constraints) {
+  if (constraints.required_class) return "constraints.class";
+  if (constraints.transmission_angle) return "constraints.transmission_angle_deg";
+  if (constraints.link_ratio_max) return "constraints.link_ratio_max";
+  if (constraints.pivot_region) return "constraints.pivot_region";
+  return {};
+}
+
+void check_solver(TableReader& table, SolverChoice solver, const Constraints& constraints,
+                  bool minimax) {
+  if (solver != SolverChoice::ceres) return;
+  constexpr std::string_view kOthers = "\"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted";
+  if (minimax) {
+    table.fault("solver", fmt::format("is \"ceres\", which minimises sums of squares, but the "
+                                      "objective is \"minimax\"; {}",
+                                      kOthers));
+  }
+  const std::string_view constraint = beyond_bounds(constraints);
+  if (!constraint.empty()) {
+    table.fault("solver", fmt::format("is \"ceres\", which honours bounds but not {}; {}",
+                                      constraint, kOthers));
+  }
+}
+
+}  // namespace
+
+void read_link_constraints(TableReader& table, const LengthLimits& limits,
+                           Constraints& constraints) {
+  read_class(table, limits, constraints);
+  read_transmission_angle(table, constraints);
+  read_link_ratio(table, limits, constraints);
+  constraints.no_branch_defect = table.boolean("no_branch_defect").value_or(true);
+  constraints.no_order_defect = table.boolean("no_order_defect").value_or(true);
+  constraints.no_circuit_defect = table.boolean("no_circuit_defect").value_or(true);
+}
+
+void read_pivot_region(TableReader& table, const Given& given, Constraints& constraints) {
+  constexpr std::string_view kKey = "pivot_region";
+  constraints.pivot_region = table.box(kKey);
+  if (!constraints.pivot_region) return;
+  for (const auto& pivot : {given.pivot_a, given.pivot_d}) {
+    if (pivot && !contains(*constraints.pivot_region, *pivot)) {
+      table.fault(kKey, fmt::format("does not contain the given pivot [{}, {}]; a region that "
+                                    "contains every given pivot is wanted",
+                                    pivot->x, pivot->y));
+    }
+  }
+}
+
+Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
+                 int most_designs) {
+  constexpr int kMostStarts = 1'000'000;
+  Solve solve;
+  solve.solver = table.choice<SolverChoice>("solver").value_or(solve.solver);
+  solve.starts = table.integer("starts", 1, kMostStarts);
+  solve.designs = table.integer("designs", 1, most_designs).value_or(solve.designs);
+  solve.tolerance = table.number("tolerance", kTolerance);
+  check_solver(table, solve.solver, constraints, minimax);
+  return solve;
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,87 @@
+#include "problems/reading/document.hpp"
+
+#include <fmt/core.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace cognate::problems::reading {
+namespace {
+
+Where where_of(const toml::source_region& source, Where otherwise) {
+  // Tables that only exist as a part of a dotted key have no place of their own.
+  if (source.begin.line == 0) return otherwise;
+  return {source.begin.line, source.begin.column};
+}
+
+std::ptrdiff_t characters(std::string_view text) {
+  return std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; });
+}
+
+// Escapes and threefold quotation marks take more columns than the characters and two marks.
+bool is_verbatim(std::string_view text, const toml::source_region& source) {
+  return source.begin.line == source.end.line &&
+         static_cast<std::ptrdiff_t>(source.end.column) - source.begin.column ==
+             characters(text) + 2;
+}
+
+Table convert_table(const toml::table& table);
+
+// The parser nests no deeper than 256 values, times the parts of a dotted key (check_key_depth).
+Node convert(const toml::node& node, Where otherwise) {
+  const Where where = where_of(node.source(), otherwise);
+  if (const auto* table = node.as_table()) return {where, convert_table(*table)};
+  if (const auto* array = node.as_array()) {
+    Array elements;
+    elements.reserve(array->size());
+    for (const toml::node& element : *array) elements.push_back(convert(element, where));
+    return {where, std::move(elements)};
+  }
+  if (const auto* string = node.as_string()) {
+    return {where, string->get(), is_verbatim(string->get(), node.source())};
+  }
+  if (const auto* integer = node.as_integer()) return {where, integer->get()};
+  if (const auto* number = node.as_floating_point()) return {where, number->get()};
+  if (const auto* boolean = node.as_boolean()) return {where, boolean->get()};
+  return {where, DateOrTime{}};
+}
+
+Table convert_table(const toml::table& table) {
+  Table entries;
+  entries.reserve(table.size());
+  for (const auto& [key, node] : table) {
+    const Where where = where_of(key.source(), {});
+    entries.push_back({std::string(key.str()), where, convert(node, where)});
+  }
+  std::ranges::stable_sort(entries, {}, &Entry::where);
+  return entries;
+}
+
+// The parser's "Error while parsing array: expected …" without its first words.
+std::string rule(std::string_view description) {
+  constexpr std::string_view kOpening = "Error while parsing ";
+  if (description.starts_with(kOpening)) description.remove_prefix(kOpening.size());
+  return std::string(description);
+}
+
+}  // namespace
+
+std::string_view type_name(const Node& node) {
+  constexpr std::string_view kNames[] = {"a boolean",      "an integer", "a number", "a string",
+                                         "a date or time", "an array",   "a table"};
+  return kNames[node.value.index()];
+}
+
+tl::expected<Table, Fault> parse_document(std::string_view text) {
+  try {
+    return convert_table(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    const Where where = where_of(error.source(), {});
+    return tl::unexpected(
+        Fault{where.line, where.column,
+              fmt::format("not valid TOML: {}; see https://toml.io", rule(error.description()))});
+  }
+}
+
+}  // namespace cognate::problems::reading

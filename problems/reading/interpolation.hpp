@@ -1,0 +1,16 @@
+/// @file Functions of x that a problem file gives as a table.
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace cognate::problems::reading {
+
+/// The piecewise cubic through `table`, at least two (x, y) with increasing x, whose slopes keep it
+/// monotone between neighbours wherever the table is (F.N. Fritsch, J. Butland, "A method for
+/// constructing local monotone piecewise cubic interpolants", 1984). Beyond its ends it keeps the
+/// end's value. May be called from many threads.
+std::function<double(double)> interpolate(const std::vector<std::pair<double, double>>& table);
+
+}  // namespace cognate::problems::reading

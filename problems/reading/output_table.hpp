@@ -1,0 +1,20 @@
+/// @file `[output]`: what of an analysis is wanted.
+#pragma once
+
+#include <string_view>
+
+#include "problems/analysis/analysis_problem.hpp"
+#include "problems/reading/part_names.hpp"
+#include "problems/reading/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+/// The key that asks for Roberts' cognates.
+inline constexpr std::string_view kCognates = "cognates";
+
+/// What `table` asks for, by `want = [...]`, a list of quantities and points, or by a key for each
+/// quantity and `points = [...]`; by `instant_geometry` the names of bodies, and `cognates`.
+/// `forces`: whether reactions and torque are wanted where the file does not say.
+AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces);
+
+}  // namespace cognate::problems::reading

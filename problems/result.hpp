@@ -1,0 +1,133 @@
+/// @file What solving a problem gives: designs, what they reach and miss, and the work it took.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/four_bar.hpp"
+#include "analysis/mobility.hpp"
+#include "problems/analysis/named_mechanism.hpp"
+#include "problems/fact.hpp"
+#include "problems/problem.hpp"
+
+namespace cognate::problems {
+
+/// Error at the targets, in the target's unit (length for paths, radians for functions).
+/// `sum_of_squares` is unweighted.
+struct TargetError {
+  double sum_of_squares = 0;
+  double rms = 0;
+  double max = 0;
+};
+
+/// One constraint of the file, checked on the finished design by the analysis kernel.
+struct ConstraintCheck {
+  std::string name;  ///< the key of the file, with its unit; "bounds.crank" for bounds
+  std::variant<double, std::string> value;
+  std::variant<double, std::string, Range> bound;
+  bool satisfied = true;
+};
+
+enum class Defect { circuit, branch, order };
+
+/// What the analysis kernel says of a design.
+struct Metrics {
+  std::optional<MobilityClass> mobility;  ///< of a four-bar; `facts` hold another type's "class"
+  bool change_point = false;
+  /// Extremes of the transmission angle over the motion used: the full turn of a crank that turns
+  /// fully, else the range between the target positions (of a function its whole domain). In [0,
+  /// π].
+  double transmission_min = 0;
+  double transmission_max = 0;
+  double transmission_acute_min = 0;  ///< min(μ, π − μ) over the same motion, at its least
+  std::optional<double> time_ratio;   ///< K; empty where the crank does not turn fully
+  std::vector<Defect> defects;
+  std::optional<double> input_start, output_start;      ///< function generation: α₀, φ₀
+  std::optional<double> precision_residual, condition;  ///< exact synthesis: of what it solved
+  std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds
+};
+
+struct Design {
+  NamedMechanism mechanism;
+  std::vector<double> crank_angles;  ///< at the target points, from the x axis, in [0, 2π)
+  TargetError error;
+  Metrics metrics;
+  std::vector<ConstraintCheck> constraints;
+  std::string origin;             ///< `exact:<method>`, `search` or `given`, then " + <solver>"
+  std::optional<int> cognate_of;  ///< index of the better design that traces the same curve
+  std::optional<int> mirror_of;   ///< index of the design of which this is the mirror image
+};
+
+/// The four-bar that `design` is. Only where its type is four_bar.
+inline const FourBar& four_bar(const Design& design) {
+  return *design.mechanism.four_bar;
+}
+
+/// A curve of the plane that a synthesis found besides its designs: "centre-point curve".
+struct Locus {
+  std::string name;
+  std::vector<std::vector<Vec2d>> branches;
+};
+
+/// A column of a family; `name` carries the unit: "crank_pivot_deg".
+struct FamilyColumn {
+  std::string name;
+  std::vector<double> values;  ///< NaN where there is none (null in files)
+};
+
+/// Designs that depend on one number, the first column; all columns have one length.
+struct Family {
+  std::string name;
+  std::vector<FamilyColumn> columns;
+};
+
+enum class Status { solved, infeasible, no_solution, time_limit, interrupted };
+
+/// What was evaluated, and what was skipped because nothing asked for it.
+struct Work {
+  double seconds = 0;
+  int threads = 1;
+  std::uint64_t candidates = 0;  ///< designs screened
+  std::uint64_t positions = 0;
+  std::uint64_t velocities = 0;
+  std::uint64_t accelerations = 0;
+  std::uint64_t reactions = 0;  ///< positions whose joint forces were computed
+  std::uint64_t gradients = 0;
+  std::uint64_t solver_iterations = 0;
+  std::vector<std::string> skipped;
+};
+
+struct Result {
+  Status status = Status::no_solution;
+  std::vector<Design> designs;  ///< best first; feasible ones before others
+  std::vector<Locus> loci;
+  std::vector<Family> families;
+  std::vector<Fact> facts;  ///< counts of a synthesis as a whole: "complex_solutions"
+  Work work;
+  std::vector<std::string> notes;  ///< sentences for the user: degeneracies, why nothing was found
+};
+
+/// How a run is steered from outside.
+struct Run {
+  std::uint64_t seed = 1;
+  int threads = 0;                   ///< 0: as many as the machine has
+  std::optional<double> time_limit;  ///< seconds
+  const std::atomic<bool>* interrupted = nullptr;
+  std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
+  /// Called now and then from one thread with the share done (0…1) and the best error so far.
+  std::function<void(double share, double best)> progress;
+};
+
+Result solve(const PathProblem& problem, const Run& run);
+Result solve(const FunctionProblem& problem, const Run& run);
+Result solve(const MotionProblem& problem, const Run& run);
+Result solve(const QuickReturnProblem& problem, const Run& run);
+Result solve(const StraightLineProblem& problem, const Run& run);
+
+}  // namespace cognate::problems

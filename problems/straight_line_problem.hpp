@@ -1,0 +1,46 @@
+/// @file What a file of kind = "straight-line" says.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analysis/coupler_curve/parallel_cranks.hpp"
+#include "problems/linkage_limits.hpp"
+
+namespace cognate::problems {
+
+/// `mechanism.cranks`: how crank and rocker stand in the position where the line is wanted.
+enum class CrankArrangement { any, parallel, symmetric };
+
+/// The names of CrankArrangement and CrankSides in files, in the order of their declaration.
+inline constexpr std::array<std::string_view, 3> kCrankArrangements{"any", "parallel", "symmetric"};
+inline constexpr std::array<std::string_view, 2> kCrankSides{"same", "opposite"};
+
+/// `type = "slider-crank"`. Lengths in `StraightLineProblem::given`, the pivot as its pivot_a.
+struct SliderGuide {
+  double offset = 0;
+  double direction = 0;  ///< of the slide line
+};
+
+/// `kind = "straight-line"` with `method = "exact"`: coupler points whose path has contact of at
+/// least `contact` points with a straight line, by the local theory of a position.
+struct StraightLineProblem {
+  std::string title;
+  int contact = 4;  ///< 3, 4 or 5
+  CrankArrangement cranks = CrankArrangement::any;
+  /// Lengths, pivots and assembly. Of `any` and `symmetric` cranks one length may be missing, which
+  /// is chosen for contact of five points.
+  Given given;
+  /// The position, from the x axis; empty: all positions of the contact. For parallel cranks their
+  /// direction, 90° if empty.
+  std::optional<double> crank_angle;
+  std::optional<SliderGuide> slider;    ///< of a slider-crank
+  double coupler_angle = 0;             ///< of parallel cranks: see ParallelCranks
+  CrankSides sides = CrankSides::same;  ///< of parallel cranks
+  Constraints constraints;
+  Solve solve;  ///< `designs` is 100 where the file says nothing
+};
+
+}  // namespace cognate::problems

@@ -1,0 +1,79 @@
+#include "problems/verify.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/mobility.hpp"
+#include "analysis/motion.hpp"
+
+namespace cognate::problems {
+namespace {
+
+Sequence sequence_of(const MotionKind& motion) {
+  if (motion.timed) return Sequence::timed;
+  return motion.order == PointOrder::any ? Sequence::any : Sequence::one_sense;
+}
+
+TransmissionAngles angles_over_motion(const FourBar& linkage,
+                                      std::span<const CrankPosition> positions,
+                                      std::span<const double> travel, const Defects& defects) {
+  const Lengths<double> links = lengths(linkage);
+  // A change point on the way leaves the motion undetermined: no full turn is used through it.
+  const bool turns = crank_rotates(links) && (travel.empty() || !is_change_point(links));
+  if (turns || defects.circuit || defects.branch) return transmission_angles(links);
+  std::vector<double> angles(travel.begin(), travel.end());
+  for (const CrankPosition& position : positions) angles.push_back(position.crank_angle);
+  const auto range = range_between(linkage, angles);
+  return range ? transmission_angles(links, *range) : transmission_angles(links);
+}
+
+}  // namespace
+
+Metrics design_metrics(const FourBar& linkage, std::span<const CrankPosition> positions,
+                       const MotionKind& motion) {
+  const Lengths<double> links = lengths(linkage);
+  const Defects defects = find_defects(linkage, positions, sequence_of(motion));
+  const TransmissionAngles angles = angles_over_motion(linkage, positions, motion.travel, defects);
+  Metrics metrics;
+  metrics.mobility = mobility_class(links);
+  metrics.change_point = is_change_point(links);
+  metrics.transmission_min = angles.min;
+  metrics.transmission_max = angles.max;
+  metrics.transmission_acute_min = angles.acute_min;
+  metrics.time_ratio = time_ratio(links);
+  if (defects.circuit) metrics.defects.push_back(Defect::circuit);
+  if (defects.branch) metrics.defects.push_back(Defect::branch);
+  if (defects.order) metrics.defects.push_back(Defect::order);
+  return metrics;
+}
+
+Metrics design_metrics(const FourBar& linkage, std::span<const double> crank_angles,
+                       const MotionKind& motion) {
+  std::vector<CrankPosition> positions;
+  for (const double angle : crank_angles) positions.push_back({angle, linkage.assembly});
+  return design_metrics(linkage, std::span<const CrankPosition>(positions), motion);
+}
+
+TargetError path_error(const FourBar& linkage, std::span<const Vec2d> points,
+                       std::span<const double> crank_angles) {
+  assert(points.size() == crank_angles.size());
+  const Motion motion(linkage);
+  TargetError error;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto pose = motion.at(crank_angles[i]);
+    if (!pose || !pose->coupler_point) {
+      constexpr double infinite = std::numeric_limits<double>::infinity();
+      return {infinite, infinite, infinite};
+    }
+    const Vec2d miss = *pose->coupler_point - points[i];
+    error.sum_of_squares += squared_norm(miss);
+    error.max = std::max(error.max, std::hypot(miss.x, miss.y));
+  }
+  if (!points.empty()) error.rms = std::sqrt(error.sum_of_squares / double(points.size()));
+  return error;
+}
+
+}  // namespace cognate::problems

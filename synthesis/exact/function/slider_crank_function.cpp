@@ -1,0 +1,407 @@
+#include "synthesis/exact/function/slider_crank_function.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "synthesis/exact/binary_form.hpp"
+#include "synthesis/exact/null_plane.hpp"
+#include "synthesis/exact/polish.hpp"
+
+namespace cognate::synthesis {
+namespace {
+
+/// As for the four-bar: beyond it a length means nothing, and what is no root is dropped.
+constexpr double kInfiniteRatio = 1e-12;
+constexpr double kAcceptedResidual = 1e-11;
+
+/// One condition: series coefficients of s², s, su, u and 1 in s² + 2s₀s − 2s Re(Ru) − 2Re(Qu) + C.
+struct Row {
+  double square = 0, s = 0;
+  Vec2d su, u;
+  double constant = 0;
+};
+using Rows = Few<Row, kMostConditions>;
+
+/// The size of z to within √2.
+double norm1(const Vec2d& z) {
+  return std::abs(z.x) + std::abs(z.y);
+}
+
+/// The share of a unit vector of the null space by which it may miss h = 0 and R = 0 and still be
+/// a Scotch yoke's, and by which other roots differ from it: that root is double, so rounding
+/// splits it by its square root.
+constexpr double kYokeShare = 1e-11;
+constexpr double kYokeNeighbourhood = 1e-5;
+
+double angle(const Vec2d& z) {
+  return std::atan2(z.y, z.x);
+}
+
+Vec2d direction(double a) {
+  return {std::cos(a), std::sin(a)};
+}
+
+/// Displacements as s = unit·σ + origin, σ of order one.
+struct Scale {
+  double origin = 0, unit = 1;
+};
+
+/// The origin is the middle of the displacements where the start displacement is free to take it
+/// up, else the foot of the perpendicular.
+Scale scale_of(std::span<const PrecisionPoint> points, const GivenStart& start) {
+  Scale scale;
+  if (start.output) {
+    scale.origin = -*start.output;
+  } else {
+    const auto [least, greatest] = std::ranges::minmax(
+        points, {}, [](const PrecisionPoint& point) { return point.output[0]; });
+    scale.origin = 0.5 * least.output[0] + 0.5 * greatest.output[0];
+  }
+  double size = 0;
+  for (const PrecisionPoint& point : points) {
+    size = std::max(size, std::abs(point.output[0] - scale.origin));
+    for (std::size_t k = 1; k < point.multiplicity; ++k) {
+      size = std::max(size, std::abs(point.output[k]));
+    }
+  }
+  if (size > 0) scale.unit = size;
+  return scale;
+}
+
+Rows rows_of(std::span<const PrecisionPoint> points, const Scale& scale) {
+  Rows rows;
+  for (const PrecisionPoint& point : points) {
+    const std::size_t count = point.multiplicity;
+    RealSeries s = output_series(point);
+    s[0] -= scale.origin;
+    for (double& coefficient : s) coefficient /= scale.unit;
+    const RealSeries square = product(s, s, count);
+    const ComplexSeries u = direction_series({point.input, 1}, count);
+    const ComplexSeries su = product(s, u, count);
+    for (std::size_t k = 0; k < count; ++k) {
+      rows.push_back({square[k], s[k], su[k], u[k], k == 0 ? 1.0 : 0.0});
+    }
+  }
+  return rows;
+}
+
+/// The equation's coefficients up to a common factor, in the scaled displacement: h·S² − 2r S cos θ
+/// − 2w sin θ + c = 0 with w = re, and the starts that go with them.
+struct Coefficients {
+  double h = 0, r = 0, w = 0, c = 0;
+  double input_start = 0, output_start = 0;
+};
+
+/// The equations in r, w, c and those starts that are to be found.
+template <int N>
+class Equations {
+ public:
+  Equations(const Rows& rows, const GivenStart& start) : rows_(rows), start_(start) {}
+
+  Linearised<N> operator()(const Unknowns<N>& x) const {
+    const auto [phi, origin] = start_of(x);
+    const Vec2d e{std::cos(phi), std::sin(phi)};
+    const double r = x[0], w = x[1], c = x[2];
+    Linearised<N> result;
+    for (int i = 0; i < N; ++i) {
+      const Row& row = rows_[static_cast<std::size_t>(i)];
+      const Vec2d d = row.u * e, sd = (row.su + origin * row.u) * e;
+      const double square = row.square + origin * (2 * row.s + origin * row.constant);
+      const double scale = std::abs(row.square) + 2 * std::abs(origin * row.s) +
+                           origin * origin * row.constant + 2 * std::abs(r) * norm1(sd) +
+                           2 * std::abs(w) * norm1(d) + std::abs(c) * row.constant;
+      result.value[i] = (square - 2 * r * sd.x - 2 * w * d.y + c * row.constant) / scale;
+      result.slope(i, 0) = -2 * sd.x / scale;
+      result.slope(i, 1) = -2 * d.y / scale;
+      result.slope(i, 2) = row.constant / scale;
+      const double by_input = 2 * (r * sd.y - w * d.x);
+      const double by_output = 2 * (row.s + origin * row.constant - r * d.x);
+      if constexpr (N == 4) result.slope(i, 3) = (start_.input ? by_output : by_input) / scale;
+      if constexpr (N == 5) {
+        result.slope(i, 3) = by_input / scale;
+        result.slope(i, 4) = by_output / scale;
+      }
+    }
+    return result;
+  }
+
+  Unknowns<N> unknowns(const Coefficients& c) const {
+    Unknowns<N> x;
+    x[0] = c.r / c.h;
+    x[1] = c.w / c.h;
+    x[2] = c.c / c.h;
+    if constexpr (N == 4) x[3] = start_.input ? c.output_start : c.input_start;
+    if constexpr (N == 5) {
+      x[3] = c.input_start;
+      x[4] = c.output_start;
+    }
+    return x;
+  }
+
+  Coefficients coefficients(const Unknowns<N>& x) const {
+    const auto [phi, origin] = start_of(x);
+    return {1, x[0], x[1], x[2], phi, origin};
+  }
+
+ private:
+  /// The start displacement counts from the scaled origin, which is the foot where it is given.
+  std::array<double, 2> start_of(const Unknowns<N>& x) const {
+    if constexpr (N == 5) return {x[3], x[4]};
+    if constexpr (N == 4) {
+      return start_.input ? std::array{*start_.input, x[3]} : std::array{x[3], 0.0};
+    }
+    return {*start_.input, 0.0};
+  }
+
+  const Rows& rows_;
+  const GivenStart& start_;
+};
+
+/// Whether the coefficient of S² or that of the crank vanishes in a unit vector of the null space.
+SliderCrankOutcome infinite_part(double h, double crank) {
+  if (!(std::abs(h) > kInfiniteRatio)) return SliderCrankOutcome::infinite_links;
+  return std::abs(crank) > kInfiniteRatio ? SliderCrankOutcome::linkage
+                                          : SliderCrankOutcome::no_crank;
+}
+
+/// What remains to be known of a solution when the equations are set up.
+struct Setting {
+  const Rows& rows;
+  const GivenStart& start;
+  const Scale& scale;
+};
+
+SliderCrankFunction as_linkage(const Coefficients& c, const Setting& setting) {
+  SliderCrankFunction result;
+  const double unit = setting.scale.unit;
+  const double offset = c.w / c.r;
+  // The coupler in the first position: no difference of squares enters.
+  const Row& first = setting.rows[0];
+  const Vec2d pin = c.r * (first.u * direction(c.input_start));
+  const double coupler = norm(Vec2d{first.s + c.output_start, offset} - pin);
+  result.crank = unit * std::abs(c.r);
+  result.offset = unit * offset;
+  result.coupler = unit * coupler;
+  if (!(coupler > kInfiniteRatio * std::abs(c.r))) result.outcome = SliderCrankOutcome::no_coupler;
+  result.input_turned = c.r < 0;
+  result.input_start = c.input_start + (c.r < 0 ? std::numbers::pi : 0);
+  result.output_start = setting.start.output.value_or(unit * c.output_start - setting.scale.origin);
+  if (!setting.start.input) result.input_turned = false;
+  return result;
+}
+
+/// The solution that `c` leads to, unless it is none.
+template <int N>
+void add_solution(const Setting& setting, const Coefficients& c, SliderCrankFunctions& result) {
+  const Equations<N> equations(setting.rows, setting.start);
+  const Root<N> root = polish<N>(equations, equations.unknowns(c));
+  if (!(root.residual <= kAcceptedResidual)) return;
+  SliderCrankFunction found = as_linkage(equations.coefficients(root.x), setting);
+  found.residual = root.residual;
+  found.condition = root.condition;
+  result.solutions.push_back(found);
+}
+
+void add_limit(SliderCrankOutcome outcome, double yoke_crank, SliderCrankFunctions& result) {
+  SliderCrankFunction found;
+  found.outcome = outcome;
+  found.crank = yoke_crank;
+  result.solutions.push_back(found);
+}
+
+/// A Scotch yoke s = s₀ + Re(Qu)/p: no square and no S cos θ in its equation.
+void add_yoke(double q, double p, const Setting& setting, SliderCrankFunctions& result) {
+  if (std::abs(p) > kInfiniteRatio) {
+    add_limit(SliderCrankOutcome::scotch_yoke, setting.scale.unit * q / std::abs(p), result);
+  } else {
+    add_limit(SliderCrankOutcome::infinite_links, 0, result);
+  }
+}
+
+/// The size of the parts of `x` that vanish for a Scotch yoke.
+template <class Vector, std::size_t Count>
+double yoke_share(const Vector& x, const std::array<int, Count>& vanishing) {
+  double square = 0;
+  for (const int i : vanishing) square += x[i] * x[i];
+  return std::sqrt(square);
+}
+
+/// The direction in the plane of u and v in which the parts that vanish for a Scotch yoke are
+/// least.
+template <class Vector, std::size_t Count>
+Vector nearest_yoke(const Vector& u, const Vector& v, const std::array<int, Count>& vanishing) {
+  double uu = 0, uv = 0, vv = 0;
+  for (const int i : vanishing) {
+    uu += u[i] * u[i];
+    uv += u[i] * v[i];
+    vv += v[i] * v[i];
+  }
+  const Vec2d t = direction(0.5 * std::atan2(2 * uv, uu - vv) + std::numbers::pi / 2);
+  return t.x * u + t.y * v;
+}
+
+/// The roots of the form on the plane of u and v, as vectors of it; where a Scotch yoke is among
+/// them it is left out, and `yoke` is its vector.
+template <class Vector>
+struct PlaneRoots {
+  Few<Vector, 3> roots;
+  std::optional<Vector> yoke;
+};
+
+template <class Vector, std::size_t Count, std::size_t Degree>
+PlaneRoots<Vector> plane_roots(const Vector& u, const Vector& v,
+                               const std::array<double, Degree>& form,
+                               const std::array<int, Count>& vanishing) {
+  PlaneRoots<Vector> result;
+  const Vector yoke = nearest_yoke(u, v, vanishing);
+  if (yoke_share(yoke, vanishing) <= kYokeShare) result.yoke = yoke;
+  for (const Vec2d& root : real_roots(form)) {
+    const Vector x = root.x * u + root.y * v;
+    const bool split = result.yoke && yoke_share(x, vanishing) <= kYokeNeighbourhood;
+    if (!split) result.roots.push_back(x);
+  }
+  return result;
+}
+
+SliderCrankFunctions with_both_given(const Setting& setting) {
+  const Vec2d e = direction(*setting.start.input);
+  Eigen::Matrix<double, 3, 4> m;
+  for (int i = 0; i < 3; ++i) {
+    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    m.row(i) << row.square, -2 * (row.su * e).x, -2 * (row.u * e).y, row.constant;
+  }
+  SliderCrankFunctions result;
+  const auto basis = null_basis<1>(m);
+  result.dependent = !basis;
+  if (!basis) return result;
+  const auto& v = (*basis)[0];
+  const auto outcome = infinite_part(v[0], v[1]);
+  if (outcome == SliderCrankOutcome::linkage) {
+    add_solution<3>(setting, {v[0], v[1], v[2], v[3], *setting.start.input, 0}, result);
+  } else {
+    add_limit(outcome, 0, result);
+  }
+  return result;
+}
+
+/// Unknown besides the lengths: the start displacement p/h. Columns s², s, s cos θ, cos θ, sin θ, 1
+/// with coefficients h, 2p, −2r, −2q, −2w, c; q·h = p·r.
+SliderCrankFunctions with_input_given(const Setting& setting) {
+  const Vec2d e = direction(*setting.start.input);
+  Eigen::Matrix<double, 4, 6> m;
+  for (int i = 0; i < 4; ++i) {
+    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    const Vec2d d = row.u * e;
+    m.row(i) << row.square, 2 * row.s, -2 * (row.su * e).x, -2 * d.x, -2 * d.y, row.constant;
+  }
+  SliderCrankFunctions result;
+  const auto basis = null_basis<2>(m);
+  result.dependent = !basis;
+  if (!basis) return result;
+  using Vector = Eigen::Matrix<double, 6, 1>;
+  const auto products_differ = [](const Vector& a, const Vector& b) {
+    return a[3] * b[0] - a[1] * b[2];
+  };
+  const auto& [u, v] = *basis;
+  const auto found = plane_roots(u, v, quadratic_form(products_differ, u, v), std::array{0, 2});
+  if (found.yoke)
+    add_yoke(std::hypot((*found.yoke)[3], (*found.yoke)[4]), (*found.yoke)[1], setting, result);
+  for (const Vector& x : found.roots) {
+    const auto outcome = infinite_part(x[0], x[2]);
+    if (outcome != SliderCrankOutcome::linkage) {
+      add_limit(outcome, 0, result);
+      continue;
+    }
+    const double origin = x[1] / x[0];
+    // C of the file's comment holds s₀², the equation's own constant does not: r² + e² − l².
+    const double c = x[5] - origin * x[1];
+    add_solution<4>(setting, {x[0], x[2], x[4], c, *setting.start.input, origin}, result);
+  }
+  return result;
+}
+
+/// Unknown besides the lengths: the start angle. Columns S², −2Su, −2u, 1 with coefficients h, R, Q
+/// and c; Re(Q conj R) = 0.
+SliderCrankFunctions with_output_given(const Setting& setting) {
+  Eigen::Matrix<double, 4, 6> m;
+  for (int i = 0; i < 4; ++i) {
+    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    m.row(i) << row.square, -2 * row.su.x, 2 * row.su.y, -2 * row.u.x, 2 * row.u.y, row.constant;
+  }
+  SliderCrankFunctions result;
+  const auto basis = null_basis<2>(m);
+  result.dependent = !basis;
+  if (!basis) return result;
+  using Vector = Eigen::Matrix<double, 6, 1>;
+  const auto along = [](const Vector& a, const Vector& b) { return a[3] * b[1] + a[4] * b[2]; };
+  const auto& [u, v] = *basis;
+  for (const Vec2d& root : real_roots(quadratic_form(along, u, v))) {
+    const Vector x = root.x * u + root.y * v;
+    const Vec2d r{x[1], x[2]}, q{x[3], x[4]};
+    const auto outcome = infinite_part(x[0], norm(r));
+    if (outcome != SliderCrankOutcome::linkage) {
+      add_limit(outcome, 0, result);
+      continue;
+    }
+    // Q = −ie·R.
+    const double phi = angle(r);
+    const double w = -(q * direction(-phi)).y;
+    add_solution<4>(setting, {x[0], norm(r), w, x[5], phi, 0}, result);
+  }
+  return result;
+}
+
+SliderCrankFunctions with_none_given(const Setting& setting) {
+  Eigen::Matrix<double, 5, 7> m;
+  for (int i = 0; i < 5; ++i) {
+    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    m.row(i) << row.square, 2 * row.s, -2 * row.su.x, 2 * row.su.y, -2 * row.u.x, 2 * row.u.y,
+        row.constant;
+  }
+  SliderCrankFunctions result;
+  const auto basis = null_basis<2>(m);
+  result.dependent = !basis;
+  if (!basis) return result;
+  using Vector = Eigen::Matrix<double, 7, 1>;
+  // h·Re(Q conj R) − p|R|².
+  const auto starts_differ = [](const Vector& a, const Vector& b, const Vector& c) {
+    return a[0] * (b[4] * c[2] + b[5] * c[3]) - a[1] * (b[2] * c[2] + b[3] * c[3]);
+  };
+  const auto& [u, v] = *basis;
+  const auto found = plane_roots(u, v, cubic_form(starts_differ, u, v), std::array{0, 2, 3});
+  if (found.yoke)
+    add_yoke(norm(Vec2d{(*found.yoke)[4], (*found.yoke)[5]}), (*found.yoke)[1], setting, result);
+  for (const Vector& x : found.roots) {
+    const Vec2d r{x[2], x[3]}, q{x[4], x[5]};
+    const auto outcome = infinite_part(x[0], norm(r));
+    if (outcome != SliderCrankOutcome::linkage) {
+      add_limit(outcome, 0, result);
+      continue;
+    }
+    const double phi = angle(r);
+    const double origin = x[1] / x[0];
+    const double w = -(q * direction(-phi)).y;
+    add_solution<5>(setting, {x[0], norm(r), w, x[6] - origin * x[1], phi, origin}, result);
+  }
+  return result;
+}
+
+}  // namespace
+
+SliderCrankFunctions slider_crank_functions(std::span<const PrecisionPoint> points,
+                                            const GivenStart& start) {
+  assert(condition_count(points) ==
+         static_cast<std::size_t>(3 + int{!start.input} + int{!start.output}));
+  const Scale scale = scale_of(points, start);
+  const Rows rows = rows_of(points, scale);
+  const Setting setting{rows, start, scale};
+  if (start.input && start.output) return with_both_given(setting);
+  if (start.input) return with_input_given(setting);
+  return start.output ? with_output_given(setting) : with_none_given(setting);
+}
+
+}  // namespace cognate::synthesis

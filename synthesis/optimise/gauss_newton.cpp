@@ -1,0 +1,334 @@
+#include "synthesis/optimise/gauss_newton.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "synthesis/optimise/quadratic_program.hpp"
+
+namespace cognate::synthesis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::span<double> view(VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+std::span<const double> view(const VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+std::span<double> view(RowMatrix& m) {
+  return {m.data(), static_cast<std::size_t>(m.size())};
+}
+
+/// A point with everything known about it. Residuals are per unit, derivatives per scaled variable.
+struct Point {
+  VectorXd x, residuals, constraints;
+  double cost = 0;       ///< ½|r|², or max |r|
+  double violation = 0;  ///< largest max(0, −c)
+};
+
+double largest_violation(const VectorXd& constraints) {
+  return constraints.size() == 0 ? 0 : std::max(0.0, -constraints.minCoeff());
+}
+
+class Solver {
+ public:
+  Solver(const Model& model, std::span<const double> start, const Options& options);
+  Solution run();
+
+ private:
+  bool evaluate(Point& point);
+  void differentiate(const Point& point);
+  void reduce_least_squares(double damping);
+  void reduce_minimax(double damping);
+  void state_constraints(double share);
+  bool find_step(double damping);
+  void step_locals(double damping);
+  double predicted_decrease() const;
+  double merit(const Point& point) const;
+  double linearised_merit() const;
+  void raise_penalties();
+  Stop outside_stop() const;
+  Solution finish(Stop stop, int iterations) const;
+
+  const Model& model_;
+  const Options& options_;
+  const Clock::time_point begin_ = Clock::now();
+  const bool minimax_;
+  const Index globals_, locals_, rows_, limits_;  ///< limits_: number of the model's constraints
+  std::span<const int> local_of_row_;
+  VectorXd scale_, lower_, upper_;
+
+  Point now_, next_;
+  RowMatrix jacobian_, constraint_jacobian_;
+  VectorXd local_slope_;              ///< ∂r/∂(its local variable), scaled
+  VectorXd diagonal_, local_square_;  ///< of JᵀJ
+  MatrixXd hessian_, qp_matrix_;
+  VectorXd gradient_, qp_offset_, local_rhs_;
+  MatrixXd local_rows_;  ///< Σ over the rows of a local variable of slope · row of J
+  VectorXd penalties_, step_, local_step_, model_residuals_;
+  QuadraticProgram qp_;
+  std::uint64_t evaluations_ = 0, gradients_ = 0;
+};
+
+Solver::Solver(const Model& model, std::span<const double> start, const Options& options)
+    : model_(model),
+      options_(options),
+      minimax_(model.objective() == Objective::max_abs),
+      globals_(model.global_count()),
+      locals_(model.local_count()),
+      rows_(model.residual_count()),
+      limits_(model.constraint_count()),
+      local_of_row_(model.local_of_residual()) {
+  const auto variables = model.variables();
+  const auto n = static_cast<Index>(variables.size());
+  scale_.resize(n);
+  lower_.resize(n);
+  upper_.resize(n);
+  now_.x.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    const Variable& v = variables[i];
+    scale_[i] = v.scale;
+    lower_[i] = v.lower;
+    upper_[i] = v.upper;
+    now_.x[i] = std::clamp(start[i], v.lower, v.upper);
+  }
+  now_.residuals.resize(rows_);
+  now_.constraints.resize(limits_);
+  next_ = now_;
+  jacobian_.resize(rows_, globals_);
+  constraint_jacobian_.resize(limits_, globals_);
+  local_slope_.resize(locals_ > 0 ? rows_ : 0);
+  local_square_.resize(locals_);
+  local_rhs_.resize(locals_);
+  local_rows_.resize(locals_, globals_);
+  local_step_.setZero(locals_);
+  penalties_.setZero(limits_);
+  diagonal_.setZero(globals_);
+}
+
+bool Solver::evaluate(Point& point) {
+  ++evaluations_;
+  if (!model_.residuals(view(point.x), view(point.residuals), {}, {})) return false;
+  if (!point.residuals.allFinite()) return false;
+  model_.constraints(view(point.x), view(point.constraints), {});
+  point.cost =
+      minimax_ ? point.residuals.lpNorm<Eigen::Infinity>() : 0.5 * point.residuals.squaredNorm();
+  point.violation = largest_violation(point.constraints);
+  return true;
+}
+
+/// Fills the Jacobians at `point`, per scaled variable; `next_` serves as scratch.
+void Solver::differentiate(const Point& point) {
+  ++gradients_;
+  model_.residuals(view(point.x), view(next_.residuals), view(jacobian_), view(local_slope_));
+  jacobian_ *= scale_.head(globals_).asDiagonal();
+  if (limits_ > 0) {
+    model_.constraints(view(point.x), view(next_.constraints), view(constraint_jacobian_));
+    constraint_jacobian_ *= scale_.head(globals_).asDiagonal();
+  }
+  for (Index row = 0; row < local_slope_.size(); ++row) {
+    if (local_of_row_[row] >= 0) local_slope_[row] *= scale_[globals_ + local_of_row_[row]];
+  }
+  diagonal_ = diagonal_.cwiseMax(jacobian_.colwise().squaredNorm().transpose());
+}
+
+/// The normal equations of the damped step with the local variables eliminated.
+void Solver::reduce_least_squares(double damping) {
+  hessian_.noalias() = jacobian_.transpose() * jacobian_;
+  gradient_.noalias() = jacobian_.transpose() * now_.residuals;
+  if (locals_ > 0) {
+    local_square_.setZero();
+    local_rhs_.setZero();
+    local_rows_.setZero();
+    for (Index row = 0; row < rows_; ++row) {
+      const Index local = local_of_row_[row];
+      if (local < 0) continue;
+      local_square_[local] += local_slope_[row] * local_slope_[row];
+      local_rhs_[local] += local_slope_[row] * now_.residuals[row];
+      local_rows_.row(local) += local_slope_[row] * jacobian_.row(row);
+    }
+    for (Index local = 0; local < locals_; ++local) {
+      const double inverse = 1 / (local_square_[local] * (1 + damping) + 1e-300);
+      hessian_.noalias() -= inverse * local_rows_.row(local).transpose() * local_rows_.row(local);
+      gradient_ -= (inverse * local_rhs_[local]) * local_rows_.row(local).transpose();
+    }
+  }
+  const double floor = 1e-14 * diagonal_.maxCoeff() + 1e-300;
+  hessian_.diagonal() += damping * diagonal_ + VectorXd::Constant(globals_, floor);
+}
+
+/// Madsen's step: the last unknown is the bound t ≥ 0 on all |rᵢ + Jᵢ dx|. In place of t it
+/// minimises t + t²/2m, m the largest residual now: as good where t ≥ 0, and strictly convex.
+void Solver::reduce_minimax(double damping) {
+  const double largest = std::max(diagonal_.maxCoeff(), 1e-300);
+  const double size = std::max(now_.cost, 1e-300);
+  hessian_.setZero(globals_ + 1, globals_ + 1);
+  hessian_.diagonal().head(globals_) =
+      (damping / size) * diagonal_ + VectorXd::Constant(globals_, 1e-14 * largest / size);
+  hessian_(globals_, globals_) = 1 / size;
+  gradient_.setZero(globals_ + 1);
+  gradient_[globals_] = 1;
+}
+
+/// Bounds and constraints of the step as rows A dx + b ≥ 0. Violated constraints are asked to mend
+/// `share` of their violation.
+void Solver::state_constraints(double share) {
+  const Index unknowns = globals_ + (minimax_ ? 1 : 0);
+  const Index most = 2 * globals_ + limits_ + (minimax_ ? 2 * rows_ : 0);
+  qp_matrix_.setZero(most, unknowns);
+  qp_offset_.resize(most);
+  Index row = 0;
+  for (Index i = 0; i < limits_; ++i, ++row) {
+    qp_matrix_.row(row).head(globals_) = constraint_jacobian_.row(i);
+    qp_offset_[row] = now_.constraints[i] > 0 ? now_.constraints[i] : share * now_.constraints[i];
+  }
+  for (Index i = 0; i < globals_; ++i) {
+    if (std::isfinite(lower_[i])) {
+      qp_matrix_(row, i) = 1;
+      qp_offset_[row++] = (now_.x[i] - lower_[i]) / scale_[i];
+    }
+    if (std::isfinite(upper_[i])) {
+      qp_matrix_(row, i) = -1;
+      qp_offset_[row++] = (upper_[i] - now_.x[i]) / scale_[i];
+    }
+  }
+  for (Index i = 0; minimax_ && i < rows_; ++i) {
+    for (const double side : {1.0, -1.0}) {
+      qp_matrix_.row(row).head(globals_) = side * jacobian_.row(i);
+      qp_matrix_(row, globals_) = 1;
+      qp_offset_[row++] = side * now_.residuals[i];
+    }
+  }
+  qp_matrix_.conservativeResize(row, unknowns);
+  qp_offset_.conservativeResize(row);
+}
+
+bool Solver::find_step(double damping) {
+  if (minimax_) {
+    reduce_minimax(damping);
+  } else {
+    reduce_least_squares(damping);
+  }
+  for (const double share : {1.0, 0.5, 0.1, 0.0}) {
+    state_constraints(share);
+    const auto status = qp_.solve(hessian_, gradient_, qp_matrix_, qp_offset_);
+    if (status == QuadraticProgram::Status::solved) {
+      step_ = qp_.x().head(globals_);
+      step_locals(damping);
+      return step_.allFinite();
+    }
+    if (status == QuadraticProgram::Status::not_convex || limits_ == 0) return false;
+  }
+  return false;
+}
+
+void Solver::step_locals(double damping) {
+  for (Index local = 0; local < locals_; ++local) {
+    const double along = local_rhs_[local] + local_rows_.row(local).dot(step_);
+    local_step_[local] = -along / (local_square_[local] * (1 + damping) + 1e-300);
+  }
+}
+
+double Solver::merit(const Point& point) const {
+  return point.cost + penalties_.dot((-point.constraints).cwiseMax(0.0));
+}
+
+double Solver::linearised_merit() const {
+  VectorXd r = now_.residuals + jacobian_ * step_;
+  for (Index row = 0; row < local_slope_.size(); ++row) {
+    if (local_of_row_[row] >= 0) r[row] += local_slope_[row] * local_step_[local_of_row_[row]];
+  }
+  const VectorXd c = now_.constraints + constraint_jacobian_ * step_;
+  const double cost = minimax_ ? r.lpNorm<Eigen::Infinity>() : 0.5 * r.squaredNorm();
+  return cost + penalties_.dot((-c).cwiseMax(0.0));
+}
+
+void Solver::raise_penalties() {
+  for (Index i = 0; i < limits_; ++i) {
+    penalties_[i] = std::max(penalties_[i], 2 * qp_.multipliers()[i]);
+  }
+}
+
+Stop Solver::outside_stop() const {
+  if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed)) {
+    return Stop::interrupted;
+  }
+  const std::chrono::duration<double> spent = Clock::now() - begin_;
+  return spent.count() > options_.time_limit ? Stop::time_limit : Stop::converged;
+}
+
+Solution Solver::finish(Stop stop, int iterations) const {
+  if (stop == Stop::converged && now_.violation > options_.feasibility) stop = Stop::infeasible;
+  Solution solution;
+  solution.x.assign(now_.x.data(), now_.x.data() + now_.x.size());
+  solution.objective = minimax_ ? now_.cost : 2 * now_.cost;
+  solution.violation = now_.violation;
+  if (limits_ > 0 && qp_.multipliers().size() >= limits_) {
+    // The quadratic program is that of ½|r|².
+    const VectorXd multipliers = (minimax_ ? 1.0 : 2.0) * qp_.multipliers().head(limits_);
+    solution.multipliers.assign(multipliers.data(), multipliers.data() + limits_);
+  }
+  solution.stop = stop;
+  solution.iterations = iterations;
+  solution.evaluations = evaluations_;
+  solution.gradients = gradients_;
+  return solution;
+}
+
+Solution Solver::run() {
+  if (!evaluate(now_)) return finish(Stop::no_value, 0);
+  const double floor = 1e-32 * (1 + now_.cost);
+  double damping = 1e-3, growth = 2;
+  bool moved = true;
+  int stalled = 0;
+  for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
+    if (const Stop stop = outside_stop(); stop != Stop::converged) return finish(stop, iteration);
+    if (moved) differentiate(now_);
+    moved = false;
+    if (!find_step(damping)) {
+      if (damping > 1e12) return finish(Stop::failed, iteration);
+      damping = std::max(10 * damping, 1e-8);
+      continue;
+    }
+    raise_penalties();
+    const double before = merit(now_);
+    const double predicted = before - linearised_merit();
+    next_.x.head(globals_) = now_.x.head(globals_) + scale_.head(globals_).cwiseProduct(step_);
+    next_.x.tail(locals_) = now_.x.tail(locals_) + scale_.tail(locals_).cwiseProduct(local_step_);
+    next_.x = next_.x.cwiseMax(lower_).cwiseMin(upper_);
+    const bool valid = evaluate(next_);
+    const double gained = valid ? before - merit(next_) : 0;
+    const bool negligible = predicted <= options_.tolerance * before + floor;
+    if (valid && gained > 1e-4 * predicted && gained > 0) {
+      const double ratio = gained / predicted;
+      damping = std::max(damping * std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3)), 1e-15);
+      growth = 2;
+      std::swap(now_, next_);
+      moved = true;
+      stalled = gained <= options_.tolerance * before ? stalled + 1 : 0;
+      if (now_.violation <= options_.feasibility && (stalled >= 2 || now_.cost <= floor)) {
+        return finish(Stop::converged, iteration + 1);
+      }
+    } else {
+      if (negligible || damping > 1e12) return finish(Stop::converged, iteration + 1);
+      damping *= growth;
+      growth *= 2;
+    }
+  }
+  return finish(Stop::iteration_limit, options_.max_iterations);
+}
+
+}  // namespace
+
+Solution solve_gauss_newton(const Model& model, std::span<const double> start,
+                            const Options& options) {
+  return Solver(model, start, options).run();
+}
+
+}  // namespace cognate::synthesis

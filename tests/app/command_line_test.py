@@ -1,0 +1,233 @@
+"""The program from outside: exit statuses, messages, and what lands on which stream.
+
+Run as: command_line_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import tomllib
+import unittest
+
+PROGRAM = ""
+LIBRARY = pathlib.Path()
+
+
+def run(*arguments, **options):
+    """Runs the program in a folder of its own choice (`cwd`) and waits for its end."""
+    options.setdefault("stdout", subprocess.PIPE)
+    options.setdefault("stderr", subprocess.PIPE)
+    return subprocess.run([PROGRAM, *map(str, arguments)], text=True, timeout=120, **options)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.problem = LIBRARY / "path" / "six-point-line.toml"
+
+    def expect_refusal(self, done, *parts):
+        """Exit status 2, nothing on standard output, and each of `parts` in the message."""
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for part in parts:
+            self.assertIn(part, done.stderr)
+
+    def expect_one_line_refusal(self, done, *parts):
+        self.expect_refusal(done, *parts)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
+    def test_help_shows_each_command_and_an_example_of_it(self):
+        general = run("--help")
+        self.assertEqual(general.returncode, 0)
+        self.assertEqual(general.stderr, "")
+        for command in ("solve", "analyze", "check", "list"):
+            self.assertIn("\n  cognate " + command, general.stdout)
+            special = run(command, "--help")
+            self.assertEqual(special.returncode, 0)
+            self.assertIn("\n  cognate " + command, special.stdout)
+            for option in ("--json", "--seed", "--threads", "--time-limit", "--quiet"):
+                self.assertIn(option, special.stdout)
+        for later in ("sweep", "export"):
+            self.assertNotIn(later, general.stdout)
+
+    def test_version(self):
+        done = run("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"^cognate \d+\.\d+\.\d+\n$")
+
+    def test_a_command_is_needed(self):
+        self.expect_one_line_refusal(run(), "solve, analyze, check and list")
+        self.expect_one_line_refusal(run("--json"), "solve, analyze, check and list")
+        self.expect_one_line_refusal(run("sovle", "x"), "'sovle'", "solve, analyze, check and list")
+        for later in ("sweep", "export"):
+            self.expect_one_line_refusal(
+                run(later, "x.toml"), f"'{later}' is not available in this version", "solve"
+            )
+
+    def test_bad_options(self):
+        for arguments, part in [
+            (["--frobnicate"], "--frobnicate"),
+            (["--seed", "-1"], "--seed: '-1'"),
+            (["--seed", "1e3"], "--seed: '1e3'"),
+            (["--seed", "99999999999999999999"], "9007199254740991"),
+            (["--seed"], "--seed"),
+            (["--threads", "0"], "--threads: '0'"),
+            (["--threads", "-2"], "--threads: '-2'"),
+            (["--time-limit", "nan"], "--time-limit: 'nan'"),
+            (["--time-limit", "-1"], "--time-limit: '-1'"),
+            (["--time-limit", "0"], "--time-limit: '0'"),
+            (["--time-limit", "inf"], "--time-limit: 'inf'"),
+            (["--out", ""], "--out"),
+            (["second.toml"], "second.toml"),
+        ]:
+            with self.subTest(arguments):
+                done = run("solve", self.problem, *arguments, cwd=self.folder)
+                self.expect_one_line_refusal(done, part)
+                self.assertEqual(list(self.folder.iterdir()), [])
+        self.expect_one_line_refusal(run("solve"), "FILE")
+        both = run("solve", self.problem, "--seed", "x", "--threads", "x", cwd=self.folder)
+        self.expect_refusal(both, "--seed", "--threads")
+
+    def test_files_that_are_no_problems(self):
+        empty = self.folder / "empty.toml"
+        empty.touch()
+        for command in ("solve", "check"):
+            for file in (self.folder / "missing.toml", self.folder, empty):
+                with self.subTest(command=command, file=file):
+                    done = run(command, file, cwd=self.folder)
+                    self.expect_one_line_refusal(done, f"{file}:1:1: ")
+        self.assertEqual(list(self.folder.iterdir()), [empty])
+
+    def test_every_fault_of_a_file_has_its_place(self):
+        file = self.folder / "faults.toml"
+        file.write_text(
+            'kind = "path-generation"\n'
+            "[target]\n"
+            "points = [[0, 0], [1, 0], [1, 1]]\n"
+            'timing = "fre"\n'
+            "[solve]\n"
+            "desings = 3\n"
+        )
+        done = run("check", file)
+        self.expect_refusal(done, f"{file}:4:", f"{file}:6:", "designs")
+        self.assertEqual(done.stderr.count("\n"), 2, done.stderr)
+
+        documented = run("check", file, "--json")
+        self.assertEqual(documented.returncode, 2)
+        document = json.loads(documented.stdout)
+        self.assertFalse(document["valid"])
+        self.assertEqual([fault["line"] for fault in document["faults"]], [4, 6])
+
+    def test_control_characters_of_a_file_stay_out_of_messages(self):
+        file = self.folder / "escape.toml"
+        file.write_text('kind = "path-\\u001b[31mgeneration"\n')
+        done = run("check", file)
+        self.expect_refusal(done)
+        self.assertNotIn("\x1b", done.stderr)
+
+    def test_a_problem_may_come_through_a_pipe(self):
+        pipe = self.folder / "pipe.toml"
+        os.mkfifo(pipe)
+        writer = threading.Thread(target=lambda: pipe.write_text(self.problem.read_text()))
+        writer.start()
+        done = run("check", pipe)
+        writer.join()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("6 points", done.stdout)
+
+    def test_check_says_what_the_problem_is(self):
+        for file in LIBRARY.rglob("*.toml"):
+            with self.subTest(file):
+                done = run("check", file)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("no fault found", done.stdout)
+                self.assertEqual(run("check", file, "--quiet").stdout, "")
+                document = json.loads(run("check", file, "--json").stdout)
+                self.assertTrue(document["valid"])
+                kind = file.parent.name
+                if kind in ("function", "motion", "path"):
+                    kind += "-generation"
+                self.assertEqual(document["problem"]["kind"], kind)
+
+    def test_each_command_says_which_other_takes_a_file(self):
+        mechanism = LIBRARY / "analysis" / "shaper.toml"
+        for command, file, other in [
+            ("solve", mechanism, "cognate analyze"),
+            ("analyze", self.problem, "cognate solve"),
+        ]:
+            with self.subTest(command):
+                done = run(command, file, cwd=self.folder)
+                self.expect_one_line_refusal(done, f"{file}:", other)
+                self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_list(self):
+        text = run("list")
+        self.assertEqual((text.returncode, text.stderr), (0, ""))
+        for name in ("function-generation", "analysis", "four-bar", "slsqp", "designs"):
+            self.assertIn(name, text.stdout)
+        for key in ("fixed_pivots", "second_line_deg", "RPP", "slot_deg", "between", "steps"):
+            self.assertIn(key, text.stdout)
+        self.assertIn("transmission_angle_deg.min", run("list", "--metrics").stdout)
+        document = json.loads(run("list", "--json").stdout)
+        self.assertIn("ipopt", [solver["name"] for solver in document["solvers"]])
+        self.assertEqual(len(document["mechanisms"]), 10)
+        for mechanism in document["mechanisms"]:
+            self.assertTrue(mechanism["keys"], mechanism)
+        metrics = json.loads(run("list", "--metrics", "--json").stdout)["metrics"]
+        for metric in metrics:
+            wants_degrees = "_deg" in metric["key"]
+            self.assertEqual(metric["unit"] == "deg", wants_degrees, metric)
+
+    def test_list_names_every_key_of_the_library(self):
+        document = json.loads(run("list", "--json").stdout)
+        problems = {kind["name"]: kind for kind in document["synthesis_problems"]}
+        common = {
+            f"{table['name'][1:-1]}.{name}"
+            for table in document["common_tables"]
+            for key in table["keys"]
+            for name in key["name"].split(", ")
+        }
+        common |= {"solve." + option["name"] for option in document["solve_options"]}
+        links = {f"{table}.{link}" for table in ("mechanism", "bounds")
+                 for link in ("crank", "coupler", "rocker", "frame")}
+        for file in LIBRARY.rglob("*.toml"):
+            read = tomllib.loads(file.read_text())
+            if read["kind"] not in problems:
+                continue
+            listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
+            listed |= {key["name"] for key in problems[read["kind"]]["keys"]}
+            for table in ("target", "mechanism", "bounds", "constraints", "solve"):
+                for key in read.get(table, {}):
+                    with self.subTest(file=file.name, key=key):
+                        self.assertIn(f"{table}.{key}", listed)
+
+    def test_output_that_cannot_be_written(self):
+        with open("/dev/full", "w") as full:
+            done = run("list", stdout=full)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cannot write to standard output", done.stderr)
+        closed = subprocess.run(
+            ["/bin/sh", "-c", '"$0" list >&-', PROGRAM], stderr=subprocess.PIPE, text=True
+        )
+        self.assertEqual(closed.returncode, 2)
+        self.assertIn("cannot write to standard output", closed.stderr)
+
+    def test_places_that_cannot_be_written_to(self):
+        file = self.folder / "file"
+        file.touch()
+        below = run("solve", self.problem, "--out", file / "below")
+        self.expect_one_line_refusal(below, str(file / "below"), "Not a directory")
+        (self.folder / "six-point-line.result.json").mkdir()
+        blocked = run("solve", self.problem, cwd=self.folder)
+        self.expect_one_line_refusal(blocked, "six-point-line.result.json", "Is a directory")
+
+
+if __name__ == "__main__":
+    PROGRAM, LIBRARY = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

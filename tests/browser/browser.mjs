@@ -1,0 +1,63 @@
+// The system's Chromium, and pages opened from disk in it.
+import { createRequire } from "node:module";
+import assert from "node:assert/strict";
+import { pathToFileURL } from "node:url";
+import path from "node:path";
+
+// Packages are installed in the build tree: BROWSER_PACKAGES names the folder of node_modules.
+const base = process.env.BROWSER_PACKAGES ?? path.dirname(new URL(import.meta.url).pathname);
+const { chromium } = createRequire(path.join(base, "package.json"))("playwright-core");
+
+export const SIZES = { desktop: { width: 1440, height: 1000 }, phone: { width: 390, height: 844 } };
+
+// Layout does not depend on colours: two of the four pairs show all of either.
+export const LOOKS = [{ size: "desktop", scheme: "light" }, { size: "phone", scheme: "dark" }];
+
+export function launch() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+      "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+  });
+}
+
+// Opens `file`; `faults` collects errors of the page and requests that leave it.
+export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference" } = {}) {
+  const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion,
+    hasTouch: size === "phone", deviceScaleFactor: size === "phone" ? 2 : 1 });
+  const page = await context.newPage();
+  const faults = [];
+  const url = pathToFileURL(path.resolve(file)).href;
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) faults.push(message.text()); });
+  page.on("pageerror", (error) => faults.push(String(error.stack ?? error)));
+  page.on("request", (request) => { if (request.url() !== url && !request.url().startsWith("data:")) faults.push(`request ${request.url()}`); });
+  await page.goto(url);
+  return { page, faults, close: () => context.close() };
+}
+
+// Runs `steps` on a fresh page of the report `name` in the folder REPORTS, and fails on any message
+// of the console or request.
+export async function visit(browser, name, options, steps) {
+  const { page, faults, close } = await open(browser, path.join(process.env.REPORTS, `${name}.html`), options);
+  await steps(page);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+// Fails where the page is wider than the window, or a part of it wider than its room.
+export async function assertFits(page) {
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(overflow <= 0, `the page is ${overflow} pixels too wide`);
+  const clipped = await page.evaluate(() => [...document.querySelectorAll(".card, .table-frame, .plot")].filter((c) => c.scrollWidth > c.clientWidth + 1).map((c) => c.id || c.className));
+  assert.deepEqual(clipped, []);
+}
+
+// Pixels of each plot that are not those of its background.
+export const inkOf = (page) => page.locator("#plots canvas").evaluateAll((canvases) => canvases.map((canvas) => {
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let ink = 0;
+  for (let i = 3; i < data.length; i += 4) ink += data[i] > 0;
+  return ink;
+}));
+
+export const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);

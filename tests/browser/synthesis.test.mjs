@@ -1,0 +1,135 @@
+// The pages of exact syntheses: designs of every type, poses, curves and families.
+import assert from "node:assert/strict";
+import { statSync } from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { LOOKS, assertFits, distance, inkOf, launch, visit as visitReport } from "./browser.mjs";
+
+const hasCurves = process.env.HAS_CURVES !== "0";
+const still = { motion: "reduce" };
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+const visit = (name, options, steps) => visitReport(browser, `exact-${name}`, options, steps);
+
+const crankTo = (page, value) => page.locator("#crank").evaluate((input, v) => { input.value = v; input.dispatchEvent(new Event("input")); }, value);
+const choose = (page, index) => page.locator(`#design-${index}`).check();
+const fact = (page, list, name) => page.locator(`#${list}-list dt`, { hasText: name }).locator("+ dd").first().textContent();
+const placed = (page, selector) => page.locator(selector).evaluateAll((all) => all.map((g) => {
+  const { e, f, a, b } = g.transform.baseVal.consolidate().matrix;
+  return [e, f, Math.atan2(-b, a) * 180 / Math.PI];
+}));
+
+for (const { size, scheme } of LOOKS) {
+  for (const name of ["motion", "quick-return", "straight-line", "nine-points"]) {
+    test(`${name} fits a ${size} in ${scheme} colours, whatever design is chosen`, () => visit(name, { size, scheme, ...still }, async (page) => {
+      const count = Math.min(4, await page.locator("#designs tbody").count());
+      for (let i = 0; i < count; ++i) {
+        await choose(page, i);
+        await assertFits(page);
+        assert.doesNotMatch(await page.locator("#picture").innerHTML(), /NaN|undefined/);
+        if (hasCurves) for (const ink of await inkOf(page)) assert.ok(ink > 300);
+      }
+    }));
+  }
+}
+
+// The body's own axes and those of each pose were computed by different code.
+test("the guided body's axes lie on those of each pose when the crank is there", () => visit("motion", still, async (page) => {
+  const poses = await placed(page, ".pose:not(.guided)");
+  assert.equal(poses.length, 4);
+  for (const [i, crank] of [0.4, 1.2, 2.1, 3.0].entries()) {
+    await crankTo(page, crank * 180 / Math.PI);
+    const [guided] = await placed(page, ".pose.guided");
+    assert.ok(distance(guided, poses[i]) < 0.3, `${guided} ${poses[i]}`);
+    assert.ok(Math.abs(guided[2] - poses[i][2]) < 0.3);
+  }
+}));
+
+test("each type of mechanism is drawn with its own parts, and moves", () => visit("motion", still, async (page) => {
+  assert.equal(await page.locator(".link-body.rocker").count(), 1);
+  for (const index of [1, 2, 3]) {
+    await choose(page, index);
+    assert.equal(await page.locator("#picture > svg").count(), 1);
+    assert.ok(await page.locator(".block").count() > 0);
+    const before = await page.locator(".layer-bodies").innerHTML();
+    await page.locator("#title").click();
+    await page.keyboard.press("Shift+ArrowRight");
+    assert.notEqual(await page.locator(".layer-bodies").innerHTML(), before);
+  }
+  assert.equal(await fact(page, "dimensions", "Mechanism"), "Elliptic-trammel");
+  await choose(page, 0);
+  assert.equal(await page.locator(".layer-bodies").count(), 0);
+}));
+
+test("a slider is dragged along its guide", () => visit("motion", still, async (page) => {
+  await choose(page, 1);
+  const [picture, b] = [await page.locator("#picture").boundingBox(), await page.locator('.layer-pins [data-name="B"]').boundingBox()];
+  const crank = () => page.locator("#crank-value").textContent();
+  const before = await crank();
+  await page.mouse.move(b.x + b.width / 2, b.y + b.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(picture.x + b.x - picture.x - 20, b.y - 40, { steps: 4 });
+  await page.mouse.up();
+  assert.notEqual(await crank(), before);
+}));
+
+test("curves of the synthesis are shown and hidden by their buttons", () => visit("motion", still, async (page) => {
+  const names = await page.locator("#loci button").allTextContents();
+  assert.deepEqual(names, ["Centre-point curve", "Circle-point curve", "Poles"]);
+  assert.equal(await page.locator(".synthesis-locus").count(), 3);
+  assert.equal(await page.locator(".locus-point").count(), 3);
+  await page.locator("#loci button").first().click();
+  assert.equal(await page.locator('[data-locus="0"]').count(), 0);
+  await choose(page, 1);
+  assert.equal(await page.locator(".synthesis-locus").count(), 2);
+  await page.locator("#loci button").first().focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await page.locator('[data-locus="0"]').count(), 1);
+}));
+
+test("what the synthesis tells of itself is shown", () => visit("motion", still, async (page) => {
+  assert.equal(await fact(page, "findings", "Real dyads"), "12");
+  assert.match(await page.locator("#notes").textContent(), /unbounded/);
+  await choose(page, 1);
+  assert.equal(await fact(page, "qualities", "Pressure angle max"), "28.5°");
+  assert.equal(await fact(page, "qualities", "Class"), "crank turns fully");
+}));
+
+test("a family is plotted, and chooses designs", () => visit("quick-return", still, async (page) => {
+  assert.equal(await page.locator("#families-title").textContent(), "Family: crank pivot on its circle");
+  assert.match(await page.locator("#designs").textContent(), /mirror image of 1/);
+  if (!hasCurves) return;
+  assert.deepEqual(await page.locator("#families-plots h3").allTextContents(), ["Transmission least, °", "Crank", "Frame"]);
+  const plot = page.locator("#families-plots .u-over").first();
+  await plot.scrollIntoViewIfNeeded();
+  const box = await plot.boundingBox();
+  await page.mouse.click(box.x + 0.7 * box.width, box.y + box.height / 2);
+  assert.equal(await page.locator("#design-1").isChecked(), true);
+  await page.mouse.click(box.x + 0.2 * box.width, box.y + box.height / 2);
+  assert.equal(await page.locator("#design-0").isChecked(), true);
+}));
+
+test("a quick return has no errors to magnify", () => visit("quick-return", still, async (page) => {
+  assert.equal(await page.locator("#magnify-label").isVisible(), false);
+  assert.doesNotMatch(await page.locator("#qualities").textContent(), /Sum of squares/);
+}));
+
+test("the straight stretch is marked on the curve", () => visit("straight-line", still, async (page) => {
+  const [stretch, curve] = await page.evaluate(() => [".stretch", ".path"].map((name) => document.querySelector(name).getTotalLength()));
+  assert.ok(stretch > 50 && stretch < 0.9 * curve, `${stretch} ${curve}`);
+  assert.match(await page.locator("body").textContent(), /straight to 0\.1 % over 2\.125/);
+  assert.match(await page.locator("#qualities").textContent(), /Straight length at 0\.1 %/);
+  if (hasCurves) assert.match(await page.locator(".plot h3").nth(1).textContent(), /Deviation from the straight line/);
+}));
+
+test("two hundred designs make a page below 1.5 MB", () => visit("nine-points", still, async (page) => {
+  assert.ok(statSync(path.join(process.env.REPORTS, "exact-nine-points.html")).size < 1.5e6);
+  assert.equal(await page.locator("#designs tbody").count(), 200);
+  await choose(page, 199);
+  assert.equal(await page.locator("#stage-title").textContent(), "Linkage of design 200");
+}));
+
+test("a synthesis prints in light colours", () => visit("motion", { ...still, scheme: "dark" }, async (page) => {
+  assert.ok((await page.pdf({ format: "A4" })).length > 20000);
+}));

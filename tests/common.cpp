@@ -1,0 +1,1 @@
+// Nothing of its own: what CMake compiles the tests' common headers with.

@@ -1,0 +1,70 @@
+// libFuzzer on the reader: whatever the bytes, a problem whose function can be called anywhere on
+// its domain, a mechanism that can be evaluated, or one to a hundred faults.
+//
+//   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-19 -DCOGNATE_BUILD_FUZZERS=ON
+//   cmake --build build/fuzz --target read_fuzz
+//   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
+//       problems/library/function problems/library/analysis
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <variant>
+
+#include "problems/read.hpp"
+#include "tests/fuzz/sound_analysis.hpp"
+
+namespace {
+
+using cognate::problems::AnalysisProblem;
+using cognate::problems::Fault;
+using cognate::problems::FunctionOfX;
+using cognate::problems::FunctionProblem;
+using cognate::problems::PathProblem;
+using cognate::problems::Problem;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void check(const PathProblem& problem) {
+  require(problem.points.size() >= 3);
+  require(problem.weights.size() == problem.points.size());
+  const bool timed = problem.timing == cognate::problems::Timing::prescribed;
+  require(problem.crank_angles.size() == (timed ? problem.points.size() : 0));
+}
+
+void check(const FunctionProblem& problem) {
+  require(problem.given.crank || problem.given.frame);
+  const auto* function = std::get_if<FunctionOfX>(&problem.target);
+  if (!function) return;
+  require(problem.sample_at.size() >= 3);
+  for (const double x : problem.sample_at) require(std::isfinite(function->y(x)));
+}
+
+void check(const AnalysisProblem& problem) {
+  require(is_sound(problem));
+}
+
+void check(const Problem& problem) {
+  std::visit([](const auto& any) { check(any); }, problem);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto task = cognate::problems::parse_task(text);
+  if (task) {
+    std::visit([](const auto& any) { check(any); }, *task);
+    return 0;
+  }
+  require(!task.error().empty() && task.error().size() <= 100);
+  for (const Fault& fault : task.error()) {
+    require(fault.line >= 1 && fault.column >= 1);
+    require(fault.message.find("; ") != std::string::npos);
+  }
+  return 0;
+}

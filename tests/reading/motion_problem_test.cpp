@@ -1,0 +1,125 @@
+// What a file of kind "motion-generation" says, and every fault that it may have.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/reading/fault_cases.hpp"
+
+namespace cognate::problems {
+namespace {
+
+// The first of `lines` is line 3.
+std::string file(const std::string& lines) {
+  return "kind = \"motion-generation\"\n[target]\n" + lines;
+}
+
+const std::string kTwo = "poses = [[0, 0, 0], [1, 2, 30]]\n";
+const std::string kThree = "poses = [[0, 0, 0], [1, 2, 30], [3, 2, 50]]\n";
+const std::string kFour = "poses = [[0, 0, 0], [1, 2, 30], [3, 2, 50], [4, 1, 60]]\n";
+
+MotionProblem read(const std::string& lines) {
+  const auto problem = parse_problem(file(lines));
+  if (!problem) {
+    ADD_FAILURE() << problem.error().front().message;
+    return {};
+  }
+  return std::get<MotionProblem>(*problem);
+}
+
+TEST(MotionProblemTest, Poses) {
+  const MotionProblem problem =
+      read(kThree + "[mechanism]\nfixed_pivots = [[1, 2], [3, 4]]\ndyads = [\"RP\", \"RR\"]\n" +
+           "[bounds]\nlength = [0.5, 9]\n");
+  ASSERT_EQ(problem.poses.size(), 3U);
+  EXPECT_DOUBLE_EQ(problem.poses[1].angle, std::numbers::pi / 6);
+  ASSERT_EQ(problem.fixed_pivots.size(), 2U);
+  EXPECT_EQ(problem.fixed_pivots[1], (Vec2d{3, 4}));
+  EXPECT_EQ(problem.dyads, (std::vector{synthesis::DyadKind::rr, synthesis::DyadKind::rp}));
+  EXPECT_EQ(problem.bounds.rocker.value().max, 9);
+  EXPECT_FALSE(problem.designs_given);
+}
+
+TEST(MotionProblemTest, SegmentsAreBodiesWithTheirEndsAsPivots) {
+  const MotionProblem problem = read("segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n");
+  ASSERT_EQ(problem.poses.size(), 2U);
+  EXPECT_EQ(problem.poses[0].at, (Vec2d{1, 1}));
+  EXPECT_DOUBLE_EQ(problem.poses[0].angle, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(std::abs(problem.poses[1].angle), std::numbers::pi);
+  ASSERT_EQ(problem.moving_pivots.size(), 2U);
+  EXPECT_EQ(problem.moving_pivots[1], (Vec2d{2, 0}));
+}
+
+const std::vector<FaultCase> kCases = {
+    {"NoTarget", "kind = \"motion-generation\"\n", {{1, 1, "target.poses is missing"}}},
+    {"Both",
+     file(kTwo + "segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n"),
+     {{4, 12, "beside target.poses"}}},
+    {"OnePose", file("poses = [[0, 0, 0]]\n"), {{3, 9, "has 1 pose; 2 to"}}},
+    {"SixPoses",
+     file("poses = [[0, 0, 0], [1, 0, 1], [2, 0, 3], [4, 0, 5], [5, 1, 5], [6, 1, 5]]\n"),
+     {{3, 9, "least squares over more poses than five is not available"}}},
+    {"ShortPose", file("poses = [[0, 0], [1, 2, 3]]\n"), {{3, 10, "has 2 entries"}}},
+    {"WordInPose", file("poses = [[0, 0, \"x\"], [1, 2, 3]]\n"), {{3, 17, "is a string"}}},
+    {"HugeAngle", file("poses = [[0, 0, 1e6], [1, 2, 3]]\n"), {{3, 10, "pose 1"}}},
+    {"NotANumber", file("poses = [[nan, 0, 0], [1, 2, 3]]\n"), {{3, 11, "nan"}}},
+    {"StretchedSegment",
+     file("segments = [[[0, 0], [1, 0]], [[0, 1], [1.1, 1]]]\n"),
+     {{3, 31, "a difference of 0.1"}}},
+    {"PointSegment",
+     file("segments = [[[0, 0], [0, 0]], [[0, 1], [1, 1]]]\n"),
+     {{3, 13, "has no length"}}},
+    {"ThreePivots",
+     file(kTwo + "[mechanism]\nfixed_pivots = [[0, 0], [1, 0], [2, 0]]\n"),
+     {{5, 16, "has 3 pivots"}}},
+    {"TooManyPivots",
+     file(kThree +
+          "[mechanism]\nfixed_pivots = [[0, 0], [1, 0]]\nmoving_pivots = [[0, 0], [1, 0]]\n"),
+     {{6, 17, "more than two pivots"}}},
+    {"OnePivotTwice",
+     file(kThree + "[mechanism]\nfixed_pivots = [[1, 0], [1, 0]]\n"),
+     {{5, 16, "one pivot twice"}}},
+    {"PivotsOfFour",
+     file(kFour + "[mechanism]\nfixed_pivots = [[0, 0], [1, 0]]\n"),
+     {{5, 16, "is given with 4 poses"}}},
+    {"LineOfThree",
+     file(kThree + "[mechanism]\nmoving_pivots = [[0, 0]]\nfixed_pivot_line = [1, 0, 2]\n"),
+     {{6, 20, "only two poses"}}},
+    {"LineWithoutPivot",
+     file(kTwo + "[mechanism]\nfixed_pivot_line = [1, 0, 2]\n"),
+     {{5, 20, "without mechanism.moving_pivots"}}},
+    {"NoLine",
+     file(kTwo + "[mechanism]\nmoving_pivots = [[0, 0]]\nfixed_pivot_line = [0, 0, 2]\n"),
+     {{6, 20, "a = b = 0"}}},
+    {"LengthWithoutPivot", file(kTwo + "[mechanism]\ncrank = 2\n"), {{5, 9, "without a pivot"}}},
+    {"RockerWithOnePivot",
+     file(kTwo + "[mechanism]\nmoving_pivots = [[0, 0]]\ncrank = 2\nrocker = 3\n"),
+     {{7, 10, "without a second pivot"}}},
+    {"LengthOfThree",
+     file(kThree + "[mechanism]\nmoving_pivots = [[0, 0]]\ncrank = 2\n"),
+     {{6, 9, "only two poses"}}},
+    {"Dyads",
+     file(kTwo + "[mechanism]\ndyads = [\"RR\", \"PP\"]\n"),
+     {{5, 16, "allowed are \"RR\", \"PR\", \"RP\""}}},
+    {"UnknownKey",
+     file(kTwo + "[mechanism]\nmoving_pivot = [[0, 0]]\n"),
+     {{5, 1, "did you mean \"moving_pivots\""}}},
+    {"PivotOutsideRegion",
+     file(kThree + "[mechanism]\nfixed_pivots = [[9, 9], [1, 0]]\n[constraints]\npivot_region = "
+                   "[[0, 0], [2, 2]]\n"),
+     {{7, 16, "does not contain the given pivot [9, 9]"}}},
+};
+
+class MotionFaults : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(MotionFaults, AreFound) {
+  expect_faults(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(MotionProblemTest, MotionFaults, testing::ValuesIn(kCases), name_of_case);
+
+}  // namespace
+}  // namespace cognate::problems

@@ -1,0 +1,54 @@
+/// Poles between samples, told from peaks and steps.
+#include "problems/reading/poles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr int kIntervals = 1000;
+
+TEST(Poles, OfEveryOrderAreFoundWhereTheyAre) {
+  for (const double order : {0.5, 1.0, 2.0, 3.0}) {
+    for (const double at : {0.33333333, 0.1234567, 0.9999, 0.5005, 0.3330000001}) {
+      const auto y = [&](double x) { return std::pow(std::abs(x - at), -order) - 3; };
+      const auto pole = find_pole(y, {0, 1}, kIntervals);
+      ASSERT_TRUE(pole) << order << " " << at;
+      EXPECT_NEAR(*pole, at, 1e-9);
+    }
+  }
+  const auto sign_changes = [](double x) { return 1 / (x - 0.33333333); };
+  EXPECT_NEAR(find_pole(sign_changes, {0, 1}, kIntervals).value_or(0), 0.33333333, 1e-9);
+  const auto tangent = [](double x) { return std::tan(x); };
+  EXPECT_NEAR(find_pole(tangent, {1, 2}, kIntervals).value_or(0), std::numbers::pi / 2, 1e-9);
+}
+
+TEST(Poles, AreNotWhatContinuousFunctionsHave) {
+  const std::vector<std::pair<std::string, std::function<double(double)>>> functions = {
+      {"step", [](double x) { return std::tanh(1e4 * (x - 0.3)); }},
+      {"steeper step", [](double x) { return std::tanh(1e12 * (x - 0.3)); }},
+      {"jump", [](double x) { return x < 0.3 ? -1.0 : 1.0; }},
+      {"spike", [](double x) { return 1 / ((x - 0.3003) * (x - 0.3003) + 1e-12); }},
+      {"bell", [](double x) { return 1e9 * std::exp(-std::pow((x - 0.30005) / 1e-4, 2)); }},
+      {"growth", [](double x) { return std::exp(200 * x); }},
+      {"wave", [](double x) { return std::sin(900 * x); }},
+      {"root", [](double x) { return std::sqrt(x); }},
+      {"cusp", [](double x) { return std::cbrt(x - 0.3); }},
+      {"removable gap", [](double x) { return std::sin(x - 1.0 / 60) / (x - 1.0 / 60); }},
+      {"pole outside", [](double x) { return 1 / (x + 1e-6); }},
+      {"nothing", [](double) { return 0.0; }},
+      {"constant", [](double) { return 2.0; }},
+      {"far from zero", [](double x) { return 1e9 + x; }}};
+  for (const auto& [name, y] : functions) {
+    EXPECT_FALSE(find_pole(y, {0, 1}, kIntervals)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cognate::problems::reading

@@ -1,0 +1,110 @@
+#include "problems/linkage_constraints.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "analysis/motion.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using L = Lengths<double>;
+
+bool all_met(const LinkageConstraints& constraints, const L& links) {
+  std::vector<double> values(constraints.count());
+  constraints.evaluate(links, values, {});
+  return std::all_of(values.begin(), values.end(), [](double c) { return c >= 0; });
+}
+
+/// Grashof's rule by sorting, independent of the half spaces.
+bool is_crank_rocker(const L& l) {
+  std::vector<double> sorted{l.crank, l.coupler, l.rocker, l.frame};
+  std::sort(sorted.begin(), sorted.end());
+  return l.crank == sorted[0] && sorted[0] + sorted[3] <= sorted[1] + sorted[2];
+}
+
+L random_links(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> length(0.1, 1.0);
+  return {length(random), length(random), length(random), length(random)};
+}
+
+TEST(LinkageConstraints, HalfSpacesAreTheCrankRocker) {
+  const LinkageConstraints constraints({.required_class = RequiredClass::crank_rocker}, 1.0);
+  std::mt19937_64 random(1);
+  int crank_rockers = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const L links = random_links(random);
+    EXPECT_EQ(all_met(constraints, links), is_crank_rocker(links));
+    crank_rockers += is_crank_rocker(links);
+  }
+  EXPECT_GT(crank_rockers, 500);
+}
+
+TEST(LinkageConstraints, GrashofAndItsOppositePartAllLinkages) {
+  const LinkageConstraints grashof({.required_class = RequiredClass::grashof}, 1.0);
+  const LinkageConstraints other({.required_class = RequiredClass::non_grashof}, 1.0);
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const L links = random_links(random);
+    EXPECT_NE(all_met(grashof, links), all_met(other, links));
+  }
+}
+
+TEST(LinkageConstraints, TransmissionLimitsAreThoseOfTheMovingLinkage) {
+  const Range limits{0.7, 2.2};
+  const LinkageConstraints constraints(
+      {.required_class = RequiredClass::crank_rocker, .transmission_angle = limits}, 1.0);
+  ASSERT_TRUE(constraints.limits_transmission());
+  std::mt19937_64 random(3);
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const L l = random_links(random);
+    if (!is_crank_rocker(l)) continue;
+    const Motion motion({{0, 0}, {l.frame, 0}, l.crank, l.coupler, l.rocker, Assembly::open, {}});
+    bool within = true;
+    for (int step = 0; step < 360; ++step) {
+      const auto pose = motion.at(step * std::numbers::pi / 180);
+      ASSERT_TRUE(pose);
+      within &= pose->transmission_angle >= limits.min && pose->transmission_angle <= limits.max;
+    }
+    EXPECT_EQ(within, all_met(constraints, l));
+    met += within;
+  }
+  EXPECT_GT(met, 50);
+}
+
+TEST(LinkageConstraints, GradientsAgreeWithCentralDifferences) {
+  std::mt19937_64 random(4);
+  for (const auto required : {RequiredClass::crank_rocker, RequiredClass::double_crank,
+                              RequiredClass::grashof, RequiredClass::triple_rocker}) {
+    const LinkageConstraints constraints(
+        {.required_class = required, .transmission_angle = Range{0.5, 2.5}, .link_ratio_max = 3.0},
+        2.0);
+    const auto n = static_cast<std::size_t>(constraints.count());
+    for (int i = 0; i < 100; ++i) {
+      const L links = random_links(random);
+      std::vector<double> values(n), up(n), down(n);
+      std::vector<L> gradient(n);
+      constraints.evaluate(links, values, gradient);
+      for (const auto link : {&L::crank, &L::coupler, &L::rocker, &L::frame}) {
+        const double step = 1e-6;
+        L higher = links, lower = links;
+        higher.*link += step;
+        lower.*link -= step;
+        constraints.evaluate(higher, up, {});
+        constraints.evaluate(lower, down, {});
+        for (std::size_t k = 0; k < n; ++k) {
+          const double slope = (up[k] - down[k]) / (2 * step);
+          EXPECT_NEAR(gradient[k].*link, slope, 1e-6 * (1 + std::abs(slope)));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cognate::problems

@@ -1,0 +1,220 @@
+#include "app/problem_json.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <variant>
+
+#include "app/analysis_problem_json.hpp"
+#include "app/json_values.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::json;
+
+std::string toml_value(const json& value);
+
+/// A range without one of its sides, as a problem file writes it.
+std::string toml_range(const json& sides) {
+  return fmt::format("[{}, {}]", sides.contains("min") ? sides["min"].dump() : "-inf",
+                     sides.contains("max") ? sides["max"].dump() : "inf");
+}
+
+std::string toml_value(const json& value) {
+  return value.is_object() ? toml_range(value) : value.dump();
+}
+
+/// The problem file that says what `tables` say, explicitly.
+std::string toml_of(const json& tables) {
+  std::ostringstream file;
+  for (const auto& [key, value] : tables.items()) {
+    if (!value.is_object()) file << key << " = " << toml_value(value) << '\n';
+  }
+  for (const auto& [name, table] : tables.items()) {
+    if (!table.is_object()) continue;
+    file << '[' << name << "]\n";
+    for (const auto& [key, value] : table.items())
+      file << key << " = " << toml_value(value) << '\n';
+  }
+  return file.str();
+}
+
+std::string messages(const std::vector<problems::Fault>& faults) {
+  std::string all;
+  for (const auto& fault : faults) all += fmt::format("{}: {}\n", fault.line, fault.message);
+  return all;
+}
+
+/// `value` as TOML writes it within a line.
+std::string toml_inline(const json& value) {
+  std::string parts;
+  if (value.is_array()) {
+    for (const auto& entry : value) parts += toml_inline(entry) + ", ";
+    return '[' + parts + ']';
+  }
+  if (!value.is_object()) return value.dump();
+  for (const auto& [key, entry] : value.items()) {
+    parts += fmt::format("{}{} = {}", parts.empty() ? "" : ", ", key, toml_inline(entry));
+  }
+  return '{' + parts + '}';
+}
+
+/// The analysis file that says what `tables` say.
+std::string toml_of_analysis(const json& tables) {
+  std::string file;
+  for (const auto& [key, value] : tables.items()) {
+    file += fmt::format("{} = {}\n", key, toml_inline(value));
+  }
+  return file;
+}
+
+void expect_reads_back(const problems::AnalysisProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_analysis(toml_of_analysis(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of_analysis(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
+/// What is written of a problem is itself a problem file, and reading it gives the same again:
+/// nothing is lost, no default changes the meaning.
+void expect_reads_back(const problems::Problem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_problem(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+  EXPECT_EQ(again->index(), problem.index());
+}
+
+TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(COGNATE_LIBRARY_DIR)) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().string());
+    const auto task = problems::read_task(entry.path());
+    ASSERT_TRUE(task.has_value()) << messages(task.error());
+    std::visit([](const auto& asked) { expect_reads_back(asked); }, *task);
+    ++count;
+  }
+  EXPECT_GE(count, 30);
+}
+
+// Axes, points and names that no file of the library uses.
+TEST(ProblemJson, AnAnalysisWithEveryKindOfDyadReadsBack) {
+  const auto problem = problems::parse_analysis(R"(
+    kind = "analysis"
+    pivot = [{name = "D", at = [6, 1]}, {name = "G", at = [0.1, -4]}]
+    gravity = [0.1, -9.81]
+    mechanism.type = "chain"
+    slider = {slide = {through = [0, 0.3], direction_deg = 33.3, offset = -0.1}, pin = "B", name = "x"}
+    point = [{name = "P", on = ["C", "B"], at = [0.7, 0.1]}, {name = "Q", on = "x", at = [1, 1]}]
+    [[dyad]]
+    type = "RRR"
+    joins = ["B", "D"]
+    lengths = [5, 4]
+    new = "C"
+    assembly = "crossed"
+    [[dyad]]
+    type = "RPR"
+    joins = ["P", "G"]
+    offset = 0.25
+    assembly = "crossed"
+    [[dyad]]
+    type = "RPP"
+    joins = "C"
+    slide = {through = "Q", on = "x", direction_deg = 12}
+    slot_deg = 77.7
+    new = "E"
+    names = ["b1", "E"]
+    [[dyad]]
+    type = "PRP"
+    slides = [{through = "E", on = "E"}, {through = "G", direction_deg = 100}]
+    new = "F"
+    [[link]]
+    between = ["P", "C"]
+    mass = 2
+    centre = [0.3, 0.4]
+    [[load]]
+    on = ["C", "D"]
+    at = [0.5, 0.2]
+    force = [1, 2]
+    when = [0.25, 0.75]
+    [[load]]
+    on = "b1"
+    torque = 3
+    when = "return"
+    stroke = [0.1, 0.9]
+    [drive]
+    end = 2
+    speed = -0.5
+    [output]
+    want = ["position", "torque", "P"]
+    instant_geometry = ["b1", "E"]
+  )");
+  ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+  expect_reads_back(*problem);
+}
+
+TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
+  const auto problem = problems::parse_problem(R"(
+    kind = "path-generation"
+    title = "All keys"
+    [target]
+    points = [[0, 0], [1, 0.5], [2, 0]]
+    timing = "prescribed"
+    crank_deg = [10, 50.5, 123.4]
+    crank_reference = "frame"
+    crank_sense = "ccw"
+    weights = [1, 2, 3]
+    [mechanism]
+    crank = 1
+    assembly = "crossed"
+    [bounds]
+    length = [0.5, 9]
+    rocker = [2, inf]
+    frame_angle_deg = [-30, 30]
+    pivot_a = [[-5, -5], [5, 5]]
+    coupler_point = [[-5, -5], [5, 5]]
+    [constraints]
+    class = "crank-rocker"
+    transmission_angle_deg = [40, 140]
+    link_ratio_max = 6
+    pivot_region = [[-9, -9], [9, 9]]
+    no_order_defect = false
+    [solve]
+    solver = "slsqp"
+    starts = 5
+    designs = 2
+    tolerance = 1e-10
+  )");
+  ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+  const json written = to_json(*problem);
+  const json target = {{"points", {{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}}},
+                       {"timing", "prescribed"},
+                       {"crank_deg", {10.0, 50.5, 123.4}},
+                       {"crank_reference", "frame"},
+                       {"crank_sense", "ccw"},
+                       {"weights", {1.0, 2.0, 3.0}}};
+  EXPECT_EQ(written["target"], target);
+  EXPECT_EQ(written["mechanism"],
+            json({{"type", "four-bar"}, {"crank", 1.0}, {"assembly", "crossed"}}));
+  EXPECT_EQ(written["bounds"]["rocker"], json({2.0, 9.0}));
+  EXPECT_EQ(written["bounds"]["frame_angle_deg"], json({-30.0, 30.0}));
+  const json constraints = {
+      {"class", "crank-rocker"},  {"transmission_angle_deg", {40.0, 140.0}},
+      {"link_ratio_max", 6.0},    {"pivot_region", {{-9.0, -9.0}, {9.0, 9.0}}},
+      {"no_branch_defect", true}, {"no_order_defect", false},
+      {"no_circuit_defect", true}};
+  EXPECT_EQ(written["constraints"], constraints);
+  const json solve = {{"solver", "slsqp"}, {"starts", 5}, {"designs", 2}, {"tolerance", 1e-10}};
+  EXPECT_EQ(written["solve"], solve);
+  expect_reads_back(*problem);
+}
+
+}  // namespace
+}  // namespace cognate::app

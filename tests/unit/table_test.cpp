@@ -1,0 +1,139 @@
+#include "app/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <string>
+
+#include "app/text_table.hpp"
+#include "tests/unit/planted_result.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::planted_path;
+using problems::planted_result;
+using problems::Status;
+using testing::AssertionFailure;
+using testing::AssertionResult;
+using testing::AssertionSuccess;
+
+[[nodiscard]] AssertionResult contains(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return AssertionSuccess();
+  return AssertionFailure() << '\'' << part << "' is not in:\n" << text;
+}
+
+TEST(TextTable, AlignsColumnsByWhatIsSeen) {
+  const auto lines = set_columns({{"#", Align::right, {"1", "10"}},
+                                  {"range", Align::left, {"1…2", "wide one"}},
+                                  {"x", Align::right, {"–", "1.5"}},
+                                  {"last", Align::left, {"a", ""}}});
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], " #  range       x  last");
+  EXPECT_EQ(lines[1], " 1  1…2         –  a");
+  EXPECT_EQ(lines[2], "10  wide one  1.5");
+}
+
+TEST(TextTable, CountsCodePointsNotBytes) {
+  EXPECT_EQ(display_width("abc"), 3u);
+  EXPECT_EQ(display_width("30.0…45.0"), 9u);
+  EXPECT_EQ(display_width(""), 0u);
+}
+
+TEST(Table, ShowsEachDesignAndWhatItMisses) {
+  const auto text = design_table(planted_path(), planted_result(), false);
+  EXPECT_TRUE(contains(text, "Planted path: path generation, 3 points, free timing\n"));
+  EXPECT_TRUE(contains(text, "solved: 2 designs; 1 meets every constraint\n"));
+  EXPECT_TRUE(contains(text, "rms [length]"));
+  EXPECT_TRUE(contains(text, "0.0625"));
+  EXPECT_TRUE(contains(text, "rocker-crank (change point)"));
+  EXPECT_TRUE(contains(text, "30.0…135.0"));
+  EXPECT_TRUE(contains(text, "branch, order"));
+  EXPECT_TRUE(contains(text, "exact:three-pairs + ceres, cognate of 1"));
+  EXPECT_TRUE(contains(text, "design 2 violates link_ratio_max: 7.5; allowed: 5\n"));
+  EXPECT_TRUE(contains(text, "design 2 violates class: rocker-crank; allowed: crank-rocker\n"));
+  EXPECT_FALSE(contains(text, "violates bounds.rocker"));
+  EXPECT_FALSE(contains(text, "design 1 violates"));
+  EXPECT_TRUE(contains(text, "note: A note.\n"));
+  EXPECT_TRUE(contains(text, "0.5 s on 2 threads, 11 candidates screened\n"));
+}
+
+TEST(Table, GivesFunctionErrorsInDegrees) {
+  problems::FunctionProblem problem;
+  problem.target = problems::AnglePairs{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.7}};
+  auto result = planted_result();
+  result.designs[0].error.rms = 3 * std::numbers::pi / 180;
+  const auto text = design_table(problem, result, false);
+  EXPECT_TRUE(contains(text, "rms [deg]"));
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n1 +3 +"))) << text;
+}
+
+TEST(Table, SaysTypeAndDimensionsOfMixedMechanisms) {
+  const auto text = design_table(problems::planted_motion(), problems::planted_synthesis(), false);
+  EXPECT_TRUE(contains(text, "Planted motion: motion generation, 3 poses\n"));
+  EXPECT_TRUE(contains(text, "complex solutions: 1442; real triplets: 21\n"));
+  EXPECT_TRUE(contains(text, "slider-crank  crank 0.5, coupler 2.5, offset -0.125 "));
+  EXPECT_TRUE(contains(text, "four-bar      crank 1.1, coupler 0.285714, rocker 4e-17, frame "));
+  EXPECT_TRUE(contains(text, "crank turns fully"));
+  EXPECT_TRUE(contains(text, "2e-16"));
+  EXPECT_TRUE(contains(text, "exact:three-poses, mirror image of 1"));
+  EXPECT_TRUE(contains(text, "0.25 s on 1 thread\n"));
+}
+
+TEST(Table, GivesColumnsToTheDimensionsOfOneType) {
+  auto result = problems::planted_synthesis();
+  result.designs.erase(result.designs.begin());
+  const auto text = design_table(problems::planted_motion(), result, false);
+  EXPECT_TRUE(std::regex_search(text, std::regex("mechanism +crank +coupler +offset")));
+  EXPECT_TRUE(std::regex_search(text, std::regex("slider-crank +0.5 +2.5 +-0.125"))) << text;
+  EXPECT_FALSE(contains(text, "time ratio"));
+}
+
+TEST(Table, PrintsTheFirstOfVeryManyDesigns) {
+  auto result = planted_result();
+  result.designs.assign(45, result.designs.back());
+  const auto text = design_table(planted_path(), result, false);
+  EXPECT_TRUE(contains(text, "45 designs"));
+  EXPECT_TRUE(contains(text, "and 25 more, which the result file and the report hold\n"));
+  EXPECT_TRUE(contains(text, "design 20 violates"));
+  EXPECT_FALSE(contains(text, "design 21 violates"));
+}
+
+TEST(Table, GivesQuickReturnsNoErrors) {
+  problems::QuickReturnProblem problem;
+  EXPECT_FALSE(contains(design_table(problem, planted_result(), false), "rms"));
+}
+
+TEST(Table, NamesEachWayToEnd) {
+  auto result = planted_result();
+  const auto line = [&](Status status) {
+    result.status = status;
+    return design_table(planted_path(), result, false);
+  };
+  EXPECT_TRUE(contains(line(Status::interrupted), "interrupted: 2 designs"));
+  EXPECT_TRUE(contains(line(Status::time_limit), "stopped at the time limit: 2 designs"));
+  EXPECT_TRUE(contains(line(Status::infeasible), "no design satisfies every constraint"));
+  result.designs.clear();
+  EXPECT_TRUE(contains(line(Status::no_solution), "no solution: no design found"));
+}
+
+TEST(Table, ColoursChangeNothingElse) {
+  const auto plain = design_table(planted_path(), planted_result(), false);
+  const auto coloured = design_table(planted_path(), planted_result(), true);
+  EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+  EXPECT_NE(coloured, plain);
+  EXPECT_EQ(std::regex_replace(coloured, std::regex("\x1b\\[[0-9]+m"), ""), plain);
+}
+
+TEST(Table, LetsNoControlCharacterThrough) {
+  auto problem = planted_path();
+  problem.title = "bell\a and \x1b[31mred";
+  auto result = planted_result();
+  result.notes = {"two\nlines"};
+  const auto text = design_table(problem, result, false);
+  EXPECT_TRUE(contains(text, "bell? and ?[31mred"));
+  EXPECT_TRUE(contains(text, "two?lines"));
+}
+
+}  // namespace
+}  // namespace cognate::app
