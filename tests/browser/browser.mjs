@@ -44,6 +44,29 @@ export async function visit(browser, name, options, steps) {
   await close();
 }
 
+// Waits until the circle that `selector` names has moved by more than a pixel, however slow the
+// machine.
+export const moves = (page, selector) => page.evaluate((name) => new Promise((resolve) => {
+  const at = () => ["cx", "cy"].map((key) => Number(document.querySelector(name).getAttribute(key)));
+  const [x, y] = at();
+  const look = () => Math.hypot(at()[0] - x, at()[1] - y) > 1 ? resolve() : requestAnimationFrame(look);
+  look();
+}), selector);
+
+// Waits until the number that `selector`'s input holds has both grown and fallen.
+export const goesToAndFro = (page, selector) => page.evaluate((name) => new Promise((resolve) => {
+  let last = Number(document.querySelector(name).value);
+  const seen = new Set();
+  const look = () => {
+    const now = Number(document.querySelector(name).value);
+    seen.add(Math.sign(now - last));
+    last = now;
+    if (seen.has(1) && seen.has(-1)) resolve();
+    else requestAnimationFrame(look);
+  };
+  look();
+}), selector);
+
 // Fails where the page is wider than the window, or a part of it wider than its room.
 export async function assertFits(page) {
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
