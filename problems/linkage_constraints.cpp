@@ -7,6 +7,7 @@
 namespace cognate::problems {
 namespace {
 
+using synthesis::LinkLimit;
 using L = Lengths<double>;
 constexpr std::array<double L::*, 4> kLinksOfAFourBar{&L::crank, &L::coupler, &L::rocker,
                                                       &L::frame};
@@ -19,6 +20,13 @@ double linear(const L& weights, const L& links) {
   double sum = 0;
   for (const auto link : kLinksOfAFourBar) sum += weights.*link * links.*link;
   return sum;
+}
+
+/// weights · lengths ≥ margin.
+LinkLimit half_space(const std::array<double, 4>& weights, double margin) {
+  LinkLimit limit{LinkLimit::Kind::linear, {}, 0, margin};
+  std::ranges::copy(weights, limit.weights);
+  return limit;
 }
 
 /// Weights with which shortest + longest − the other two is a sum over the lengths.
@@ -54,73 +62,76 @@ LinkageConstraints::LinkageConstraints(const Constraints& constraints, double sc
                            constraints.required_class == RequiredClass::double_crank;
   if (constraints.transmission_angle && crank_turns) {
     limits_transmission_ = true;
-    terms_.push_back({Kind::transmission_min, {}, std::cos(constraints.transmission_angle->min)});
-    terms_.push_back({Kind::transmission_max, {}, std::cos(constraints.transmission_angle->max)});
+    const Range& angle = *constraints.transmission_angle;
+    limits_.push_back({LinkLimit::Kind::transmission_min, {}, std::cos(angle.min), 0});
+    limits_.push_back({LinkLimit::Kind::transmission_max, {}, std::cos(angle.max), 0});
   }
   if (constraints.link_ratio_max) add_link_ratio(*constraints.link_ratio_max, scale);
 }
 
-void LinkageConstraints::add_shortest(double L::*shortest, double scale) {
-  for (const auto other : kLinksOfAFourBar) {
+void LinkageConstraints::add_shortest(int shortest, double scale) {
+  for (int other = 0; other < 4; ++other) {
     if (other == shortest) continue;
-    L weights{1 / scale, 1 / scale, 1 / scale, 1 / scale};
-    weights.*shortest = weights.*other = -1 / scale;
-    terms_.push_back({Kind::linear, weights, 0, kClassMargin});
+    std::array<double, 4> weights;
+    weights.fill(1 / scale);
+    weights[shortest] = weights[other] = -1 / scale;
+    limits_.push_back(half_space(weights, kClassMargin));
   }
 }
 
 void LinkageConstraints::add_class(RequiredClass required, double scale) {
+  const auto excess = [&](double sign) {
+    limits_.push_back({LinkLimit::Kind::grashof_excess, {sign / scale}, 0, 0});
+  };
   switch (required) {
     case RequiredClass::crank_rocker:
-      return add_shortest(&L::crank, scale);
-    case RequiredClass::double_crank:
-      return add_shortest(&L::frame, scale);
-    case RequiredClass::rocker_crank:
-      return add_shortest(&L::rocker, scale);
+      return add_shortest(0, scale);
     case RequiredClass::double_rocker:
-      return add_shortest(&L::coupler, scale);
+      return add_shortest(1, scale);
+    case RequiredClass::rocker_crank:
+      return add_shortest(2, scale);
+    case RequiredClass::double_crank:
+      return add_shortest(3, scale);
     case RequiredClass::grashof:
-      terms_.push_back({Kind::grashof_excess, {-1 / scale, 0, 0, 0}, 0});
-      return;
+      return excess(-1);
     case RequiredClass::triple_rocker:
     case RequiredClass::non_grashof:
-      terms_.push_back({Kind::grashof_excess, {1 / scale, 0, 0, 0}, 0});
-      return;
+      return excess(1);
   }
 }
 
 void LinkageConstraints::add_link_ratio(double ratio, double scale) {
-  for (const auto shorter : kLinksOfAFourBar) {
-    for (const auto longer : kLinksOfAFourBar) {
+  for (int shorter = 0; shorter < 4; ++shorter) {
+    for (int longer = 0; longer < 4; ++longer) {
       if (shorter == longer) continue;
-      L weights{};
-      weights.*shorter = 1 / scale;
-      weights.*longer = -1 / (ratio * scale);
-      terms_.push_back({Kind::linear, weights, 0});
+      std::array<double, 4> weights{};
+      weights[shorter] = 1 / scale;
+      weights[longer] = -1 / (ratio * scale);
+      limits_.push_back(half_space(weights, 0));
     }
   }
 }
 
 void LinkageConstraints::evaluate(const L& links, std::span<double> values,
                                   std::span<L> gradient) const {
-  for (std::size_t i = 0; i < terms_.size(); ++i) {
-    const Term& term = terms_[i];
-    L slope = term.weights;
-    switch (term.kind) {
-      case Kind::linear:
-        values[i] = linear(slope, links);
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const LinkLimit& limit = limits_[i];
+    L slope{limit.weights[0], limit.weights[1], limit.weights[2], limit.weights[3]};
+    switch (limit.kind) {
+      case LinkLimit::Kind::linear:
+        values[i] = linear(slope, links) - limit.margin;
         break;
-      case Kind::grashof_excess:
+      case LinkLimit::Kind::grashof_excess:
         slope = excess_weights(links);
-        for (const auto link : kLinksOfAFourBar) slope.*link *= term.weights.crank;
+        for (const auto link : kLinksOfAFourBar) slope.*link *= limit.weights[0];
         values[i] = linear(slope, links);
         break;
-      case Kind::transmission_min:
-        values[i] = term.limit_cosine - transmission_cosine(links, -1, slope);
+      case LinkLimit::Kind::transmission_min:
+        values[i] = limit.limit_cosine - transmission_cosine(links, -1, slope);
         slope = negative(slope);
         break;
-      case Kind::transmission_max:
-        values[i] = transmission_cosine(links, +1, slope) - term.limit_cosine;
+      case LinkLimit::Kind::transmission_max:
+        values[i] = transmission_cosine(links, +1, slope) - limit.limit_cosine;
         break;
     }
     if (!gradient.empty()) gradient[i] = slope;

@@ -6,6 +6,7 @@
 
 #include "analysis/four_bar.hpp"
 #include "problems/problem.hpp"
+#include "synthesis/search/link_limit.hpp"
 
 namespace cognate::problems {
 
@@ -20,7 +21,8 @@ class LinkageConstraints {
   /// `scale`: typical length by which linear constraints are divided.
   LinkageConstraints(const Constraints& constraints, double scale);
 
-  int count() const { return static_cast<int>(terms_.size()); }
+  int count() const { return static_cast<int>(limits_.size()); }
+  std::span<const synthesis::LinkLimit> limits() const { return limits_; }
 
   /// Whether a limit on the transmission angle is among them. It is not when no class with a fully
   /// turning crank is asked for: the limit then refers to the motion between the targets.
@@ -31,19 +33,11 @@ class LinkageConstraints {
                 std::span<Lengths<double>> gradient) const;
 
  private:
-  enum class Kind { linear, grashof_excess, transmission_min, transmission_max };
-  struct Term {
-    Kind kind = Kind::linear;
-    Lengths<double> weights;  ///< linear: c = weights · lengths; excess: ±1/scale in `crank`
-    double limit_cosine = 0;  ///< transmission
-    double margin = 0;        ///< linear: by how much c is to exceed zero
-  };
-
-  void add_shortest(double Lengths<double>::*link, double scale);
+  void add_shortest(int shortest, double scale);
   void add_class(RequiredClass required, double scale);
   void add_link_ratio(double ratio, double scale);
 
-  std::vector<Term> terms_;
+  std::vector<synthesis::LinkLimit> limits_;
   bool limits_transmission_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "problems/linkage_constraints.hpp"
 #include "problems/problem.hpp"
 #include "synthesis/optimise/model.hpp"
+#include "synthesis/search/path_fit.hpp"
 
 namespace cognate::problems {
 
@@ -54,6 +55,13 @@ class PathModel final : public synthesis::Model {
   /// at the crank angles given, from the x axis.
   std::vector<double> variables_of(const FourBar& linkage,
                                    std::span<const double> crank_angles) const;
+
+  /// The model as the fit in SIMD lanes takes it, without limits on the two angles; a start of that
+  /// fit from variables, and back (angles as near to those of `near` as turns allow).
+  synthesis::PathFit lane_fit() const;
+  synthesis::PathFitState lane_state(std::span<const double> x) const;
+  std::vector<double> variables_of(const synthesis::PathFitState& state,
+                                   std::span<const double> near) const;
 
   FourBar linkage(std::span<const double> x) const;
   std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis

@@ -22,6 +22,7 @@ constexpr std::size_t kCandidatesPerStart = 256;
 /// Iterations spent on every start. The best of the library's problems are within 1 % of their
 /// minimum after 60; the rest of a long valley is walked by the best ones only.
 constexpr int kExploringIterations = 80;
+constexpr int kDeepeningLaneIterations = 600;
 constexpr int kDeepeningIterations = 2000;
 constexpr int kFinishingIterations = 200;
 /// How many explored starts are deepened, and how many of those are finished at all points of a
@@ -33,6 +34,7 @@ constexpr double kFeasibility = 1e-9;
 struct Found {
   PathMinimum minimum;
   bool valid = false;
+  double cost = 0;  ///< of a fit in lanes: objective and penalties
   /// Work not yet counted, that of refinements which were no better among it.
   std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
 
@@ -88,20 +90,60 @@ std::optional<RequiredClass> confinement(const PathProblem& problem, const FourB
   return constraints.required_class;
 }
 
-Found explore(const PathProblem& problem, const PathStarts& starts, std::mt19937_64 random,
-              const Deadline& deadline) {
+/// What a draw starts from, before it is fitted.
+Found drawn(const PathProblem& problem, const PathStarts& starts, std::mt19937_64 random) {
   Found found;
   const auto start = starts.draw(random, kCandidatesPerStart);
   if (!start) return found;
   found.minimum = {
       start->linkage.assembly, start->clockwise, confinement(problem, start->linkage), {}};
-  const PathModel model = model_of(problem, found.minimum);
-  found.minimum.solution = solve(synthesis::Backend::gauss_newton, model,
-                                 model.variables_of(start->linkage, start->crank_angles),
-                                 options(deadline, kExploringIterations, 1e-10));
-  found.add_work_of(found.minimum.solution);
-  found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
+  found.minimum.solution.x =
+      model_of(problem, found.minimum).variables_of(start->linkage, start->crank_angles);
+  found.valid = true;
   return found;
+}
+
+/// The point where a fit in lanes has ended, as `model` sees it.
+void take_over(const PathModel& model, const synthesis::PathFitState& state, Found& found) {
+  Solution& solution = found.minimum.solution;
+  solution.x = model.variables_of(state, solution.x);
+  found.cost = state.cost;
+  found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
+  found.gradients += static_cast<std::uint64_t>(state.iterations);
+  found.iterations += static_cast<std::uint64_t>(state.iterations);
+  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  found.valid = std::isfinite(state.cost) && model.residuals(solution.x, residuals, {}, {});
+  if (!found.valid) return;
+  solution.objective = 0;
+  for (const double r : residuals) solution.objective += r * r;
+  model.constraints(solution.x, limits, {});
+  solution.violation = 0;
+  for (const double c : limits) solution.violation = std::max(solution.violation, -c);
+}
+
+/// Fits those of `all` that are valid in SIMD lanes; those confined to one class share one problem.
+void fit_in_lanes(const PathProblem& problem, std::span<Found> all,
+                  const synthesis::PathFitOptions& options) {
+  std::vector<Found*> left;
+  for (Found& found : all) {
+    if (found.valid) left.push_back(&found);
+  }
+  while (!left.empty()) {
+    const auto confined_to = left.front()->minimum.confined_to;
+    const auto others = std::stable_partition(left.begin(), left.end(), [&](const Found* found) {
+      return found->minimum.confined_to == confined_to;
+    });
+    std::vector<synthesis::PathFitState> states;
+    for (auto it = left.begin(); it != others; ++it) {
+      const PathMinimum& minimum = (*it)->minimum;
+      states.push_back(model_of(problem, minimum).lane_state(minimum.solution.x));
+    }
+    fit_paths(model_of(problem, left.front()->minimum).lane_fit(), states, options);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      take_over(model_of(problem, left[i]->minimum), states[i], *left[i]);
+    }
+    left.erase(left.begin(), others);
+  }
 }
 
 /// From the kept points to all: the same linkage, its crank angles interpolated. Its objective is
@@ -135,10 +177,11 @@ void count(std::vector<Found>& all, std::size_t points, Work& work) {
   }
 }
 
-void sort_and_merge(std::vector<Found>& all) {
+/// Sorts by `before` and drops those that are `close` to an earlier one.
+template <class Before>
+void sort_and_merge(std::vector<Found>& all, const Before& before) {
   std::erase_if(all, [](const Found& found) { return !found.valid; });
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Found& a, const Found& b) { return better(a.minimum, b.minimum); });
+  std::ranges::stable_sort(all, before);
   std::vector<Found> distinct;
   for (Found& found : all) {
     const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const Found& other) {
@@ -147,6 +190,14 @@ void sort_and_merge(std::vector<Found>& all) {
     if (!known) distinct.push_back(std::move(found));
   }
   all = std::move(distinct);
+}
+
+bool is_better(const Found& a, const Found& b) {
+  return better(a.minimum, b.minimum);
+}
+
+bool costs_less(const Found& a, const Found& b) {
+  return a.cost < b.cost;
 }
 
 /// The stages of a search; each works on `all_` in place.
@@ -162,6 +213,7 @@ class PathSearch {
         work_(work) {}
 
   void explore_all(int starts);
+  void keep(std::size_t reserve);
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
                    int iterations, double share);
   void finish(synthesis::Backend backend);
@@ -195,29 +247,43 @@ void PathSearch::explore_all(int starts) {
   std::atomic<int> done{0};
   parallel_for(starts, run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    all_[index] = explore(coarse, source, generator(run_.seed, index), deadline_);
+    all_[index] = drawn(coarse, source, generator(run_.seed, index));
     ++done;
-    lower_best(all_[index]);
-    if (thread == 0 && run_.progress) run_.progress(0.8 * done / starts, best_);
+    if (thread == 0 && run_.progress) run_.progress(0.3 * done / starts, best_);
   });
   work_.candidates += static_cast<std::uint64_t>(done) * 2 * kCandidatesPerStart;
   work_.positions += work_.candidates * coarse.points.size();
+  synthesis::PathFitOptions fit{.most_iterations = kExploringIterations,
+                                .threads = run_.threads,
+                                .stop = [this] { return deadline_.reached(); }};
+  fit_in_lanes(coarse, all_, fit);
+  sort_and_merge(all_, costs_less);
+  fit.most_iterations = kDeepeningLaneIterations;
+  fit.tolerance = 1e-13;
+  keep(kDeepened);
+  fit_in_lanes(coarse, all_, fit);
   count(all_, coarse.points.size(), work_);
-  sort_and_merge(all_);
+  sort_and_merge(all_, costs_less);
 }
 
-/// Keeps `reserve` and twice the designs wanted, and goes on with those.
-void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
-                             synthesis::Backend backend, int iterations, double share) {
+/// Keeps `reserve` and twice the designs wanted.
+void PathSearch::keep(std::size_t reserve) {
   const std::size_t most = reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   if (all_.size() > most) all_.resize(most);
+}
+
+/// Goes on with `reserve` and twice the designs wanted.
+void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
+                             synthesis::Backend backend, int iterations, double share) {
+  keep(reserve);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
     refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_));
     if (thread == 0 && run_.progress) run_.progress(share, best_);
   });
   count(all_, problem.points.size(), work_);
-  sort_and_merge(all_);
+  for (const Found& found : all_) lower_best(found);
+  sort_and_merge(all_, is_better);
 }
 
 /// Brings the best to convergence at all points, by `backend` in the end.

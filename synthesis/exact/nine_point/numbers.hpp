@@ -1,7 +1,6 @@
-/// @file The real numbers of a kernel, one of each path that is followed at the same time: packs of
-/// doubles for the instruction set that COGNATE_ISA (a namespace) and COGNATE_ARCH (xsimd's
-/// architecture; undefined for scalars) name, or a single double-double number where
-/// COGNATE_DOUBLE_DOUBLE is defined. Include in the kernel alone.
+/// @file The numbers of a kernel, one of each path that is followed at the same time: those of
+/// lane_numbers.hpp, or a single double-double number where COGNATE_DOUBLE_DOUBLE is defined.
+/// Include in the kernel alone.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 #ifdef COGNATE_DOUBLE_DOUBLE
 #include "synthesis/exact/nine_point/double_double.hpp"
 #else
-#include "analysis/batch/lanes.hpp"
+#include "synthesis/lane_numbers.hpp"
 #endif
 
 namespace cognate::synthesis::nine_point::COGNATE_ISA {
@@ -28,41 +27,6 @@ inline void store(const Real& value, double* to) {
 inline void set_lane(Real& value, int, double to) {
   value = Real(to);
 }
-
-#else
-
-using Real = batch::COGNATE_ISA::Pack<double>;
-inline constexpr int kLanes = static_cast<int>(batch::COGNATE_ISA::kPackSize<double>);
-inline Real load(const double* from) {
-  return batch::COGNATE_ISA::load_pack(from);
-}
-inline void store(const Real& value, double* to) {
-  batch::COGNATE_ISA::store_pack<double>(value, to);
-}
-inline void set_lane(Real& value, int lane, double to) {
-  double values[kLanes];
-  store(value, values);
-  values[lane] = to;
-  value = load(values);
-}
-
-#endif
-
-#ifdef COGNATE_ARCH
-
-using Mask = Real::batch_bool_type;
-inline Real choose(const Mask& mask, const Real& yes, const Real& no) {
-  return xsimd::select(mask, yes, no);
-}
-inline Real magnitude(const Real& x) {
-  return xsimd::abs(x);
-}
-inline Real larger(const Real& a, const Real& b) {
-  return xsimd::max(a, b);
-}
-
-#else
-
 using Mask = bool;
 inline Real choose(bool mask, const Real& yes, const Real& no) {
   return mask ? yes : no;
@@ -73,6 +37,18 @@ inline Real magnitude(const Real& x) {
 inline Real larger(const Real& a, const Real& b) {
   return a < b ? b : a;
 }
+
+#else
+
+using synthesis::COGNATE_ISA::choose;
+using synthesis::COGNATE_ISA::kLanes;
+using synthesis::COGNATE_ISA::larger;
+using synthesis::COGNATE_ISA::load;
+using synthesis::COGNATE_ISA::magnitude;
+using synthesis::COGNATE_ISA::Mask;
+using synthesis::COGNATE_ISA::Real;
+using synthesis::COGNATE_ISA::set_lane;
+using synthesis::COGNATE_ISA::store;
 
 #endif
 
