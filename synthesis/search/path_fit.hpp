@@ -54,7 +54,8 @@ struct PathFitOptions {
   std::optional<InstructionSet> set;  ///< the widest of the machine if empty
 };
 
-/// Fits all of `states` in place. What comes of one depends neither on the others nor on threads.
+/// Fits all of `states` in place; those that start beyond a bound start at it. What comes of one
+/// depends neither on the others nor on threads.
 void fit_paths(const PathFit& problem, std::span<PathFitState> states,
                const PathFitOptions& options);
 

@@ -48,6 +48,10 @@ class PathLanes {
     start_of_[lane] = start;
     const double* state = task_.state + static_cast<long>(start) * kPathStateSize;
     for (int i = 0; i < 8; ++i) set_lane(here_.value[i], lane, state[i]);
+    for (int i = 0; i < task_.unknowns && task_.unknown[i] <= path_anchor_y; ++i) {
+      const double from = state[task_.unknown[i]], low = task_.lower[i], high = task_.upper[i];
+      set_lane(here_.value[task_.unknown[i]], lane, from < low ? low : from > high ? high : from);
+    }
     set_direction(here_.frame, lane, state + 8);
     set_direction(here_.half_phase, lane, state + 10);
     set_lane(assembly_, lane, state[12]);

@@ -178,6 +178,26 @@ TEST(PathFit, CostsLimitsAsPenalties) {
   }
 }
 
+TEST(PathFit, StartsWithinItsBounds) {
+  PathProblem problem = noisy(Timing::prescribed, CrankReference::frame);
+  const PathModel free(problem, linkage.assembly, false);
+  problem.bounds.crank = Range{0.9, 1};
+  problem.bounds.coupler_point = Box{{1.2, 0.5}, {1.5, 0.6}};
+  const PathModel model(problem, linkage.assembly, false);
+  const auto outside = free.variables_of(linkage, angles);
+  auto within = outside;
+  for (std::size_t i = 0; i < within.size(); ++i) {
+    const auto& variable = model.variables()[i];
+    within[i] = std::clamp(within[i], variable.lower, variable.upper);
+  }
+  ASSERT_NE(outside, within);
+  const PathFitOptions exact{.most_iterations = 400, .tolerance = 1e-15};
+  const auto states = fitted(model, {outside, within}, exact);
+  EXPECT_EQ(states[0].value, states[1].value);
+  const auto best = solve(synthesis::Backend::slsqp, model, within, {.tolerance = 1e-14});
+  EXPECT_NEAR(states[0].cost, best.objective, 1e-6 * best.objective);
+}
+
 TEST(PathFit, SaysWhereALinkageDoesNotClose) {
   const PathModel model(noisy(Timing::free, CrankReference::first), linkage.assembly, false);
   auto x = model.variables_of(linkage, angles);
