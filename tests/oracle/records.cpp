@@ -2,6 +2,13 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+#include "problems/read.hpp"
+
 namespace cognate {
 namespace {
 
@@ -15,6 +22,36 @@ PublishedError published_error(const toml::table& entry) {
   return published;
 }
 
+/// Lays `changes` over `table`, key by key.
+void change(toml::table& table, const toml::table& changes) {
+  for (const auto& [key, value] : changes) {
+    if (value.is_table() && table[key].is_table()) {
+      change(*table[key].as_table(), *value.as_table());
+    } else {
+      table.insert_or_assign(key, value);
+    }
+  }
+}
+
+problems::Problem read_changed(const std::string& file, const toml::table* changes) {
+  toml::table table = toml::parse_file((library / file).string());
+  if (changes) change(table, *changes);
+  std::ostringstream text;
+  text << table;
+  auto problem = problems::parse_problem(text.str());
+  if (!problem) throw std::runtime_error(file + ": " + problem.error().front().message);
+  return std::move(*problem);
+}
+
+double squared_size(const problems::PathProblem& problem) {
+  Vec2d centre{};
+  const double share = 1.0 / double(problem.points.size());
+  for (const Vec2d& p : problem.points) centre = centre + share * p;
+  double squares = 0;
+  for (const Vec2d& p : problem.points) squares += share * squared_norm(p - centre);
+  return squares;
+}
+
 }  // namespace
 
 std::vector<Record> read_records() {
@@ -23,21 +60,38 @@ std::vector<Record> read_records() {
   for (const auto& node : *file["record"].as_array()) {
     const toml::table& entry = *node.as_table();
     Record record;
-    record.file = library / entry.at("file").value<std::string>().value();
+    const auto problem = entry.at("file").value<std::string>().value();
+    record.name = std::filesystem::path(problem).stem().string();
+    if (const auto variant = entry["variant"].value<std::string>()) {
+      record.name += " (" + *variant + ")";
+    }
+    record.problem = read_changed(problem, entry["with"].as_table());
     record.source = entry.at("source").value<std::string>().value();
-    record.best_known = entry.at("best_known").value<double>().value();
+    const auto degrees = entry["best_known_deg"].value<double>();
+    record.largest = degrees.has_value();
+    record.best_known = degrees ? *degrees * std::numbers::pi / 180
+                                : entry.at("best_known").value<double>().value();
     record.exact = entry["exact"].value_or(false);
-    for (const auto& item : *entry["published"].as_array()) {
-      record.published.push_back(published_error(*item.as_table()));
+    record.infimum = entry["infimum"].value_or(false);
+    if (const toml::array* published = entry["published"].as_array()) {
+      for (const auto& item : *published) {
+        record.published.push_back(published_error(*item.as_table()));
+      }
     }
     records.push_back(std::move(record));
   }
   return records;
 }
 
-bool reaches(const Record& record, double error, double squared_size) {
-  if (record.exact) return error <= 1e-20 * squared_size;
-  return error <= record.best_known * (1 + 1e-6);
+double recorded_error(const Record& record, const problems::Design& design) {
+  return record.largest ? design.error.max : design.error.sum_of_squares;
+}
+
+bool reaches(const Record& record, double error) {
+  if (record.exact) {
+    return error <= 1e-20 * squared_size(std::get<problems::PathProblem>(record.problem));
+  }
+  return error <= record.best_known * (1 + (record.infimum ? 1e-3 : 1e-6));
 }
 
 }  // namespace cognate

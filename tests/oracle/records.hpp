@@ -1,10 +1,12 @@
 /// @file The published problems of records.toml.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
 
 namespace cognate {
 
@@ -15,18 +17,26 @@ struct PublishedError {
 };
 
 struct Record {
-  std::filesystem::path file;  ///< of the problem
+  std::string name;  ///< stem of the file, and in parentheses what is changed of it
+  problems::Problem problem;
   std::string source;
-  double best_known = 0;  ///< sum of squares
-  bool exact = false;     ///< the target can be met exactly
+  /// Sum of squares, or with `largest` the largest error over the domain.
+  double best_known = 0;
+  bool largest = false;
+  bool exact = false;    ///< the target can be met exactly
+  bool infimum = false;  ///< the best known error is approached by ever longer links, not reached
   std::vector<PublishedError> published;
 };
 
-/// Reads records.toml; throws what the parser throws.
+/// Reads records.toml and its problems; throws what the parser throws, and std::runtime_error where
+/// a problem is faulty.
 std::vector<Record> read_records();
 
-/// Whether `error` reaches the record: within 1e-6 relative, or, for exact ones, within 1e-20 of
-/// the squared size `squared_size` of the target.
-bool reaches(const Record& record, double error, double squared_size);
+/// What `design` makes of the error that the record is about.
+double recorded_error(const Record& record, const problems::Design& design);
+
+/// Whether `error` reaches the record: within 1e-6 relative (1e-3 of an infimum), or, for exact
+/// ones, within 1e-20 of the squared size of the target.
+bool reaches(const Record& record, double error);
 
 }  // namespace cognate

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
-#include "problems/read.hpp"
 #include "problems/result.hpp"
 
 namespace cognate {
@@ -19,10 +19,12 @@ using problems::Design;
 using problems::FunctionProblem;
 using problems::PathProblem;
 
-/// Seeds per problem: 20, unless the environment asks for fewer (slow builds).
-int seeds() {
+/// Seeds per problem: 10 for paths, 2 for the many functions, unless the environment asks for fewer
+/// (slow builds). `records 100` in the benchmarks tries a hundred of each.
+int seeds(const Record& record) {
   const char* text = std::getenv("COGNATE_TEST_SEEDS");
-  return text ? std::max(1, std::atoi(text)) : 20;
+  if (text) return std::max(1, std::atoi(text));
+  return std::holds_alternative<PathProblem>(record.problem) ? 10 : 2;
 }
 
 /// The coupler point by the textbook's angles: law of cosines at B.
@@ -37,15 +39,6 @@ Vec2d textbook_point(const FourBar& linkage, double crank_angle) {
   return {bx + u * std::cos(phi) - v * std::sin(phi), by + u * std::sin(phi) + v * std::cos(phi)};
 }
 
-double squared_size(const PathProblem& problem) {
-  Vec2d centre{};
-  const double share = 1.0 / double(problem.points.size());
-  for (const Vec2d& p : problem.points) centre = centre + share * p;
-  double squares = 0;
-  for (const Vec2d& p : problem.points) squares += share * squared_norm(p - centre);
-  return squares;
-}
-
 double textbook_error(const PathProblem& problem, const Design& design) {
   double sum = 0;
   for (std::size_t j = 0; j < problem.points.size(); ++j) {
@@ -55,9 +48,43 @@ double textbook_error(const PathProblem& problem, const Design& design) {
   return sum;
 }
 
-/// The published problems all ask for a crank-rocker: the crank is the shortest link and Grashof's
-/// rule holds, to the rounding of the lengths.
-void expect_crank_rocker(const FourBar& linkage) {
+/// The structural error at a sample by the textbook's angles: law of cosines at D.
+double structural_error(const FourBar& linkage, double input, double output) {
+  const double bx = linkage.crank * std::cos(input), by = linkage.crank * std::sin(input);
+  const double frame = lengths(linkage).frame, l2 = linkage.coupler, l3 = linkage.rocker;
+  const double d = std::hypot(bx - frame, by);
+  const double at_d = std::acos((l3 * l3 + d * d - l2 * l2) / (2 * l3 * d));
+  const double to_b = std::atan2(by, bx - frame);
+  const double rocker = linkage.assembly == Assembly::open ? to_b - at_d : to_b + at_d;
+  return std::remainder(rocker - output, 2 * std::numbers::pi);
+}
+
+/// Over the samples, or if the largest error is asked for over 20001 values of x.
+double textbook_error(const Record& record, const FunctionProblem& problem, const Design& design) {
+  const auto& target = std::get<problems::FunctionOfX>(problem.target);
+  const auto [from, to] = target.domain;
+  const double first = target.y(from), last = target.y(to);
+  const auto error_at = [&](double x) {
+    const double input = target.input_range ? *target.input_range * (x - from) / (to - from) : x;
+    const double output = target.output_range
+                              ? *target.output_range * (target.y(x) - first) / (last - first)
+                              : target.y(x);
+    return std::abs(structural_error(four_bar(design), *design.metrics.input_start + input,
+                                     *design.metrics.output_start + output));
+  };
+  double sum = 0, largest = 0;
+  for (const double x : problem.sample_at) sum += error_at(x) * error_at(x);
+  for (int i = 0; i <= 20000; ++i) {
+    largest = std::max(largest, error_at(from + (to - from) * i / 20000));
+  }
+  return record.largest ? largest : sum;
+}
+
+/// Where a crank-rocker is asked for: the crank is the shortest link and Grashof's rule holds, to
+/// the rounding of the lengths.
+void expect_class(const problems::Constraints& constraints, const FourBar& linkage) {
+  if (!constraints.required_class) return;
+  ASSERT_EQ(constraints.required_class, problems::RequiredClass::crank_rocker);
   const auto links = lengths(linkage);
   std::vector<double> all{links.crank, links.coupler, links.rocker, links.frame};
   std::sort(all.begin(), all.end());
@@ -77,18 +104,23 @@ void expect_timing(const PathProblem& problem, const Design& design) {
   }
 }
 
-void check(const Record& record, const PathProblem& problem, const Design& design) {
-  const double size = squared_size(problem);
-  expect_crank_rocker(four_bar(design));
-  expect_timing(problem, design);
-  const double error = textbook_error(problem, design);
-  EXPECT_TRUE(reaches(record, error, size)) << error;
-  EXPECT_GE(error, record.best_known * (1 - 1e-6)) << "better than the best known: update records";
+/// `error` is found apart from the search.
+void expect_reached(const Record& record, double error) {
+  EXPECT_TRUE(reaches(record, error)) << error;
+  // Largest errors in the literature are of 0.3 % at most above those of the same local optimum.
+  const double better = record.exact ? 0 : record.best_known * (record.largest ? 0.997 : 1 - 1e-6);
+  EXPECT_GE(error, better) << "better than the best known: update records";
 }
 
-void check(const Record& record, const FunctionProblem&, const Design& design) {
-  expect_crank_rocker(four_bar(design));
-  EXPECT_NEAR(design.error.sum_of_squares, record.best_known, 1e-6 * record.best_known);
+void check(const Record& record, const PathProblem& problem, const Design& design) {
+  expect_class(problem.constraints, four_bar(design));
+  expect_timing(problem, design);
+  expect_reached(record, textbook_error(problem, design));
+}
+
+void check(const Record& record, const FunctionProblem& problem, const Design& design) {
+  expect_class(problem.constraints, four_bar(design));
+  expect_reached(record, textbook_error(record, problem, design));
 }
 
 template <class OtherProblem>
@@ -100,10 +132,8 @@ class Records : public testing::TestWithParam<int> {};
 
 TEST_P(Records, AreReachedFromEverySeed) {
   const Record record = read_records()[static_cast<std::size_t>(GetParam())];
-  const auto problem = problems::read_problem(record.file);
-  ASSERT_TRUE(problem) << record.file << ": " << problem.error().front().message;
-  for (int seed = 1; seed <= seeds(); ++seed) {
-    SCOPED_TRACE(record.file.filename().string() + ", seed " + std::to_string(seed));
+  for (int seed = 1; seed <= seeds(record); ++seed) {
+    SCOPED_TRACE(record.name + ", seed " + std::to_string(seed));
     std::visit(
         [&](const auto& target) {
           const auto result = solve(target, {.seed = static_cast<std::uint64_t>(seed)});
@@ -114,17 +144,26 @@ TEST_P(Records, AreReachedFromEverySeed) {
           }
           check(record, target, result.designs.front());
         },
-        *problem);
+        record.problem);
   }
+}
+
+/// A name as GoogleTest allows them.
+std::string test_name(const Record& record) {
+  std::string name;
+  for (const char c : record.name) {
+    if (std::isalnum(static_cast<unsigned char>(c))) {
+      name += c;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Published, Records,
                          testing::Range(0, static_cast<int>(read_records().size())),
-                         [](const auto& info) {
-                           auto name = read_records()[info.param].file.stem().string();
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& info) { return test_name(read_records()[info.param]); });
 
 }  // namespace
 }  // namespace cognate
