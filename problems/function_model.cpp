@@ -91,6 +91,23 @@ void FunctionModel::list_variables() {
   }
 }
 
+synthesis::FunctionFit FunctionModel::lane_fit() const {
+  synthesis::FunctionFit fit;
+  fit.wanted = wanted_.samples;
+  fit.free = free_;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const bool is_length = free_[i] < 4;
+    fit.lower.push_back(is_length ? std::exp(variables_[i].lower) : variables_[i].lower);
+    fit.upper.push_back(is_length ? std::exp(variables_[i].upper) : variables_[i].upper);
+  }
+  const auto limits = linkage_constraints_.limits();
+  fit.limits.assign(limits.begin(), limits.end());
+  if (limits_sweep_) {
+    fit.transmission_cosine = {std::cos(transmission_.max), std::cos(transmission_.min)};
+  }
+  return fit;
+}
+
 int FunctionModel::constraint_count() const {
   return linkage_constraints_.count() + (limits_sweep_ ? 2 : 0);
 }

@@ -10,6 +10,7 @@
 #include "problems/linkage_constraints.hpp"
 #include "problems/problem.hpp"
 #include "synthesis/optimise/model.hpp"
+#include "synthesis/search/function_fit.hpp"
 
 namespace cognate::problems {
 
@@ -43,6 +44,10 @@ class FunctionModel final : public synthesis::Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
+
+  /// The model as the fit in SIMD lanes takes it, without limits on the start angles. Only where
+  /// these do not follow from the lengths.
+  synthesis::FunctionFit lane_fit() const;
 
   std::vector<double> variables_of(const FunctionGenerator& generator) const;
   FunctionGenerator generator(std::span<const double> x) const;

@@ -106,6 +106,9 @@ class Search {
 
   void refine(Refined& design, const FunctionSamples& wanted, Objective objective, Backend backend,
               int iterations) const;
+  void explore(std::vector<Refined>& all) const;
+  void fit_in_lanes(std::span<Refined> all) const;
+  bool is_nearly_folded(const FunctionGenerator& generator) const;
   void exchange(Refined& design, Backend backend) const;
   void keep_best(std::vector<Refined>& all, int reserve, Work& work) const;
   void refine_all(std::vector<Refined>& all, Objective objective, Backend backend, int iterations,
@@ -153,6 +156,77 @@ void Search::refine_all(std::vector<Refined>& all, Objective objective, Backend 
     if (all[i].valid) best = std::min(best, all[i].objective);
     run_.progress(shares.min + step * i, best);
   });
+}
+
+/// Brings all starts near their minima: in SIMD lanes, where start angles do not follow from the
+/// lengths. Those of one problem are fitted together.
+void Search::explore(std::vector<Refined>& all) const {
+  if (confined_.plain.start != FunctionStart::free) {
+    refine_all(all, Objective::sum_of_squares, Backend::gauss_newton, kSearchIterations,
+               {0.1, 0.5});
+    return;
+  }
+  const auto key = [](const Refined& design) { return std::pair(design.problem, design.limited); };
+  std::ranges::stable_sort(all, {}, key);
+  const std::vector<Refined> starts = all;
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(
+        first, all.end(), [&](const Refined& design) { return key(design) != key(*first); });
+    fit_in_lanes({first, last});
+    first = last;
+  }
+  // The lanes stop at the border of what closes; constraints lead along it.
+  parallel_for(static_cast<int>(all.size()), run_.threads, [&](int i, int) {
+    if (deadline_.reached() || !(all[i].valid && is_nearly_folded(all[i].generator))) return;
+    Refined along = starts[i];
+    refine(along, wanted_, Objective::sum_of_squares, Backend::gauss_newton, kSearchIterations);
+    if (!along.valid || better(all[i], along)) return;
+    along.evaluations += all[i].evaluations;
+    along.gradients += all[i].gradients;
+    along.iterations += all[i].iterations;
+    all[i] = along;
+  });
+}
+
+/// Whether coupler and rocker are within half a degree of one line at a sample.
+bool Search::is_nearly_folded(const FunctionGenerator& generator) const {
+  constexpr double kFolded = 0.99996;
+  const auto& [l1, l2, l3, l4] = generator.links;
+  return std::ranges::any_of(wanted_.samples, [&](const synthesis::AnglePair& pair) {
+    const double across = 2 * l1 * l4 * std::cos(generator.input_start + pair.input);
+    const double cosine = (l2 * l2 + l3 * l3 - l1 * l1 - l4 * l4 + across) / (2 * l2 * l3);
+    return std::abs(cosine) > kFolded;
+  });
+}
+
+void Search::fit_in_lanes(std::span<Refined> all) const {
+  const Refined& any = all.front();
+  const FunctionModel model(*any.problem, wanted_, any.generator.assembly,
+                            Objective::sum_of_squares, any.limited);
+  std::vector<synthesis::FunctionFitState> states;
+  for (const Refined& design : all) {
+    const auto& [links, assembly, input_start, output_start] = design.generator;
+    states.push_back({{links.crank, links.coupler, links.rocker, links.frame},
+                      input_start,
+                      output_start,
+                      sign(assembly)});
+  }
+  fit_functions(model.lane_fit(), states,
+                {.most_iterations = kSearchIterations, .threads = run_.threads, .stop = [this] {
+                   return deadline_.reached();
+                 }});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const synthesis::FunctionFitState& state = states[i];
+    const auto [crank, coupler, rocker, frame] = state.length;
+    all[i].generator.links = {crank, coupler, rocker, frame};
+    all[i].generator.input_start = state.input_start;
+    all[i].generator.output_start = state.output_start;
+    all[i].objective = state.cost;
+    all[i].valid = std::isfinite(state.cost);
+    all[i].evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
+    all[i].gradients += static_cast<std::uint64_t>(state.iterations);
+    all[i].iterations += static_cast<std::uint64_t>(state.iterations);
+  }
 }
 
 /// Remez's exchange: the peaks of the error between the samples join them and the design is refined
@@ -226,7 +300,7 @@ std::vector<Refined> Search::minima(Work& work) {
                    .problem = &own,
                    .limited = full_turn ? LimitedMotion::full_turn : LimitedMotion::sweep});
   }
-  refine_all(all, Objective::sum_of_squares, Backend::gauss_newton, kSearchIterations, {0.1, 0.5});
+  explore(all);
   const bool minimax = objective() == Objective::max_abs;
   if (minimax) {
     keep_best(all, kMinimaxReserve, work);

@@ -14,6 +14,7 @@
 #include "problems/link_ratios.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
+#include "synthesis/search/function_fit.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -231,25 +232,69 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t index) {
   return (seed + 1) * 0x9E3779B97F4A7C15u ^ (index + 1) * 0xD1B54A32D192ED03u;
 }
 
-/// The best of some random linkages.
-FunctionStartPoint drawn(const Screen& screen, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> angle(-kPi, kPi);
-  double largest = 1;
-  for (const Range& a : screen.ranges) {
-    for (const Range& b : screen.ranges) largest = std::max(largest, a.max / b.min);
+/// Random linkages, with the start angle of their input.
+class Draws {
+ public:
+  Draws(const Screen& screen, std::uint64_t seed) : screen_(screen), random_(seed) {
+    for (const Range& a : screen.ranges) {
+      for (const Range& b : screen.ranges) largest_ = std::max(largest_, a.max / b.min);
+    }
+    largest_ = std::min(largest_, screen.problem.constraints.link_ratio_max.value_or(30));
   }
-  largest = std::min(largest, screen.problem.constraints.link_ratio_max.value_or(30));
-  FunctionStartPoint best{{}, kInfinite};
-  for (int i = 0; i < kDrawsPerStart; ++i) {
+
+  FunctionGenerator next() {
+    const FunctionProblem& problem = screen_.problem;
     FunctionGenerator g;
-    g.links =
-        screen.scaled(random_ratios(random, screen.problem.constraints.required_class, largest));
-    g.input_start = screen.problem.input_start.value_or(angle(random));
-    const FunctionStartPoint point = screen.best_assembly(g);
-    if (point.error < best.error) best = point;
+    g.links = screen_.scaled(random_ratios(random_, problem.constraints.required_class, largest_));
+    g.input_start = problem.input_start.value_or(angle_(random_));
+    return g;
   }
-  return best;
+
+ private:
+  const Screen& screen_;
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> angle_{-kPi, kPi};
+  double largest_ = 1;
+};
+
+/// The best of some random linkages; in SIMD lanes, where the start angles do not follow from the
+/// lengths.
+FunctionStartPoint drawn(const Screen& screen, std::uint64_t seed) {
+  Draws draws(screen, seed);
+  FunctionStartPoint best{{}, kInfinite};
+  if (screen.problem.start != FunctionStart::free) {
+    for (int i = 0; i < kDrawsPerStart; ++i) {
+      const FunctionStartPoint point = screen.best_assembly(draws.next());
+      if (point.error < best.error) best = point;
+    }
+    return best;
+  }
+  static_assert(kDrawsPerStart % synthesis::FunctionCandidates::lanes == 0);
+  synthesis::FunctionCandidates candidates(kDrawsPerStart);
+  std::vector<FunctionGenerator> generators;
+  for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
+    FunctionGenerator g = draws.next();
+    g.input_start = screen.clamped_start(g.input_start, screen.problem.input_start_bounds);
+    candidates.crank[i] = g.links.crank;
+    candidates.coupler[i] = g.links.coupler;
+    candidates.rocker[i] = g.links.rocker;
+    candidates.frame[i] = g.links.frame;
+    candidates.half_start_x[i] = std::cos(0.5 * g.input_start);
+    candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
+    generators.push_back(g);
+  }
+  synthesis::screen(screen.wanted, screen.problem.output_start, candidates);
+  double least = kInfinite;
+  for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
+    for (const Assembly assembly : screen.assemblies()) {
+      const double error = assembly == Assembly::open ? candidates.open[i] : candidates.crossed[i];
+      if (!(error < least)) continue;
+      least = error;
+      best.generator = generators[i];
+      best.generator.assembly = assembly;
+    }
+  }
+  return std::isfinite(least) ? screen.scored(best.generator) : best;
 }
 
 std::vector<FunctionStartPoint> random_starts(const Screen& screen, const StartSearch& search,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,7 +39,9 @@ struct PathFitState {
   /// angles are prescribed before the phase.
   std::vector<double> crank_half;
 
-  double cost = 0;  ///< weighted sum of squares and penalties; not a number where it does not close
+  /// Weighted sum of squares and penalties; not a number where the linkage does not close or has
+  /// not been fitted.
+  double cost = std::numeric_limits<double>::quiet_NaN();
   int iterations = 0;
 };
 

@@ -8,19 +8,12 @@
 #pragma once
 
 #include "analysis/closure.hpp"
+#include "synthesis/search/lane_directions.hpp"
 #include "synthesis/search/lane_fit.hpp"
 #include "synthesis/search/lane_limits.hpp"
 #include "synthesis/search/path_fit_kernel.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
-
-using Direction = Vec2<Real>;
-
-/// `direction` turned by arctan(tangent).
-inline Direction turned(const Direction& direction, const Real& tangent) {
-  const Real inverse = Real(1.0) / root(Real(1.0) + tangent * tangent);
-  return inverse * (direction * Direction{Real(1.0), tangent});
-}
 
 class PathLanes {
  public:
@@ -52,8 +45,8 @@ class PathLanes {
       const double from = state[task_.unknown[i]], low = task_.lower[i], high = task_.upper[i];
       set_lane(here_.value[task_.unknown[i]], lane, from < low ? low : from > high ? high : from);
     }
-    set_direction(here_.frame, lane, state + 8);
-    set_direction(here_.half_phase, lane, state + 10);
+    set_lane(here_.frame, lane, state + 8);
+    set_lane(here_.half_phase, lane, state + 10);
     set_lane(assembly_, lane, state[12]);
     const double* half = task_.crank_half + static_cast<long>(start) * 2 * task_.points;
     for (int i = 0; i < 2 * task_.points; ++i) half_[i * kLanes + lane] = half[i];
@@ -64,10 +57,8 @@ class PathLanes {
     const int start = start_of_[lane];
     double* state = task_.state + static_cast<long>(start) * kPathStateSize;
     for (int i = 0; i < 8; ++i) state[i] = lane_of(here_.value[i], lane);
-    state[8] = lane_of(here_.frame.x, lane);
-    state[9] = lane_of(here_.frame.y, lane);
-    state[10] = lane_of(here_.half_phase.x, lane);
-    state[11] = lane_of(here_.half_phase.y, lane);
+    get_lane(here_.frame, lane, state + 8);
+    get_lane(here_.half_phase, lane, state + 10);
     double* half = task_.crank_half + static_cast<long>(start) * 2 * task_.points;
     for (int i = 0; i < 2 * task_.points; ++i) half[i] = half_[i * kLanes + lane];
     task_.cost[start] = cost;
@@ -152,8 +143,8 @@ class PathLanes {
 
   void keep(const Mask& lanes) {
     for (int i = 0; i < 8; ++i) here_.value[i] = choose(lanes, next_.value[i], here_.value[i]);
-    keep(lanes, next_.frame, here_.frame);
-    keep(lanes, next_.half_phase, here_.half_phase);
+    here_.frame = choose(lanes, next_.frame, here_.frame);
+    here_.half_phase = choose(lanes, next_.half_phase, here_.half_phase);
     if (task_.timed) return;
     for (int i = 0; i < 2 * task_.points; ++i) {
       double* at = half_ + i * kLanes;
@@ -332,19 +323,6 @@ class PathLanes {
     here_.frame = here_.half_phase = {Real(1.0), Real(0.0)};
     assembly_ = Real(1.0);
     for (int i = 0; i < 2 * task_.points; ++i) store(Real(0.6), half_ + i * kLanes);
-  }
-
-  static void set_direction(Direction& direction, int lane, const double* to) {
-    set_lane(direction.x, lane, to[0]);
-    set_lane(direction.y, lane, to[1]);
-  }
-  static double lane_of(const Real& value, int lane) {
-    double values[kLanes];
-    store(value, values);
-    return values[lane];
-  }
-  static void keep(const Mask& lanes, const Direction& next, Direction& here) {
-    here = {choose(lanes, next.x, here.x), choose(lanes, next.y, here.y)};
   }
 
   const PathFitTask& task_;

@@ -1,0 +1,81 @@
+/// @file Screening and least-squares fits of function generators from many starts, one in each SIMD
+/// lane.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/batch/instruction_set.hpp"
+#include "analysis/four_bar.hpp"
+#include "synthesis/exact/freudenstein.hpp"
+#include "synthesis/search/function_fit_kernel.hpp"
+#include "synthesis/search/link_limit.hpp"
+
+namespace cognate::synthesis {
+
+/// A four-bar as a function generator: lengths in the order of FunctionUnknown, the angles that
+/// input and output are counted from (radians, from the directed line A→D), ±1 for the assembly.
+struct FunctionFitState {
+  std::array<double, 4> length{};
+  double input_start = 0, output_start = 0;
+  double assembly = 1;
+
+  /// Sum of squares and penalties; not a number where the linkage does not close or has not been
+  /// fitted. An error e counts as 2 tan(e/2).
+  double cost = std::numeric_limits<double>::quiet_NaN();
+  int iterations = 0;
+};
+
+/// What is fitted: the unknowns of FunctionUnknown that are free, so that output angles come near
+/// those wanted.
+struct FunctionFit {
+  std::vector<AnglePair> wanted;     ///< counted from the start angles
+  std::vector<int> free;             ///< of FunctionUnknown, ascending
+  std::vector<double> lower, upper;  ///< of each; those of angles are not kept
+  std::vector<LinkLimit> limits;
+  /// Least and greatest cosine of the transmission angle at the samples.
+  std::optional<std::array<double, 2>> transmission_cosine;
+};
+
+struct FunctionFitOptions {
+  int most_iterations = 150;
+  double tolerance = 1e-12;   ///< relative change of the cost at which a fit ends
+  double negligible = 1e-30;  ///< cost that counts as zero
+  double penalty = 10;        ///< weight of violated limits: see PathFitOptions
+  int threads = 1;
+  std::function<bool()> stop;         ///< asked now and then; fits not begun are left as they are
+  std::optional<InstructionSet> set;  ///< the widest of the machine if empty
+};
+
+/// Fits all of `states` in place; those that start beyond a bound start at it. What comes of one
+/// depends neither on the others nor on threads.
+void fit_functions(const FunctionFit& problem, std::span<FunctionFitState> states,
+                   const FunctionFitOptions& options);
+
+/// Linkages to be screened, as a structure of arrays; the size is a multiple of `lanes`.
+struct FunctionCandidates {
+  static constexpr std::size_t lanes = 8;
+  explicit FunctionCandidates(std::size_t count)
+      : crank(count),
+        coupler(count),
+        rocker(count),
+        frame(count),
+        half_start_x(count),
+        half_start_y(count),
+        open(count),
+        crossed(count) {}
+  std::vector<double> crank, coupler, rocker, frame;
+  std::vector<double> half_start_x, half_start_y;  ///< direction of half the input start angle
+  /// Out, of each assembly: mean square of 2 sin(e/2), e being the error with the output start
+  /// angle given or else the best; not a number where the linkage does not close.
+  std::vector<double> open, crossed;
+};
+
+void screen(std::span<const AnglePair> wanted, const std::optional<double>& output_start,
+            FunctionCandidates& candidates);
+
+}  // namespace cognate::synthesis
