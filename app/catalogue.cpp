@@ -72,7 +72,11 @@ constexpr Metric kFacts[] = {
     {"real_solutions", "1", "those with linkages of the real plane"},
     {"certified_real_solutions", "1", "real ones proven to be real"},
     {"free_parameters", "1", "dimensions that the positions leave free"},
-    {"family_members_solved", "1", "choices of these that were solved for"}};
+    {"family_members_solved", "1", "choices of these that were solved for"},
+    {"starts", "1", "local searches of a global one"},
+    {"best_hits", "1", "how many of them led to the best minimum"},
+    {"chance_of_unseen_minimum", "1",
+     "that one more would lead to a minimum not seen, as good as those kept (Good 1953)"}};
 
 constexpr Metric kAnalysisMetrics[] = {
     {"class", "", "which link turns fully; of a chain its dyads"},

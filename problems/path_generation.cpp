@@ -18,8 +18,6 @@
 namespace cognate::problems {
 namespace {
 
-/// Every problem of the library is solved from each of 100 seeds with 600; the rest is reserve.
-constexpr int kDefaultStarts = 1000;
 constexpr double kDefaultTolerance = 1e-13;
 /// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
 constexpr double kSameWithin = 1e-3;
@@ -129,19 +127,22 @@ Result solve(const PathProblem& problem, const Run& run) {
   const synthesis::Backend solver = backend_of(problem.solve.solver);
 
   Result result;
-  const auto minima =
-      search_paths(scaled, problem.solve.starts.value_or(kDefaultStarts), solver,
-                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  const PathSearchResult found =
+      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), run,
+                   deadline, result.work);
   const bool ended_early = deadline.reached();
   Designs designs(problem, scale.size, search_origin(solver));
-  for (const PathMinimum& minimum : minima) {
+  for (const PathMinimum& minimum : found.minima) {
     const PathModel model = model_of(scaled, minimum);
     std::vector<double> angles = model.crank_angles(minimum.solution.x);
     for (double& angle : angles) angle = in_one_turn(angle);
     designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles);
   }
-  result.status = status(deadline, ended_early, designs, !minima.empty());
+  result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();
+  result.facts = {{"starts", double(found.thoroughness.starts)},
+                  {"best_hits", double(found.thoroughness.best_hits)},
+                  {"chance_of_unseen_minimum", found.thoroughness.unseen}};
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes at every target point; wider bounds or more starts may "

@@ -26,12 +26,27 @@ struct PathMinimum {
 /// The model of which `minimum` is a minimum.
 PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum);
 
-/// The minima found from `starts` starts, best first, feasible ones before others; equal for any
-/// number of threads. All starts are explored with few iterations of Gauss–Newton, the best
-/// different ones brought to convergence, and the best of these finished by `backend` where it is
-/// another. Counts what was done in `work`.
-std::vector<PathMinimum> search_paths(const PathProblem& scaled, int starts,
-                                      synthesis::Backend backend, double tolerance, const Run& run,
-                                      const Deadline& deadline, Work& work);
+/// How much of what can be found a search has seen.
+struct SearchThoroughness {
+  int starts = 0;
+  int best_hits = 0;  ///< how many of them led to the best minimum
+  /// Chance that one more start would lead to a minimum that was not seen, among those as good as
+  /// the ones that were kept: the share of starts whose minimum was seen once (Good 1953, "The
+  /// population frequencies of species and the estimation of population parameters").
+  double unseen = 1;
+};
+
+struct PathSearchResult {
+  std::vector<PathMinimum> minima;  ///< best first, feasible ones before others
+  SearchThoroughness thoroughness;
+};
+
+/// Minima of a scaled problem; equal for any number of threads. Starts are explored in SIMD lanes
+/// until more of them promise nothing new, or as many as the file says; the best different minima
+/// are brought to convergence under exact constraints by Gauss–Newton, and the best of these
+/// finished by `backend` where it is another. Counts what was done in `work`.
+PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
+                              double tolerance, const Run& run, const Deadline& deadline,
+                              Work& work);
 
 }  // namespace cognate::problems

@@ -1,0 +1,202 @@
+#include "problems/path_explorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+
+#include "analysis/mobility.hpp"
+#include "analysis/parallel.hpp"
+#include "problems/path_starts.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Solution;
+
+/// Designs screened for each start that is refined: enough that the linear unknowns alone have
+/// found the basin in most cases, few enough that screening costs less than refining.
+constexpr std::size_t kCandidatesPerStart = 256;
+/// Iterations spent on every start. The best of the library's problems are within 1 % of their
+/// minimum after 60; the rest of a long valley is walked by the best ones only.
+constexpr int kExploringIterations = 80;
+constexpr int kDeepeningIterations = 600;
+constexpr double kDeepeningTolerance = 1e-13;
+/// Starts of a round, and of all of them where the file does not say. Every problem of the library
+/// is solved from each of 100 seeds with half as many.
+constexpr int kRound = 250, kMostStarts = 1000;
+/// Fits that end with costs equal to their last six digits or so are this far apart.
+constexpr double kSameFit = 1e-4;
+/// The best minimum counts as well known once so many starts have come to it.
+constexpr int kEnoughHits = 5;
+/// Costs below are rounding, the path being of size 1.
+constexpr double kMet = 1e-20;
+
+std::mt19937_64 generator(std::uint64_t seed, int start) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(start)};
+  return std::mt19937_64(sequence);
+}
+
+std::optional<RequiredClass> confinement(const PathProblem& problem, const FourBar& start) {
+  const Constraints& constraints = problem.constraints;
+  const bool open =
+      !constraints.required_class || *constraints.required_class == RequiredClass::grashof;
+  if (open && constraints.transmission_angle) {
+    const MobilityClass mobility = mobility_class(lengths(start));
+    if (mobility == MobilityClass::crank_rocker) return RequiredClass::crank_rocker;
+    if (mobility == MobilityClass::double_crank) return RequiredClass::double_crank;
+  }
+  return constraints.required_class;
+}
+
+/// What a draw starts from, before it is fitted.
+PathFound drawn(const PathProblem& problem, const PathStarts& starts, std::mt19937_64 random) {
+  PathFound found;
+  const auto start = starts.draw(random, kCandidatesPerStart);
+  if (!start) return found;
+  found.minimum = {
+      start->linkage.assembly, start->clockwise, confinement(problem, start->linkage), {}};
+  found.minimum.solution.x =
+      model_of(problem, found.minimum).variables_of(start->linkage, start->crank_angles);
+  found.valid = true;
+  return found;
+}
+
+/// The point where a fit in lanes has ended, as `model` sees it.
+void take_over(const PathModel& model, const synthesis::PathFitState& state, PathFound& found) {
+  Solution& solution = found.minimum.solution;
+  solution.x = model.variables_of(state, solution.x);
+  found.cost = state.cost;
+  found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
+  found.gradients += static_cast<std::uint64_t>(state.iterations);
+  found.iterations += static_cast<std::uint64_t>(state.iterations);
+  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  found.valid = std::isfinite(state.cost) && model.residuals(solution.x, residuals, {}, {});
+  if (!found.valid) return;
+  solution.objective = 0;
+  for (const double r : residuals) solution.objective += r * r;
+  model.constraints(solution.x, limits, {});
+  solution.violation = 0;
+  for (const double c : limits) solution.violation = std::max(solution.violation, -c);
+}
+
+/// Fits those of `all` that are valid in SIMD lanes; those confined to one class share one problem.
+void fit_in_lanes(const PathProblem& problem, std::span<PathFound> all,
+                  const synthesis::PathFitOptions& options) {
+  std::vector<PathFound*> left;
+  for (PathFound& found : all) {
+    if (found.valid) left.push_back(&found);
+  }
+  while (!left.empty()) {
+    const auto confined_to = left.front()->minimum.confined_to;
+    const auto others = std::stable_partition(
+        left.begin(), left.end(),
+        [&](const PathFound* found) { return found->minimum.confined_to == confined_to; });
+    std::vector<synthesis::PathFitState> states;
+    for (auto it = left.begin(); it != others; ++it) {
+      const PathMinimum& minimum = (*it)->minimum;
+      states.push_back(model_of(problem, minimum).lane_state(minimum.solution.x));
+    }
+    fit_paths(model_of(problem, left.front()->minimum).lane_fit(), states, options);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      take_over(model_of(problem, left[i]->minimum), states[i], *left[i]);
+    }
+    left.erase(left.begin(), others);
+  }
+}
+
+/// The rounds of an exploration; `pool_` holds the best so far.
+class Explorer {
+ public:
+  Explorer(const PathProblem& problem, const PathExploration& exploration, const Deadline& deadline,
+           Work& work)
+      : problem_(problem),
+        source_(problem),
+        exploration_(exploration),
+        deadline_(deadline),
+        work_(work) {
+    fit_.threads = exploration.run.threads;
+    fit_.stop = [this] { return deadline_.reached(); };
+  }
+
+  std::vector<PathFound> take(SearchThoroughness& thoroughness) {
+    const int most = exploration_.starts.value_or(kMostStarts);
+    int done = 0;
+    while (done < most && !deadline_.reached()) {
+      const int count = std::min(kRound, most - done);
+      add_round(done, count, most);
+      done += count;
+      if (!exploration_.starts && knows_enough()) break;
+    }
+    thoroughness.starts = done;
+    thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
+    const auto seen_once = std::ranges::count(pool_, 1, &PathFound::hits);
+    thoroughness.unseen = done > 0 ? double(seen_once) / done : 1;
+    return std::move(pool_);
+  }
+
+ private:
+  void add_round(int first, int count, int most) {
+    const Run& run = exploration_.run;
+    std::vector<PathFound> fresh(static_cast<std::size_t>(count));
+    parallel_for(count, run.threads, [&](int index, int thread) {
+      if (deadline_.reached()) return;
+      fresh[index] = drawn(problem_, source_, generator(run.seed, first + index));
+      if (thread != 0 || !run.progress) return;
+      const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
+      run.progress(0.7 * (first + index) / most, any ? pool_.front().minimum.solution.objective
+                                                     : std::numeric_limits<double>::infinity());
+    });
+    work_.candidates += static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart;
+    work_.positions +=
+        static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart * problem_.points.size();
+    fit_.most_iterations = kExploringIterations;
+    fit_.tolerance = 1e-10;
+    fit(fresh);
+    std::ranges::move(fresh, std::back_inserter(pool_));
+    sort_and_merge(pool_, costs_less, kSameFit);
+    deepen();
+  }
+
+  /// Fits the best to their end and keeps them.
+  void deepen() {
+    if (pool_.size() > exploration_.kept) pool_.resize(exploration_.kept);
+    const auto done =
+        std::stable_partition(pool_.begin(), pool_.end(), std::not_fn(&PathFound::deepened));
+    fit_.most_iterations = kDeepeningIterations;
+    fit_.tolerance = kDeepeningTolerance;
+    fit({pool_.begin(), done});
+    for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
+    sort_and_merge(pool_, costs_less, kSameFit);
+  }
+
+  void fit(std::span<PathFound> some) {
+    fit_in_lanes(problem_, some, fit_);
+    count_work(some, problem_.points.size(), work_);
+  }
+
+  bool knows_enough() const {
+    if (pool_.empty()) return false;
+    const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMet;
+    return met || pool_.front().hits >= kEnoughHits;
+  }
+
+  const PathProblem& problem_;
+  PathStarts source_;
+  const PathExploration& exploration_;
+  const Deadline& deadline_;
+  Work& work_;
+  synthesis::PathFitOptions fit_;
+  std::vector<PathFound> pool_;
+};
+
+}  // namespace
+
+std::vector<PathFound> explore_paths(const PathProblem& scaled, const PathExploration& exploration,
+                                     const Deadline& deadline, Work& work,
+                                     SearchThoroughness& thoroughness) {
+  return Explorer(scaled, exploration, deadline, work).take(thoroughness);
+}
+
+}  // namespace cognate::problems

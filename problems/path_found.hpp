@@ -1,0 +1,42 @@
+/// @file Minima of a path search on their way: their order, their merging and the work they took.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "problems/path_search.hpp"
+
+namespace cognate::problems {
+
+/// Violations up to this count as none.
+inline constexpr double kPathFeasibility = 1e-9;
+
+/// A start, or what has been made of it.
+struct PathFound {
+  PathMinimum minimum;
+  bool valid = false;
+  bool deepened = false;  ///< fitted to its end
+  double cost = 0;        ///< of a fit in lanes: objective and penalties
+  int hits = 1;           ///< how many starts have come here
+  /// Work not yet counted, that of refinements which were no better among it.
+  std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
+};
+
+/// Feasible ones first, then by objective or violation.
+bool is_better(const PathFound& a, const PathFound& b);
+
+/// By the cost of a fit in lanes.
+bool costs_less(const PathFound& a, const PathFound& b);
+
+/// Sorts by `before`, drops those without a value and counts those that are the same point as an
+/// earlier one, up to `tolerance` relative to 1 + |x|, among its hits.
+void sort_and_merge(std::vector<PathFound>& all,
+                    const std::function<bool(const PathFound&, const PathFound&)>& before,
+                    double tolerance);
+
+/// Moves the work of all into `work`.
+void count_work(std::span<PathFound> all, std::size_t points, Work& work);
+
+}  // namespace cognate::problems
