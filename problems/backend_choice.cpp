@@ -21,9 +21,9 @@ Backend backend_of(SolverChoice choice) {
   return Backend::gauss_newton;
 }
 
-std::string search_origin(Backend backend) {
-  const std::string text = "search + gauss-newton";
-  return backend == Backend::gauss_newton ? text : text + " + " + std::string(name(backend));
+std::string search_origin(Backend backend, std::string start) {
+  start += " + gauss-newton";
+  return backend == Backend::gauss_newton ? start : start + " + " + std::string(name(backend));
 }
 
 }  // namespace cognate::problems

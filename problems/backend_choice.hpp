@@ -11,8 +11,8 @@ namespace cognate::problems {
 /// `auto` is Gauss–Newton: see tests/bench for the evidence.
 synthesis::Backend backend_of(SolverChoice choice);
 
-/// The `origin` of a design found by search: Gauss–Newton refines every start, and another solver,
-/// where the file names one, finishes the best.
-std::string search_origin(synthesis::Backend backend);
+/// The `origin` of a design from where its start came: Gauss–Newton refines every start, and
+/// another solver, where the file names one, finishes the best.
+std::string search_origin(synthesis::Backend backend, std::string start = "search");
 
 }  // namespace cognate::problems

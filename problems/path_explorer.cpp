@@ -7,6 +7,7 @@
 
 #include "analysis/mobility.hpp"
 #include "analysis/parallel.hpp"
+#include "problems/path_exact_starts.hpp"
 #include "problems/path_starts.hpp"
 
 namespace cognate::problems {
@@ -20,6 +21,7 @@ constexpr std::size_t kCandidatesPerStart = 256;
 /// Iterations spent on every start. The best of the library's problems are within 1 % of their
 /// minimum after 60; the rest of a long valley is walked by the best ones only.
 constexpr int kExploringIterations = 80;
+constexpr double kExploringTolerance = 1e-10;
 constexpr int kDeepeningIterations = 600;
 constexpr double kDeepeningTolerance = 1e-13;
 /// Starts of a round, and of all of them where the file does not say. Every problem of the library
@@ -50,15 +52,13 @@ std::optional<RequiredClass> confinement(const PathProblem& problem, const FourB
   return constraints.required_class;
 }
 
-/// What a draw starts from, before it is fitted.
-PathFound drawn(const PathProblem& problem, const PathStarts& starts, std::mt19937_64 random) {
+/// A start, before it is fitted.
+PathFound placed(const PathProblem& problem, const PathStart& start) {
   PathFound found;
-  const auto start = starts.draw(random, kCandidatesPerStart);
-  if (!start) return found;
   found.minimum = {
-      start->linkage.assembly, start->clockwise, confinement(problem, start->linkage), {}};
+      start.linkage.assembly, start.clockwise, confinement(problem, start.linkage), {}};
   found.minimum.solution.x =
-      model_of(problem, found.minimum).variables_of(start->linkage, start->crank_angles);
+      model_of(problem, found.minimum).variables_of(start.linkage, start.crank_angles);
   found.valid = true;
   return found;
 }
@@ -129,6 +129,7 @@ class Explorer {
       done += count;
       if (!exploration_.starts && knows_enough()) break;
     }
+    if (!exploration_.starts) add_exact();
     thoroughness.starts = done;
     thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
     const auto seen_once = std::ranges::count(pool_, 1, &PathFound::hits);
@@ -142,7 +143,9 @@ class Explorer {
     std::vector<PathFound> fresh(static_cast<std::size_t>(count));
     parallel_for(count, run.threads, [&](int index, int thread) {
       if (deadline_.reached()) return;
-      fresh[index] = drawn(problem_, source_, generator(run.seed, first + index));
+      std::mt19937_64 random = generator(run.seed, first + index);
+      const auto start = source_.draw(random, kCandidatesPerStart);
+      if (start) fresh[index] = placed(problem_, *start);
       if (thread != 0 || !run.progress) return;
       const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
       run.progress(0.7 * (first + index) / most, any ? pool_.front().minimum.solution.objective
@@ -151,8 +154,24 @@ class Explorer {
     work_.candidates += static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart;
     work_.positions +=
         static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart * problem_.points.size();
+    add(std::move(fresh));
+  }
+
+  /// Linkages through nine of the points, where the search has not met all of them.
+  void add_exact() {
+    const bool met = !pool_.empty() && pool_.front().cost < kMet;
+    if (met || !has_exact_starts(problem_) || deadline_.reached()) return;
+    std::vector<PathFound> fresh;
+    for (const PathStart& start : exact_starts(problem_, exploration_.run, deadline_)) {
+      fresh.push_back(placed(problem_, start));
+      fresh.back().minimum.from_exact = true;
+    }
+    add(std::move(fresh));
+  }
+
+  void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
-    fit_.tolerance = 1e-10;
+    fit_.tolerance = kExploringTolerance;
     fit(fresh);
     std::ranges::move(fresh, std::back_inserter(pool_));
     sort_and_merge(pool_, costs_less, kSameFit);

@@ -45,6 +45,7 @@ void sort_and_merge(std::vector<PathFound>& all,
       distinct.push_back(std::move(found));
     } else {
       known->hits += found.hits;
+      known->minimum.from_exact = known->minimum.from_exact || found.minimum.from_exact;
     }
   }
   all = std::move(distinct);

@@ -27,11 +27,12 @@ constexpr double kMetExactly = 1e-20;
 class Designs {
  public:
   /// `size`: of the path, in the file's unit.
-  Designs(const PathProblem& problem, double size, std::string origin)
-      : problem_(problem), exact_below_(kMetExactly * size * size), origin_(std::move(origin)) {}
+  Designs(const PathProblem& problem, double size)
+      : problem_(problem), exact_below_(kMetExactly * size * size) {}
 
   /// Adds the design and its timed cognate, unless they are known.
-  void add(const FourBar& linkage, const std::vector<double>& crank_angles) {
+  void add(const FourBar& linkage, const std::vector<double>& crank_angles, std::string origin) {
+    origin_ = std::move(origin);
     if (!add_one(linkage, crank_angles)) return;
     const auto cognate = timed_cognate(linkage);
     if (!cognate) return;
@@ -107,7 +108,7 @@ class Designs {
 
   const PathProblem& problem_;
   double exact_below_;
-  std::string origin_;
+  std::string origin_;  ///< of the designs that are being added
   std::vector<Design> feasible_, violating_;
 };
 
@@ -131,12 +132,13 @@ Result solve(const PathProblem& problem, const Run& run) {
       search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), run,
                    deadline, result.work);
   const bool ended_early = deadline.reached();
-  Designs designs(problem, scale.size, search_origin(solver));
+  Designs designs(problem, scale.size);
   for (const PathMinimum& minimum : found.minima) {
     const PathModel model = model_of(scaled, minimum);
     std::vector<double> angles = model.crank_angles(minimum.solution.x);
     for (double& angle : angles) angle = in_one_turn(angle);
-    designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles);
+    designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles,
+                search_origin(solver, minimum.from_exact ? "exact:nine-point" : "search"));
   }
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();

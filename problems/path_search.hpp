@@ -21,6 +21,7 @@ struct PathMinimum {
   /// turn.
   std::optional<RequiredClass> confined_to;
   synthesis::Solution solution;
+  bool from_exact = false;  ///< its start came from exact synthesis through nine of the points
 };
 
 /// The model of which `minimum` is a minimum.
