@@ -6,6 +6,7 @@
 
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
+#include "problems/conflict.hpp"
 #include "problems/deadline.hpp"
 #include "problems/function_designs.hpp"
 #include "problems/function_exact.hpp"
@@ -65,6 +66,14 @@ Result solve(const FunctionProblem& problem, const Run& run) {
   const bool exact = problem.objective == FunctionObjective::exact;
   Result result =
       exact ? solve_exactly(problem, deadline) : solve_by_search(problem, run, deadline);
+  if (!exact) {
+    Run silent = run;
+    silent.progress = nullptr;
+    const auto solve_once = [&](const FunctionProblem& other) {
+      return solve_by_search(other, silent, deadline);
+    };
+    tell_conflict(problem, deadline, solve_once, result);
+  }
   result.work.skipped = {"velocities", "accelerations", "forces"};
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
   result.work.threads = exact ? 1 : thread_count(run.threads);

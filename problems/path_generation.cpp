@@ -7,6 +7,7 @@
 #include "analysis/cognates.hpp"
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
+#include "problems/conflict.hpp"
 #include "problems/crank_sense.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
@@ -118,15 +119,10 @@ Status status(const Deadline& deadline, bool ended_early, const Designs& designs
   return designs.any_feasible() ? Status::solved : Status::infeasible;
 }
 
-}  // namespace
-
-Result solve(const PathProblem& problem, const Run& run) {
-  if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
-  const Deadline deadline(run);
+Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
   const PathScale scale(problem);
   const PathProblem scaled = scale.into(problem);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
-
   Result result;
   const PathSearchResult found =
       search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), run,
@@ -150,6 +146,20 @@ Result solve(const PathProblem& problem, const Run& run) {
         "No four-bar was found that closes at every target point; wider bounds or more starts may "
         "help.");
   }
+  return result;
+}
+
+}  // namespace
+
+Result solve(const PathProblem& problem, const Run& run) {
+  if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
+  const Deadline deadline(run);
+  Result result = solve_by_search(problem, run, deadline);
+  Run silent = run;
+  silent.progress = nullptr;
+  tell_conflict(
+      problem, deadline,
+      [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   result.work.skipped = {"velocities", "accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

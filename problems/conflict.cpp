@@ -1,0 +1,252 @@
+#include "problems/conflict.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "problems/degrees.hpp"
+
+namespace cognate::problems {
+namespace {
+
+struct Limits {
+  Constraints constraints;
+  Bounds bounds;
+};
+
+/// A constraint that can give way: by a share of the way from its limits (0) to none (1), or not by
+/// degrees, but altogether.
+struct Relaxation {
+  std::string key;
+  std::function<void(Limits&, double share)> relax;
+  std::function<std::string(const Limits&)>
+      limits;  ///< as the file would say them; empty: given up
+};
+
+/// From `value` out to `away`, which may be infinite.
+double moved(double value, double away, double share) {
+  if (share >= 1) return away;
+  if (std::isfinite(away)) return value + share * (away - value);
+  const double reach = share / (1 - share);
+  return value + std::copysign(std::max(std::abs(value), 1e-3) * reach, away);
+}
+
+Range widened(const Range& range, const Range& most, double share) {
+  return {moved(range.min, most.min, share), moved(range.max, most.max, share)};
+}
+
+std::string text(const Range& range) {
+  return fmt::format("[{:.4g}, {:.4g}]", range.min, range.max);
+}
+
+Relaxation switched(std::string key, bool Constraints::*flag) {
+  return {std::move(key),
+          [flag](Limits& limits, double share) {
+            if (share > 0) limits.constraints.*flag = false;
+          },
+          nullptr};
+}
+
+Relaxation of_length(std::string key, std::optional<Range> Bounds::*bound) {
+  constexpr Range kAnyLength{0, std::numeric_limits<double>::infinity()};
+  return {std::move(key),
+          [bound, kAnyLength](Limits& limits, double share) {
+            auto& range = limits.bounds.*bound;
+            range = widened(*range, kAnyLength, share);
+          },
+          [bound](const Limits& limits) { return text(*(limits.bounds.*bound)); }};
+}
+
+/// A rectangle grows about its middle.
+Box grown(const Box& box, double share) {
+  const double reach = share < 1 ? share / (1 - share) : std::numeric_limits<double>::infinity();
+  const auto grow = [&](double& low, double& high) {
+    const double by = reach * std::max(high - low, 1e-3);
+    low -= by;
+    high += by;
+  };
+  Box all = box;
+  grow(all.min.x, all.max.x);
+  grow(all.min.y, all.max.y);
+  return all;
+}
+
+std::string text(const Box& box) {
+  return fmt::format("[[{:.4g}, {:.4g}], [{:.4g}, {:.4g}]]", box.min.x, box.min.y, box.max.x,
+                     box.max.y);
+}
+
+Relaxation of_box(std::string key, std::optional<Box> Bounds::*bound) {
+  return {std::move(key),
+          [bound](Limits& limits, double share) {
+            auto& box = limits.bounds.*bound;
+            box = grown(*box, share);
+          },
+          [bound](const Limits& limits) { return text(*(limits.bounds.*bound)); }};
+}
+
+void add_constraints(const Constraints& constraints, std::vector<Relaxation>& all) {
+  if (constraints.required_class) {
+    all.push_back({"class",
+                   [](Limits& limits, double share) {
+                     if (share > 0) limits.constraints.required_class.reset();
+                   },
+                   nullptr});
+  }
+  if (constraints.transmission_angle) {
+    all.push_back({"transmission_angle_deg",
+                   [](Limits& limits, double share) {
+                     auto& range = limits.constraints.transmission_angle;
+                     range = widened(*range, {0, std::numbers::pi}, share);
+                   },
+                   [](const Limits& limits) {
+                     const Range& range = *limits.constraints.transmission_angle;
+                     return text(Range{degrees(range.min), degrees(range.max)});
+                   }});
+  }
+  if (constraints.link_ratio_max) {
+    all.push_back({"link_ratio_max",
+                   [](Limits& limits, double share) {
+                     auto& ratio = limits.constraints.link_ratio_max;
+                     if (share < 1) {
+                       ratio = *ratio / (1 - share);
+                     } else {
+                       ratio.reset();
+                     }
+                   },
+                   [](const Limits& limits) {
+                     return fmt::format("{:.4g}", *limits.constraints.link_ratio_max);
+                   }});
+  }
+  if (constraints.pivot_region) {
+    all.push_back({"pivot_region",
+                   [](Limits& limits, double share) {
+                     auto& region = limits.constraints.pivot_region;
+                     region = grown(*region, share);
+                   },
+                   [](const Limits& limits) { return text(*limits.constraints.pivot_region); }});
+  }
+  if (constraints.no_circuit_defect) {
+    all.push_back(switched("no_circuit_defect", &Constraints::no_circuit_defect));
+  }
+  if (constraints.no_branch_defect) {
+    all.push_back(switched("no_branch_defect", &Constraints::no_branch_defect));
+  }
+  if (constraints.no_order_defect) {
+    all.push_back(switched("no_order_defect", &Constraints::no_order_defect));
+  }
+}
+
+void add_bounds(const Bounds& bounds, std::vector<Relaxation>& all) {
+  const std::pair<const char*, std::optional<Range> Bounds::*> lengths[] = {
+      {"bounds.crank", &Bounds::crank},
+      {"bounds.coupler", &Bounds::coupler},
+      {"bounds.rocker", &Bounds::rocker},
+      {"bounds.frame", &Bounds::frame}};
+  for (const auto& [key, bound] : lengths) {
+    if (bounds.*bound) all.push_back(of_length(key, bound));
+  }
+  const std::pair<const char*, std::optional<Box> Bounds::*> boxes[] = {
+      {"bounds.pivot_a", &Bounds::pivot_a},
+      {"bounds.pivot_d", &Bounds::pivot_d},
+      {"bounds.coupler_point", &Bounds::coupler_point}};
+  for (const auto& [key, bound] : boxes) {
+    if (bounds.*bound) all.push_back(of_box(key, bound));
+  }
+}
+
+class Conflict {
+ public:
+  Conflict(const Limits& given, const Feasibility& feasible, const Deadline& deadline)
+      : given_(given), feasible_(feasible), deadline_(deadline) {
+    add_constraints(given.constraints, all_);
+    add_bounds(given.bounds, all_);
+  }
+
+  std::vector<std::string> explain() {
+    std::vector<std::string> ways;
+    for (const Relaxation& one : all_) {
+      if (!is_enough({&one}, 1)) continue;
+      ways.push_back(way({&one}));
+    }
+    if (deadline_.reached()) return {};
+    if (!ways.empty()) {
+      return {
+          fmt::format("No design meets all constraints at once. Any one of these changes makes "
+                      "a design possible, by as little as was found: {}.",
+                      fmt::join(ways, "; "))};
+    }
+    const auto together = fewest();
+    if (deadline_.reached() || together.empty()) return {};
+    return {
+        fmt::format("No design meets all constraints at once, and none alone stands in the way. "
+                    "These changes together make a design possible, by as little as was found: "
+                    "{}.",
+                    way(together))};
+  }
+
+ private:
+  using Some = std::vector<const Relaxation*>;
+
+  Limits relaxed(const Some& some, double share) const {
+    Limits limits = given_;
+    for (const Relaxation* one : some) one->relax(limits, share);
+    return limits;
+  }
+
+  bool is_enough(const Some& some, double share) const {
+    if (deadline_.reached()) return false;
+    const Limits limits = relaxed(some, share);
+    return feasible_(limits.constraints, limits.bounds);
+  }
+
+  /// What is left of all relaxations when those that are not needed are taken back, one by one.
+  Some fewest() const {
+    Some needed;
+    for (const Relaxation& one : all_) needed.push_back(&one);
+    if (all_.empty() || !is_enough(needed, 1)) return {};
+    for (const Relaxation& one : all_) {
+      Some without = needed;
+      std::erase(without, &one);
+      if (is_enough(without, 1)) needed = without;
+    }
+    return needed;
+  }
+
+  /// The least share that is enough, and what the constraints say then.
+  std::string way(const Some& some) const {
+    const bool by_degrees = std::ranges::any_of(some, [](auto* one) { return bool(one->limits); });
+    double low = 0, high = 1;
+    for (int i = 0; by_degrees && i < 7; ++i) {
+      const double middle = 0.5 * (low + high);
+      (is_enough(some, middle) ? high : low) = middle;
+    }
+    const Limits limits = relaxed(some, high);
+    std::vector<std::string> changes;
+    for (const Relaxation* one : some) {
+      const bool limited = one->limits && high < 1;
+      changes.push_back(limited ? fmt::format("{} = {}", one->key, one->limits(limits))
+                                : fmt::format("{} given up", one->key));
+    }
+    return fmt::format("{}", fmt::join(changes, " and "));
+  }
+
+  const Limits& given_;
+  const Feasibility& feasible_;
+  const Deadline& deadline_;
+  std::vector<Relaxation> all_;
+};
+
+}  // namespace
+
+std::vector<std::string> explain_conflict(const Constraints& constraints, const Bounds& bounds,
+                                          const Feasibility& feasible, const Deadline& deadline) {
+  const Limits given{constraints, bounds};
+  return Conflict(given, feasible, deadline).explain();
+}
+
+}  // namespace cognate::problems
