@@ -111,6 +111,7 @@ constexpr Entry kConstraints[] = {
      "\"grashof\" or \"non-grashof\""},
     {"transmission_angle_deg", "[min, max] over the motion"},
     {"link_ratio_max", "longest over shortest link"},
+    {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
     {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
     {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"}};
 

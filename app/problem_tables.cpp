@@ -51,6 +51,7 @@ ordered_json constraints_table(const problems::Constraints& given) {
   if (given.required_class) table["class"] = to_string(*given.required_class);
   set_deg(table, "transmission_angle_deg", given.transmission_angle);
   set(table, "link_ratio_max", given.link_ratio_max);
+  set_json(table, "time_ratio", given.time_ratio);
   set_json(table, "pivot_region", given.pivot_region);
   table["no_branch_defect"] = given.no_branch_defect;
   table["no_order_defect"] = given.no_order_defect;

@@ -122,6 +122,14 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                      return fmt::format("{:.4g}", *limits.constraints.link_ratio_max);
                    }});
   }
+  if (constraints.time_ratio) {
+    all.push_back({"time_ratio",
+                   [](Limits& limits, double share) {
+                     auto& range = limits.constraints.time_ratio;
+                     range = widened(*range, {1, std::numeric_limits<double>::infinity()}, share);
+                   },
+                   [](const Limits& limits) { return text(*limits.constraints.time_ratio); }});
+  }
   if (constraints.pivot_region) {
     all.push_back({"pivot_region",
                    [](Limits& limits, double share) {

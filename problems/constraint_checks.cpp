@@ -85,6 +85,13 @@ class Checks {
     add("link_ratio_max", ratio, limit, ratio <= limit * (1 + kCheckTolerance));
   }
 
+  void check_time_ratio(const Range& limits, const std::optional<double>& ratio) {
+    if (!ratio) return add("time_ratio", std::string("none"), limits, false);
+    add("time_ratio", *ratio, limits,
+        *ratio >= limits.min * (1 - kCheckTolerance) &&
+            *ratio <= limits.max * (1 + kCheckTolerance));
+  }
+
   void check_pivot_region(const Box& region) {
     box("pivot_region.pivot_a", "x", "y", linkage_.pivot_a, region);
     box("pivot_region.pivot_d", "x", "y", linkage_.pivot_d, region);
@@ -213,6 +220,9 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
     checks.check_transmission(*constraints.transmission_angle, metrics);
   }
   if (constraints.link_ratio_max) checks.check_link_ratio(*constraints.link_ratio_max);
+  if (constraints.time_ratio) {
+    checks.check_time_ratio(*constraints.time_ratio, metrics.time_ratio);
+  }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
   if (constraints.no_branch_defect) {
     checks.check_defect("no_branch_defect", Defect::branch, metrics);

@@ -3,55 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace cognate::problems {
 namespace {
 
 using synthesis::LinkLimit;
 using L = Lengths<double>;
-constexpr std::array<double L::*, 4> kLinksOfAFourBar{&L::crank, &L::coupler, &L::rocker,
-                                                      &L::frame};
 
 /// Solvers keep this much inside the class, in units of `scale`, so that rounding does not take a
 /// design out of it again.
 constexpr double kClassMargin = 1e-11;
 
-double linear(const L& weights, const L& links) {
-  double sum = 0;
-  for (const auto link : kLinksOfAFourBar) sum += weights.*link * links.*link;
-  return sum;
-}
+struct Operations {
+  static double larger(double a, double b) { return std::max(a, b); }
+  static double smaller(double a, double b) { return std::min(a, b); }
+  static double root(double a) { return std::sqrt(a); }
+  static double is_equal(double a, double b) { return a == b ? 1 : 0; }
+};
 
 /// weights · lengths ≥ margin.
 LinkLimit half_space(const std::array<double, 4>& weights, double margin) {
   LinkLimit limit{LinkLimit::Kind::linear, {}, 0, margin};
   std::ranges::copy(weights, limit.weights);
   return limit;
-}
-
-/// Weights with which shortest + longest − the other two is a sum over the lengths.
-L excess_weights(const L& links) {
-  auto order = kLinksOfAFourBar;
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return links.*a < links.*b; });
-  L weights{-1, -1, -1, -1};
-  weights.*order.front() = 1;
-  weights.*order.back() = 1;
-  return weights;
-}
-
-/// cos μ where the diagonal B–D is |l₄ + turn·l₁|, and its gradient.
-double transmission_cosine(const L& l, double turn, L& gradient) {
-  const double diagonal = l.frame + turn * l.crank;
-  const double cosine = (l.coupler * l.coupler + l.rocker * l.rocker - diagonal * diagonal) /
-                        (2 * l.coupler * l.rocker);
-  const double by_frame = -diagonal / (l.coupler * l.rocker);
-  gradient = {turn * by_frame, 1 / l.rocker - cosine / l.coupler, 1 / l.coupler - cosine / l.rocker,
-              by_frame};
-  return cosine;
-}
-
-L negative(const L& g) {
-  return {-g.crank, -g.coupler, -g.rocker, -g.frame};
 }
 
 }  // namespace
@@ -67,6 +42,8 @@ LinkageConstraints::LinkageConstraints(const Constraints& constraints, double sc
     limits_.push_back({LinkLimit::Kind::transmission_max, {}, std::cos(angle.max), 0});
   }
   if (constraints.link_ratio_max) add_link_ratio(*constraints.link_ratio_max, scale);
+  const bool is_crank_rocker = constraints.required_class == RequiredClass::crank_rocker;
+  if (constraints.time_ratio && is_crank_rocker) add_time_ratio(*constraints.time_ratio);
 }
 
 void LinkageConstraints::add_shortest(int shortest, double scale) {
@@ -112,29 +89,24 @@ void LinkageConstraints::add_link_ratio(double ratio, double scale) {
   }
 }
 
+void LinkageConstraints::add_time_ratio(const Range& ratio) {
+  // K = (π + δ)/(π − δ).
+  const auto cosine = [](double k) { return std::cos(std::numbers::pi * (k - 1) / (k + 1)); };
+  if (ratio.min > 1) {
+    limits_.push_back({LinkLimit::Kind::time_ratio_min, {}, cosine(ratio.min), 0});
+  }
+  if (std::isfinite(ratio.max)) {
+    limits_.push_back({LinkLimit::Kind::time_ratio_max, {}, cosine(ratio.max), 0});
+  }
+}
+
 void LinkageConstraints::evaluate(const L& links, std::span<double> values,
                                   std::span<L> gradient) const {
+  const double lengths[4] = {links.crank, links.coupler, links.rocker, links.frame};
   for (std::size_t i = 0; i < limits_.size(); ++i) {
-    const LinkLimit& limit = limits_[i];
-    L slope{limit.weights[0], limit.weights[1], limit.weights[2], limit.weights[3]};
-    switch (limit.kind) {
-      case LinkLimit::Kind::linear:
-        values[i] = linear(slope, links) - limit.margin;
-        break;
-      case LinkLimit::Kind::grashof_excess:
-        slope = excess_weights(links);
-        for (const auto link : kLinksOfAFourBar) slope.*link *= limit.weights[0];
-        values[i] = linear(slope, links);
-        break;
-      case LinkLimit::Kind::transmission_min:
-        values[i] = limit.limit_cosine - transmission_cosine(links, -1, slope);
-        slope = negative(slope);
-        break;
-      case LinkLimit::Kind::transmission_max:
-        values[i] = transmission_cosine(links, +1, slope) - limit.limit_cosine;
-        break;
-    }
-    if (!gradient.empty()) gradient[i] = slope;
+    const auto at = synthesis::evaluate(limits_[i], lengths, Operations{});
+    values[i] = at.value;
+    if (!gradient.empty()) gradient[i] = {at.slope[0], at.slope[1], at.slope[2], at.slope[3]};
   }
 }
 

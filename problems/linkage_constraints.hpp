@@ -10,7 +10,8 @@
 
 namespace cognate::problems {
 
-/// Class, transmission angle over the full turn and largest link ratio, as functions c(l) ≥ 0.
+/// Class, transmission angle over the full turn, largest link ratio and time ratio, as functions
+/// c(l) ≥ 0.
 ///
 /// Class: with s the link that must be the shortest, s + k ≤ sum of the other two for each other
 /// link k. These three half spaces imply that s is the shortest, and together are Grashof's
@@ -36,6 +37,7 @@ class LinkageConstraints {
   void add_shortest(int shortest, double scale);
   void add_class(RequiredClass required, double scale);
   void add_link_ratio(double ratio, double scale);
+  void add_time_ratio(const Range& ratio);
 
   std::vector<synthesis::LinkLimit> limits_;
   bool limits_transmission_ = false;

@@ -49,6 +49,7 @@ struct Constraints {
   std::optional<RequiredClass> required_class;
   std::optional<Range> transmission_angle;
   std::optional<double> link_ratio_max;
+  std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
   std::optional<Box> pivot_region;
   bool no_branch_defect = true;
   bool no_order_defect = true;

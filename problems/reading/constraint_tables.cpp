@@ -55,11 +55,21 @@ void read_link_ratio(TableReader& table, const LengthLimits& limits, Constraints
   }
 }
 
+// The limits of a crank-rocker's stroke are what a time ratio is about.
+void read_time_ratio(TableReader& table, Constraints& constraints) {
+  constexpr std::string_view kKey = "time_ratio";
+  constraints.time_ratio = table.range(kKey, kRatio);
+  if (constraints.time_ratio && constraints.required_class != RequiredClass::crank_rocker) {
+    table.fault(kKey, "is that of a crank-rocker; class = \"crank-rocker\" is wanted besides");
+  }
+}
+
 // What of `constraints` Ceres cannot honour, as a key; empty where it can.
 std::string_view beyond_bounds(const Constraints& constraints) {
   if (constraints.required_class) return "constraints.class";
   if (constraints.transmission_angle) return "constraints.transmission_angle_deg";
   if (constraints.link_ratio_max) return "constraints.link_ratio_max";
+  if (constraints.time_ratio) return "constraints.time_ratio";
   if (constraints.pivot_region) return "constraints.pivot_region";
   return {};
 }
@@ -87,6 +97,7 @@ void read_link_constraints(TableReader& table, const LengthLimits& limits,
   read_class(table, limits, constraints);
   read_transmission_angle(table, constraints);
   read_link_ratio(table, limits, constraints);
+  read_time_ratio(table, constraints);
   constraints.no_branch_defect = table.boolean("no_branch_defect").value_or(true);
   constraints.no_order_defect = table.boolean("no_order_defect").value_or(true);
   constraints.no_circuit_defect = table.boolean("no_circuit_defect").value_or(true);

@@ -64,13 +64,13 @@ class FunctionLanes {
     const HalfClosure<Real> closure(links, +1);
     for (int j = 0; j < task_.targets.samples; ++j) add_sample(j, links, closure, equations);
     for (int i = 0; i < task_.limit_count; ++i) {
-      Real slope[4], row[4];
-      const Real value = evaluate(task_.limits[i], here_.length, slope);
-      const Real weight = violated(value);
+      const LinkFunction<Real> at = evaluate(task_.limits[i], here_.length);
+      const Real weight = violated(at.value);
+      Real row[4];
       for (int k = 0; k < lengths_; ++k) {
-        row[k] = weight * slope[task_.unknown[k]] * here_.length[task_.unknown[k]];
+        row[k] = weight * at.slope[task_.unknown[k]] * here_.length[task_.unknown[k]];
       }
-      equations.add(weight * value, row, lengths_);
+      equations.add(weight * at.value, row, lengths_);
     }
   }
 
@@ -104,8 +104,7 @@ class FunctionLanes {
       sum = sum + beyond * beyond;
     }
     for (int i = 0; i < task_.limit_count; ++i) {
-      Real slope[4];
-      const Real value = evaluate(task_.limits[i], next_.length, slope);
+      const Real value = evaluate(task_.limits[i], next_.length).value;
       const Real missing = violated(value) * value;
       sum = sum + missing * missing;
     }

@@ -130,9 +130,8 @@ class PathLanes {
       const Place at(linkage, crank_half(j, next_, halves), assembly_);
       sum = sum + squared_norm(Real(task_.root_weight[j]) * (linkage.to_target(j) + at.arm));
     }
-    Real slope[4];
     for (int i = 0; i < task_.limit_count; ++i) {
-      sum = sum + squared_penalty(evaluate(task_.limits[i], next_.value, slope));
+      sum = sum + squared_penalty(evaluate(task_.limits[i], next_.value).value);
     }
     if (task_.boxed) {
       const Direction pivot = other_pivot(next_);
@@ -154,7 +153,7 @@ class PathLanes {
 
  private:
   struct State {
-    Real value[8];  ///< of the unknowns that are no angles
+    Real value[8];  ///< of the unknowns that are no angles; the first four are the lengths
     Direction frame, half_phase;
   };
 
@@ -276,11 +275,11 @@ class PathLanes {
   }
 
   void add_limit(const LinkLimit& limit, NormalEquations& equations) const {
-    Real slope[4], row[4];
-    const Real value = evaluate(limit, here_.value, slope);
-    const Real weight = choose(value < Real(0.0), Real(task_.penalty), Real(0.0));
-    for (int i = 0; i < lengths_; ++i) row[i] = weight * slope[task_.unknown[i]];
-    equations.add(weight * value, row, lengths_);
+    const LinkFunction<Real> at = evaluate(limit, here_.value);
+    const Real weight = choose(at.value < Real(0.0), Real(task_.penalty), Real(0.0));
+    Real row[4];
+    for (int i = 0; i < lengths_; ++i) row[i] = weight * at.slope[task_.unknown[i]];
+    equations.add(weight * at.value, row, lengths_);
   }
 
   Vec2<Real> other_pivot(const State& state) const {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "analysis/mobility.hpp"
 #include "analysis/motion.hpp"
 
 namespace cognate::problems {
@@ -102,6 +103,47 @@ TEST(LinkageConstraints, GradientsAgreeWithCentralDifferences) {
           EXPECT_NEAR(gradient[k].*link, slope, 1e-6 * (1 + std::abs(slope)));
         }
       }
+    }
+  }
+}
+
+/// The ratio by the kernel, which knows the limit positions.
+TEST(LinkageConstraints, TimeRatioLimitsAreThoseOfTheMovingLinkage) {
+  const Range limits{1.1, 1.4};
+  const LinkageConstraints constraints(
+      {.required_class = RequiredClass::crank_rocker, .time_ratio = limits}, 1.0);
+  std::mt19937_64 random(5);
+  int within = 0, seen = 0;
+  while (seen < 3000) {
+    const L links = random_links(random);
+    if (!is_crank_rocker(links)) continue;
+    ++seen;
+    const double ratio = time_ratio(links).value();
+    EXPECT_EQ(all_met(constraints, links), ratio >= limits.min && ratio <= limits.max) << ratio;
+    within += ratio >= limits.min && ratio <= limits.max;
+  }
+  EXPECT_GT(within, 300);
+}
+
+TEST(LinkageConstraints, TimeRatioSlopesAreThoseOfDifferences) {
+  const LinkageConstraints constraints(
+      {.required_class = RequiredClass::crank_rocker, .time_ratio = Range{1.1, 1.4}}, 1.0);
+  const L links{0.3, 0.9, 0.7, 0.8};
+  const auto values = [&](const L& at) {
+    std::vector<double> c(constraints.count());
+    constraints.evaluate(at, c, {});
+    return c;
+  };
+  std::vector<double> c(constraints.count());
+  std::vector<L> slopes(c.size());
+  constraints.evaluate(links, c, slopes);
+  for (const auto link : {&L::crank, &L::coupler, &L::rocker, &L::frame}) {
+    const double h = 1e-6;
+    L left = links, right = links;
+    left.*link -= h;
+    right.*link += h;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      EXPECT_NEAR(slopes[i].*link, (values(right)[i] - values(left)[i]) / (2 * h), 1e-8);
     }
   }
 }
