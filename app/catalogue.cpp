@@ -155,8 +155,24 @@ std::string_view meaning(problems::SolverChoice solver) {
       return "Levenberg-Marquardt (Ceres): least squares within bounds only";
     case problems::SolverChoice::slsqp:
       return "sequential quadratic programming (NLopt)";
+    case problems::SolverChoice::mma:
+      return "method of moving asymptotes (NLopt)";
+    case problems::SolverChoice::ccsaq:
+      return "conservative separable quadratic models (NLopt)";
     case problems::SolverChoice::cobyla:
       return "linear models without derivatives (NLopt)";
+    case problems::SolverChoice::bobyqa:
+      return "quadratic models without derivatives (NLopt)";
+    case problems::SolverChoice::ags:
+      return "global: intervals on a space-filling curve, ten unknowns at most (NLopt)";
+    case problems::SolverChoice::isres:
+      return "global: evolution strategy with stochastic ranking (NLopt)";
+    case problems::SolverChoice::crs:
+      return "global: controlled random search (NLopt)";
+    case problems::SolverChoice::mlsl:
+      return "global: multi-level single linkage of local searches (NLopt)";
+    case problems::SolverChoice::direct:
+      return "global: dividing rectangles (NLopt)";
     case problems::SolverChoice::ipopt:
       return "interior point (Ipopt)";
   }

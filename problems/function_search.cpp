@@ -129,7 +129,8 @@ void Search::refine(Refined& design, const FunctionSamples& wanted, Objective ob
             {.tolerance = confined_.plain.solve.tolerance.value_or(kDefaultTolerance),
              .max_iterations = iterations,
              .time_limit = deadline_.remaining(),
-             .interrupted = deadline_.flag()});
+             .interrupted = deadline_.flag(),
+             .seed = run_.seed});
   design.evaluations += solution.evaluations;
   design.gradients += solution.gradients;
   design.iterations += static_cast<std::uint64_t>(solution.iterations);

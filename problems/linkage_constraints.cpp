@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "problems/transmission_hessian.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -124,6 +126,18 @@ void LinkageConstraints::evaluate(const L& links, std::span<double> values,
         break;
     }
     if (!gradient.empty()) gradient[i] = slope;
+  }
+}
+
+void LinkageConstraints::add_hessian(const L& links, std::span<const double> weights,
+                                     std::span<double, 16> out) const {
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    const bool least = terms_[i].kind == Kind::transmission_min;
+    if (!least && terms_[i].kind != Kind::transmission_max) continue;  // linear
+    // d = |l₄ ∓ l₁| where cos θ = ±1.
+    const auto hessian = transmission_hessian(links, least ? 1 : -1, 0);
+    const double weight = least ? -weights[i] : weights[i];
+    for (std::size_t j = 0; j < 16; ++j) out[j] += weight * hessian[j / 4][j % 4];
   }
 }
 

@@ -30,6 +30,10 @@ class LinkageConstraints {
   void evaluate(const Lengths<double>& links, std::span<double> values,
                 std::span<Lengths<double>> gradient) const;
 
+  /// Σ weightsₖ ∇²cₖ by the lengths, 4 × 4 row-major, added to `out`.
+  void add_hessian(const Lengths<double>& links, std::span<const double> weights,
+                   std::span<double, 16> out) const;
+
  private:
   enum class Kind { linear, grashof_excess, transmission_min, transmission_max };
   struct Term {

@@ -56,7 +56,22 @@ struct Constraints {
 };
 
 /// `solve.solver`.
-enum class SolverChoice { automatic, gauss_newton, ceres, slsqp, cobyla, ipopt };
+enum class SolverChoice {
+  automatic,
+  gauss_newton,
+  ceres,
+  slsqp,
+  mma,
+  ccsaq,
+  cobyla,
+  bobyqa,
+  ags,
+  isres,
+  crs,
+  mlsl,
+  direct,
+  ipopt
+};
 
 /// `[solve]`.
 struct Solve {

@@ -22,7 +22,11 @@ constexpr Named<RequiredClass> kRequiredClasses[] = {
 constexpr Named<SolverChoice> kSolvers[] = {
     {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
     {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
-    {"cobyla", SolverChoice::cobyla},  {"ipopt", SolverChoice::ipopt}};
+    {"mma", SolverChoice::mma},        {"ccsaq", SolverChoice::ccsaq},
+    {"cobyla", SolverChoice::cobyla},  {"bobyqa", SolverChoice::bobyqa},
+    {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
+    {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
+    {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
 constexpr Named<Timing> kTimings[] = {{"free", Timing::free}, {"prescribed", Timing::prescribed}};
 constexpr Named<CrankReference> kCrankReferences[] = {{"first", CrankReference::first},
                                                       {"frame", CrankReference::frame},

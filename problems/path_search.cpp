@@ -68,12 +68,14 @@ bool close(const PathMinimum& a, const PathMinimum& b) {
   return true;
 }
 
-synthesis::Options options(const Deadline& deadline, int iterations, double tolerance) {
+synthesis::Options options(const Deadline& deadline, int iterations, double tolerance,
+                           std::uint64_t seed) {
   return {.tolerance = tolerance,
           .feasibility = kFeasibility,
           .max_iterations = iterations,
           .time_limit = deadline.remaining(),
-          .interrupted = deadline.flag()};
+          .interrupted = deadline.flag(),
+          .seed = seed};
 }
 
 std::optional<RequiredClass> confinement(const PathProblem& problem, const FourBar& start) {
@@ -98,7 +100,7 @@ Found explore(const PathProblem& problem, const PathStarts& starts, std::mt19937
   const PathModel model = model_of(problem, found.minimum);
   found.minimum.solution = solve(synthesis::Backend::gauss_newton, model,
                                  model.variables_of(start->linkage, start->crank_angles),
-                                 options(deadline, kExploringIterations, 1e-10));
+                                 options(deadline, kExploringIterations, 1e-10, 0));
   found.add_work_of(found.minimum.solution);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
   return found;
@@ -213,7 +215,7 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
   if (all_.size() > most) all_.resize(most);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_));
+    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_, run_.seed));
     if (thread == 0 && run_.progress) run_.progress(share, best_);
   });
   count(all_, problem.points.size(), work_);

@@ -67,7 +67,7 @@ std::string_view beyond_bounds(const Constraints& constraints) {
 void check_solver(TableReader& table, SolverChoice solver, const Constraints& constraints,
                   bool minimax) {
   if (solver != SolverChoice::ceres) return;
-  constexpr std::string_view kOthers = "\"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted";
+  constexpr std::string_view kOthers = "every other solver can";
   if (minimax) {
     table.fault("solver", fmt::format("is \"ceres\", which minimises sums of squares, but the "
                                       "objective is \"minimax\"; {}",
