@@ -17,6 +17,10 @@ constexpr Entry kSolveOptions[] = {
     {"designs",
      "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
      "many: to 10000, by default all"},
+    {"loss",
+     "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
+     "that gross errors in the target do not govern"},
+    {"loss_scale", "with a loss: the error from which it differs, in the target's unit"},
     {"tolerance", "relative change of the error at which a refinement stops"}};
 
 constexpr Metric kMetrics[] = {

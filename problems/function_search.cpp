@@ -124,13 +124,14 @@ void Search::refine(Refined& design, const FunctionSamples& wanted, Objective ob
                             design.limited,
                             backend == Backend::ceres ? Closing::unguarded : Closing::guarded);
   if (!synthesis::can_solve(backend, model)) return;
-  const Solution solution =
-      solve(backend, model, model.variables_of(design.generator),
-            {.tolerance = confined_.plain.solve.tolerance.value_or(kDefaultTolerance),
-             .max_iterations = iterations,
-             .time_limit = deadline_.remaining(),
-             .interrupted = deadline_.flag(),
-             .seed = run_.seed});
+  const Solve& asked = confined_.plain.solve;
+  const Solution solution = solve_by_loss(
+      backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(design.generator),
+      {.tolerance = confined_.plain.solve.tolerance.value_or(kDefaultTolerance),
+       .max_iterations = iterations,
+       .time_limit = deadline_.remaining(),
+       .interrupted = deadline_.flag(),
+       .seed = run_.seed});
   design.evaluations += solution.evaluations;
   design.gradients += solution.gradients;
   design.iterations += static_cast<std::uint64_t>(solution.iterations);

@@ -90,6 +90,13 @@ std::optional<RequiredClass> confinement(const PathProblem& problem, const FourB
   return constraints.required_class;
 }
 
+/// By the loss that the problem asks for, a point's two residuals being one error.
+Solution minimise(const PathProblem& problem, const PathModel& model, synthesis::Backend backend,
+                  std::span<const double> start, const synthesis::Options& options) {
+  const Solve& asked = problem.solve;
+  return solve_by_loss(backend, model, asked.loss, asked.loss_scale, 2, start, options);
+}
+
 Found explore(const PathProblem& problem, const PathStarts& starts, std::mt19937_64 random,
               const Deadline& deadline) {
   Found found;
@@ -98,9 +105,9 @@ Found explore(const PathProblem& problem, const PathStarts& starts, std::mt19937
   found.minimum = {
       start->linkage.assembly, start->clockwise, confinement(problem, start->linkage), {}};
   const PathModel model = model_of(problem, found.minimum);
-  found.minimum.solution = solve(synthesis::Backend::gauss_newton, model,
-                                 model.variables_of(start->linkage, start->crank_angles),
-                                 options(deadline, kExploringIterations, 1e-10, 0));
+  found.minimum.solution = minimise(problem, model, synthesis::Backend::gauss_newton,
+                                    model.variables_of(start->linkage, start->crank_angles),
+                                    options(deadline, kExploringIterations, 1e-10, 0));
   found.add_work_of(found.minimum.solution);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
   return found;
@@ -122,7 +129,7 @@ void refine(const PathProblem& problem, Found& found, synthesis::Backend backend
             const synthesis::Options& options) {
   const PathModel model = model_of(problem, found.minimum);
   PathMinimum refined = found.minimum;
-  refined.solution = solve(backend, model, found.minimum.solution.x, options);
+  refined.solution = minimise(problem, model, backend, found.minimum.solution.x, options);
   found.add_work_of(refined.solution);
   if (refined.solution.stop != synthesis::Stop::no_value && !better(found.minimum, refined)) {
     found.minimum = std::move(refined);

@@ -169,6 +169,7 @@ PathProblem read_path_problem(TableReader& document) {
   read_pivot_region(constraints, problem.given, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
+  read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknowns(solve, problem);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
