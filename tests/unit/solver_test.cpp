@@ -296,6 +296,19 @@ TEST(Ipopt, GivesMultipliersOfMinimax) {
   EXPECT_NEAR(solution.multipliers[0], 0.5 + 0.5 / 4, 1e-6);
 }
 
+/// Of problem 42: ∇f = (2, 0, 2(x₃ − 3), 2(x₄ − 4)) is λ₁ (1, 0, 0, 0) + λ₂ (0, 0, 2x₃, 2x₄) with
+/// λ₁ = 2 and λ₂ = 1 − 3/x₃.
+TEST(Multipliers, OfEqualitiesHaveTheirSign) {
+  const Problem hs42 = equality_problems()[2];
+  ASSERT_EQ(hs42.name, "hs42");
+  for (const Backend backend : {Backend::ipopt, Backend::gauss_newton}) {
+    const Solution solution = solve(backend, hs42.model, hs42.starts.front());
+    ASSERT_EQ(solution.multipliers.size(), 2u);
+    EXPECT_NEAR(solution.multipliers[0], 2, 1e-5);
+    EXPECT_NEAR(solution.multipliers[1], 1 - 5 / std::sqrt(2.0), 1e-5);
+  }
+}
+
 /// From the solution with its multipliers; without, the multipliers have to be found again.
 TEST(Ipopt, StartsWarm) {
   for (const Problem& problem : constrained_problems()) {
