@@ -9,11 +9,11 @@ foreach(room IN ITEMS analysis synthesis problems)
   install(TARGETS cognate_${room} EXPORT cognate)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cognate
           FILES_MATCHING PATTERN "*.hpp" PATTERN library EXCLUDE
-          # What only the kernels of an instruction set may include, and what needs Boost.
+          # What only the kernels of an instruction set may include, and what needs Boost or NLopt.
           REGEX "batch/(lanes|roots|evaluate)\\.hpp$" EXCLUDE
           REGEX "nine_point/(numbers|eliminate|lane_equations|taylor|lane_state|inspector)\\.hpp$"
           EXCLUDE
-          REGEX "(mechanism/zeros|coupler_curve/traced_curve)\\.hpp$" EXCLUDE)
+          REGEX "(mechanism/zeros|coupler_curve/traced_curve|optimise/nlopt_run)\\.hpp$" EXCLUDE)
 endforeach()
 if(TARGET cognate)
   install(TARGETS cognate)

@@ -17,6 +17,10 @@ constexpr Entry kSolveOptions[] = {
     {"designs",
      "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
      "many: to 10000, by default all"},
+    {"loss",
+     "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
+     "that gross errors in the target do not govern"},
+    {"loss_scale", "with a loss: the error from which it differs, in the target's unit"},
     {"tolerance", "relative change of the error at which a refinement stops"}};
 
 constexpr Metric kMetrics[] = {
@@ -159,8 +163,24 @@ std::string_view meaning(problems::SolverChoice solver) {
       return "Levenberg-Marquardt (Ceres): least squares within bounds only";
     case problems::SolverChoice::slsqp:
       return "sequential quadratic programming (NLopt)";
+    case problems::SolverChoice::mma:
+      return "method of moving asymptotes (NLopt)";
+    case problems::SolverChoice::ccsaq:
+      return "conservative separable quadratic models (NLopt)";
     case problems::SolverChoice::cobyla:
       return "linear models without derivatives (NLopt)";
+    case problems::SolverChoice::bobyqa:
+      return "quadratic models without derivatives (NLopt)";
+    case problems::SolverChoice::ags:
+      return "global: intervals on a space-filling curve, ten unknowns at most (NLopt)";
+    case problems::SolverChoice::isres:
+      return "global: evolution strategy with stochastic ranking (NLopt)";
+    case problems::SolverChoice::crs:
+      return "global: controlled random search (NLopt)";
+    case problems::SolverChoice::mlsl:
+      return "global: multi-level single linkage of local searches (NLopt)";
+    case problems::SolverChoice::direct:
+      return "global: dividing rectangles (NLopt)";
     case problems::SolverChoice::ipopt:
       return "interior point (Ipopt)";
   }

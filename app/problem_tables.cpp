@@ -63,6 +63,10 @@ ordered_json solve_table(const problems::Solve& given) {
   ordered_json table = {{"solver", to_string(given.solver)}};
   if (given.starts) table["starts"] = *given.starts;
   table["designs"] = given.designs;
+  if (given.loss != synthesis::Loss::none) {
+    table["loss"] = to_string(given.loss);
+    table["loss_scale"] = given.loss_scale;
+  }
   set(table, "tolerance", given.tolerance);
   return table;
 }

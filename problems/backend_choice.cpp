@@ -13,8 +13,24 @@ Backend backend_of(SolverChoice choice) {
       return Backend::ceres;
     case SolverChoice::slsqp:
       return Backend::slsqp;
+    case SolverChoice::mma:
+      return Backend::mma;
+    case SolverChoice::ccsaq:
+      return Backend::ccsaq;
     case SolverChoice::cobyla:
       return Backend::cobyla;
+    case SolverChoice::bobyqa:
+      return Backend::bobyqa;
+    case SolverChoice::ags:
+      return Backend::ags;
+    case SolverChoice::isres:
+      return Backend::isres;
+    case SolverChoice::crs:
+      return Backend::crs;
+    case SolverChoice::mlsl:
+      return Backend::mlsl;
+    case SolverChoice::direct:
+      return Backend::direct;
     case SolverChoice::ipopt:
       return Backend::ipopt;
   }

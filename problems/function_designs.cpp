@@ -104,13 +104,15 @@ Design function_design(const FunctionProblem& problem, const FunctionSamples& wa
   return design;
 }
 
-std::vector<Design> best_designs(std::vector<Design> designs, FunctionObjective objective,
-                                 int count) {
+std::vector<Design> best_designs(std::vector<Design> designs,
+                                 std::optional<FunctionObjective> objective, int count) {
   const auto sound = [](const Design& design) { return all_satisfied(design.constraints); };
   if (std::any_of(designs.begin(), designs.end(), sound)) {
     std::erase_if(designs, [&](const Design& design) { return !sound(design); });
-    std::ranges::stable_sort(designs, {},
-                             [&](const Design& design) { return ranked_error(design, objective); });
+    if (objective) {
+      std::ranges::stable_sort(
+          designs, {}, [&](const Design& design) { return ranked_error(design, *objective); });
+    }
   } else {
     std::ranges::stable_sort(designs, {},
                              [](const Design& design) { return violation(design.constraints); });

@@ -41,8 +41,8 @@ std::optional<double> largest_error(FunctionGenerator generator,
                                     const std::vector<CrankPosition>& positions);
 
 /// The at most `count` best of `designs`, equal ones merged: those that satisfy every constraint,
-/// or if there are none the rest, by `objective`.
-std::vector<Design> best_designs(std::vector<Design> designs, FunctionObjective objective,
-                                 int count);
+/// or if there are none the rest, by `objective`; sound ones without an objective in their order.
+std::vector<Design> best_designs(std::vector<Design> designs,
+                                 std::optional<FunctionObjective> objective, int count);
 
 }  // namespace cognate::problems

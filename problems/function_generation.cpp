@@ -49,7 +49,11 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
                                     origin(from, finisher_of(problem)));
     if (std::isfinite(design.error.sum_of_squares)) designs.push_back(std::move(design));
   }
-  result.designs = best_designs(std::move(designs), problem.objective, problem.solve.designs);
+  // By a loss the search knows which is best; the design's own error is that of least squares.
+  const bool by_loss = problem.solve.loss != synthesis::Loss::none;
+  result.designs =
+      best_designs(std::move(designs), by_loss ? std::nullopt : std::optional(problem.objective),
+                   problem.solve.designs);
   result.status = status(result, deadline, ended_early);
   if (result.status == Status::no_solution) {
     result.notes.push_back(

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "problems/dead_centre.hpp"
+#include "problems/extreme_crank_angle.hpp"
 #include "problems/length_ranges.hpp"
 
 namespace cognate::problems {
@@ -19,20 +20,6 @@ constexpr double kPi = std::numbers::pi;
 
 Vec2d unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
-}
-
-/// Whether `sweep`, turned by `start`, passes `angle`.
-bool passes(const Range& sweep, double start, double angle) {
-  const double turns = std::ceil((sweep.min + start - angle) / (2 * kPi));
-  return angle + 2 * kPi * turns <= sweep.max + start;
-}
-
-/// The crank angle within the sweep where its cosine is greatest (`sense` 1) or least (−1).
-double extreme_crank_angle(const Range& sweep, double start, double sense) {
-  const double at_frame = sense > 0 ? 0 : kPi;
-  if (passes(sweep, start, at_frame)) return at_frame;
-  const double low = sweep.min + start, high = sweep.max + start;
-  return sense * std::cos(low) > sense * std::cos(high) ? low : high;
 }
 
 double typical_length(const std::array<Range, 4>& ranges) {
@@ -204,8 +191,9 @@ void FunctionModel::sweep_constraints(const FunctionGenerator& g, std::span<doub
   for (int i = 0; i < 2; ++i) {
     const double sense = i == 0 ? 1 : -1;  // the least μ goes with the greatest cosine of θ
     const double limit = std::cos(i == 0 ? transmission_.min : transmission_.max);
-    const double theta = full_turn ? (i == 0 ? 0 : kPi)
-                                   : extreme_crank_angle(wanted_.sweep, placed.input_start, sense);
+    const double theta = full_turn
+                             ? (i == 0 ? 0 : kPi)
+                             : extreme_crank_angle(wanted_.sweep, placed.input_start, sense).angle;
     const double c = std::cos(theta), s = std::sin(theta);
     const double diagonal = l1 * l1 + l4 * l4 - 2 * l1 * l4 * c;
     const double cosine = (l2 * l2 + l3 * l3 - diagonal) / (2 * l2 * l3);

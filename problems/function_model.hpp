@@ -44,6 +44,11 @@ class FunctionModel final : public synthesis::Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
+  /// Not with a start at a dead centre.
+  bool has_hessian() const override { return problem_.start == FunctionStart::free; }
+  bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
+                          std::span<const double> of_constraints,
+                          std::span<double> out) const override;
 
   /// The model as the fit in SIMD lanes takes it, without limits on the start angles. Only where
   /// these do not follow from the lengths.
@@ -53,6 +58,7 @@ class FunctionModel final : public synthesis::Model {
   FunctionGenerator generator(std::span<const double> x) const;
 
  private:
+  struct Curvature;
   using Slopes = std::array<double, kDimensions>;
 
   void list_variables();
@@ -60,6 +66,8 @@ class FunctionModel final : public synthesis::Model {
                  Lengths<double>& output_slope) const;
   void sweep_constraints(const FunctionGenerator& generator, std::span<double, 2> values,
                          std::span<Slopes, 2> slopes) const;
+  void add_sweep_curvature(const FunctionGenerator& g, std::span<const double> weights,
+                           Curvature& out) const;
   void write_row(const Slopes& slopes, std::span<double> row) const;
 
   const FunctionProblem& problem_;

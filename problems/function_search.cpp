@@ -127,12 +127,14 @@ void Search::refine(Refined& design, const FunctionSamples& wanted, Objective ob
                             design.limited,
                             backend == Backend::ceres ? Closing::unguarded : Closing::guarded);
   if (!synthesis::can_solve(backend, model)) return;
-  const Solution solution =
-      solve(backend, model, model.variables_of(design.generator),
-            {.tolerance = confined_.plain.solve.tolerance.value_or(kDefaultTolerance),
-             .max_iterations = iterations,
-             .time_limit = deadline_.remaining(),
-             .interrupted = deadline_.flag()});
+  const Solve& asked = confined_.plain.solve;
+  const Solution solution = solve_by_loss(
+      backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(design.generator),
+      {.tolerance = confined_.plain.solve.tolerance.value_or(kDefaultTolerance),
+       .max_iterations = iterations,
+       .time_limit = deadline_.remaining(),
+       .interrupted = deadline_.flag(),
+       .seed = run_.seed});
   design.evaluations += solution.evaluations;
   design.gradients += solution.gradients;
   design.iterations += static_cast<std::uint64_t>(solution.iterations);
@@ -158,10 +160,11 @@ void Search::refine_all(std::vector<Refined>& all, Objective objective, Backend 
   });
 }
 
-/// Brings all starts near their minima: in SIMD lanes, where start angles do not follow from the
-/// lengths. Those of one problem are fitted together.
+/// Brings all starts near their minima: in SIMD lanes, unless start angles follow from the lengths
+/// or errors count by a loss. Those of one problem are fitted together.
 void Search::explore(std::vector<Refined>& all) const {
-  if (confined_.plain.start != FunctionStart::free) {
+  const bool plain = confined_.plain.solve.loss == synthesis::Loss::none;
+  if (!plain || confined_.plain.start != FunctionStart::free) {
     refine_all(all, Objective::sum_of_squares, Backend::gauss_newton, kSearchIterations,
                {0.1, 0.5});
     return;

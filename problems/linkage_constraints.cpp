@@ -1,5 +1,7 @@
 #include "problems/linkage_constraints.hpp"
 
+#include <ceres/jet.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,11 +17,15 @@ using L = Lengths<double>;
 /// design out of it again.
 constexpr double kClassMargin = 1e-11;
 
+template <class T>
 struct Operations {
-  static double larger(double a, double b) { return std::max(a, b); }
-  static double smaller(double a, double b) { return std::min(a, b); }
-  static double root(double a) { return std::sqrt(a); }
-  static double is_equal(double a, double b) { return a == b ? 1 : 0; }
+  static T larger(const T& a, const T& b) { return a < b ? b : a; }
+  static T smaller(const T& a, const T& b) { return b < a ? b : a; }
+  static T root(const T& a) {
+    using std::sqrt;
+    return sqrt(a);
+  }
+  static T is_equal(const T& a, const T& b) { return a == b ? T(1) : T(0); }
 };
 
 /// weights · lengths ≥ margin.
@@ -104,9 +110,22 @@ void LinkageConstraints::evaluate(const L& links, std::span<double> values,
                                   std::span<L> gradient) const {
   const double lengths[4] = {links.crank, links.coupler, links.rocker, links.frame};
   for (std::size_t i = 0; i < limits_.size(); ++i) {
-    const auto at = synthesis::evaluate(limits_[i], lengths, Operations{});
+    const auto at = synthesis::evaluate(limits_[i], lengths, Operations<double>{});
     values[i] = at.value;
     if (!gradient.empty()) gradient[i] = {at.slope[0], at.slope[1], at.slope[2], at.slope[3]};
+  }
+}
+
+void LinkageConstraints::add_hessian(const L& links, std::span<const double> weights,
+                                     std::span<double, 16> out) const {
+  using Jet = ceres::Jet<double, 4>;
+  const Jet lengths[4] = {
+      {links.crank, 0}, {links.coupler, 1}, {links.rocker, 2}, {links.frame, 3}};
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const LinkLimit::Kind kind = limits_[i].kind;
+    if (kind == LinkLimit::Kind::linear || kind == LinkLimit::Kind::grashof_excess) continue;
+    const auto at = synthesis::evaluate(limits_[i], lengths, Operations<Jet>{});
+    for (int j = 0; j < 16; ++j) out[j] += weights[i] * at.slope[j / 4].v[j % 4];
   }
 }
 

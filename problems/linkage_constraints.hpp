@@ -33,6 +33,10 @@ class LinkageConstraints {
   void evaluate(const Lengths<double>& links, std::span<double> values,
                 std::span<Lengths<double>> gradient) const;
 
+  /// Σ weightsₖ ∇²cₖ by the lengths, 4 × 4 row-major, added to `out`.
+  void add_hessian(const Lengths<double>& links, std::span<const double> weights,
+                   std::span<double, 16> out) const;
+
  private:
   void add_shortest(int shortest, double scale);
   void add_class(RequiredClass required, double scale);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "analysis/four_bar.hpp"
+#include "synthesis/optimise/loss.hpp"
 
 namespace cognate::problems {
 
@@ -57,13 +58,30 @@ struct Constraints {
 };
 
 /// `solve.solver`.
-enum class SolverChoice { automatic, gauss_newton, ceres, slsqp, cobyla, ipopt };
+enum class SolverChoice {
+  automatic,
+  gauss_newton,
+  ceres,
+  slsqp,
+  mma,
+  ccsaq,
+  cobyla,
+  bobyqa,
+  ags,
+  isres,
+  crs,
+  mlsl,
+  direct,
+  ipopt
+};
 
 /// `[solve]`.
 struct Solve {
   SolverChoice solver = SolverChoice::automatic;
-  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
-  int designs = 3;                  ///< how many different designs to return, 1…100
+  std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;            ///< how many different designs to return, 1…100
+  synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
+  double loss_scale = 1;            ///< the error from which the loss differs, in the target's unit
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
 };
 

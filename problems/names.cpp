@@ -22,7 +22,11 @@ constexpr Named<RequiredClass> kRequiredClasses[] = {
 constexpr Named<SolverChoice> kSolvers[] = {
     {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
     {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
-    {"cobyla", SolverChoice::cobyla},  {"ipopt", SolverChoice::ipopt}};
+    {"mma", SolverChoice::mma},        {"ccsaq", SolverChoice::ccsaq},
+    {"cobyla", SolverChoice::cobyla},  {"bobyqa", SolverChoice::bobyqa},
+    {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
+    {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
+    {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
 constexpr Named<Timing> kTimings[] = {{"free", Timing::free}, {"prescribed", Timing::prescribed}};
 constexpr Named<CrankReference> kCrankReferences[] = {{"first", CrankReference::first},
                                                       {"frame", CrankReference::frame},
@@ -76,6 +80,10 @@ constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
 constexpr Named<Defect> kDefects[] = {
     {"circuit", Defect::circuit}, {"branch", Defect::branch}, {"order", Defect::order}};
 
+constexpr Named<synthesis::Loss> kLosses[] = {
+    {"none", synthesis::Loss::none},       {"huber", synthesis::Loss::huber},
+    {"soft-l1", synthesis::Loss::soft_l1}, {"cauchy", synthesis::Loss::cauchy},
+    {"arctan", synthesis::Loss::arctan},   {"tukey", synthesis::Loss::tukey}};
 constexpr Named<synthesis::DyadKind> kDyadKinds[] = {{"RR", synthesis::DyadKind::rr},
                                                      {"PR", synthesis::DyadKind::pr},
                                                      {"RP", synthesis::DyadKind::rp}};
@@ -174,6 +182,11 @@ std::span<const Named<Status>> names<Status>() {
 template <>
 std::span<const Named<Defect>> names<Defect>() {
   return kDefects;
+}
+
+template <>
+std::span<const Named<synthesis::Loss>> names<synthesis::Loss>() {
+  return kLosses;
 }
 
 template <>

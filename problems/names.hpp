@@ -64,6 +64,8 @@ std::span<const Named<Status>> names<Status>();
 template <>
 std::span<const Named<Defect>> names<Defect>();
 template <>
+std::span<const Named<synthesis::Loss>> names<synthesis::Loss>();
+template <>
 std::span<const Named<synthesis::DyadKind>> names<synthesis::DyadKind>();
 
 /// How `value` is written, e.g. "crank-rocker"; empty for a number that is no value of the enum.

@@ -191,8 +191,30 @@ class Explorer {
   }
 
   void fit(std::span<PathFound> some) {
-    fit_in_lanes(problem_, some, fit_);
+    if (problem_.solve.loss == synthesis::Loss::none) {
+      fit_in_lanes(problem_, some, fit_);
+    } else {
+      fit_by_loss(some);
+    }
     count_work(some, problem_.points.size(), work_);
+  }
+
+  /// One by one: the lanes know no loss.
+  void fit_by_loss(std::span<PathFound> some) {
+    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
+      PathFound& found = some[index];
+      if (!found.valid || deadline_.reached()) return;
+      Solution& solution = found.minimum.solution;
+      solution = minimise(problem_, found, synthesis::Backend::gauss_newton,
+                          {.tolerance = fit_.tolerance,
+                           .feasibility = kPathFeasibility,
+                           .max_iterations = fit_.most_iterations,
+                           .time_limit = deadline_.remaining(),
+                           .interrupted = deadline_.flag()});
+      const double missing = fit_.penalty * solution.violation;
+      found.cost = solution.objective + missing * missing;
+      found.valid = solution.stop != synthesis::Stop::no_value;
+    });
   }
 
   bool knows_enough() const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "synthesis/optimise/loss.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -49,6 +51,18 @@ void sort_and_merge(std::vector<PathFound>& all,
     }
   }
   all = std::move(distinct);
+}
+
+synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
+                             synthesis::Backend backend, const synthesis::Options& options) {
+  const PathModel model = model_of(problem, found.minimum);
+  const Solve& asked = problem.solve;
+  synthesis::Solution solution = solve_by_loss(backend, model, asked.loss, asked.loss_scale, 2,
+                                               found.minimum.solution.x, options);
+  found.evaluations += solution.evaluations;
+  found.gradients += solution.gradients;
+  found.iterations += static_cast<std::uint64_t>(solution.iterations);
+  return solution;
 }
 
 void count_work(std::span<PathFound> all, std::size_t points, Work& work) {

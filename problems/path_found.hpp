@@ -36,6 +36,11 @@ void sort_and_merge(std::vector<PathFound>& all,
                     const std::function<bool(const PathFound&, const PathFound&)>& before,
                     double tolerance);
 
+/// Goes on from the point of `found`, by the loss that the problem asks for (a point's two
+/// residuals being one error), and counts the work.
+synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
+                             synthesis::Backend backend, const synthesis::Options& options);
+
 /// Moves the work of all into `work`.
 void count_work(std::span<PathFound> all, std::size_t points, Work& work);
 

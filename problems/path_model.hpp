@@ -50,6 +50,10 @@ class PathModel final : public synthesis::Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
+  bool has_hessian() const override { return true; }
+  bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
+                          std::span<const double> of_constraints,
+                          std::span<double> out) const override;
 
   /// The variables that stand for `linkage` with its first point (or each point, with free timing)
   /// at the crank angles given, from the x axis.
@@ -67,6 +71,7 @@ class PathModel final : public synthesis::Model {
   std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis
 
  private:
+  struct PointCurvature;
   using Full = std::array<double, dimensions>;
 
   bool timed() const { return problem_.timing == Timing::prescribed; }
@@ -77,6 +82,7 @@ class PathModel final : public synthesis::Model {
   Full full(std::span<const double> x) const;
   double timing_offset(const Full& v) const;
   int pivot_limits() const;
+  Vec2d pivot_pull(std::span<const double> of_constraints) const;
 
   PathProblem problem_;
   double assembly_;

@@ -47,6 +47,7 @@ PathProblem PathScale::into(PathProblem problem) const {
   if (given.pivot_a) given.pivot_a = move(*given.pivot_a);
   if (given.pivot_d) given.pivot_d = move(*given.pivot_d);
   if (given.coupler_point) given.coupler_point = (1 / size) * *given.coupler_point;
+  problem.solve.loss_scale /= size;
   Bounds& bounds = problem.bounds;
   for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
     shrink(*range, size);

@@ -24,12 +24,14 @@ constexpr std::size_t kFinished = 2;
 /// Minima are one up to what an unfinished refinement leaves open.
 constexpr double kSameMinimum = 1e-6;
 
-synthesis::Options options(const Deadline& deadline, int iterations, double tolerance) {
+synthesis::Options options(const Deadline& deadline, int iterations, double tolerance,
+                           std::uint64_t seed) {
   return {.tolerance = tolerance,
           .feasibility = kPathFeasibility,
           .max_iterations = iterations,
           .time_limit = deadline.remaining(),
-          .interrupted = deadline.flag()};
+          .interrupted = deadline.flag(),
+          .seed = seed};
 }
 
 /// From the kept points to all: the same linkage, its crank angles interpolated. Its objective is
@@ -46,16 +48,10 @@ void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFoun
 /// Goes on from `found` and keeps what is reached unless it is worse.
 void refine(const PathProblem& problem, PathFound& found, synthesis::Backend backend,
             const synthesis::Options& options) {
-  const PathModel model = model_of(problem, found.minimum);
   PathFound refined = found;
-  Solution& solution = refined.minimum.solution;
-  solution = solve(backend, model, found.minimum.solution.x, options);
-  refined.evaluations += solution.evaluations;
-  refined.gradients += solution.gradients;
-  refined.iterations += static_cast<std::uint64_t>(solution.iterations);
-  if (solution.stop == synthesis::Stop::no_value || is_better(found, refined)) {
-    refined.minimum = found.minimum;
-  }
+  refined.minimum.solution = minimise(problem, refined, backend, options);
+  const bool lost = refined.minimum.solution.stop == synthesis::Stop::no_value;
+  if (lost || is_better(found, refined)) refined.minimum = found.minimum;
   found = std::move(refined);
 }
 
@@ -114,7 +110,7 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
   if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_));
+    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_, run_.seed));
     if (thread == 0 && run_.progress) run_.progress(share, best_);
   });
   count_work(all_, problem.points.size(), work_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "problems/names.hpp"
 #include "problems/reading/linkage_tables.hpp"
 
 namespace cognate::problems::reading {
@@ -77,7 +78,7 @@ std::string_view beyond_bounds(const Constraints& constraints) {
 void check_solver(TableReader& table, SolverChoice solver, const Constraints& constraints,
                   bool minimax) {
   if (solver != SolverChoice::ceres) return;
-  constexpr std::string_view kOthers = "\"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted";
+  constexpr std::string_view kOthers = "every other solver can";
   if (minimax) {
     table.fault("solver", fmt::format("is \"ceres\", which minimises sums of squares, but the "
                                       "objective is \"minimax\"; {}",
@@ -126,6 +127,31 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
   solve.tolerance = table.number("tolerance", kTolerance);
   check_solver(table, solve.solver, constraints, minimax);
   return solve;
+}
+
+void read_loss(TableReader& table, std::string_view other, Solve& solve) {
+  constexpr std::string_view kLoss = "loss", kScale = "loss_scale";
+  solve.loss = table.choice<synthesis::Loss>(kLoss).value_or(solve.loss);
+  const auto scale = table.number(kScale, kErrorScale);
+  solve.loss_scale = scale.value_or(solve.loss_scale);
+  for (const std::string_view key : {kLoss, kScale}) {
+    if (other.empty() || !table.has(key)) continue;
+    table.fault(key, fmt::format("is given with {}, but a loss belongs to least squares; leave "
+                                 "it out",
+                                 other));
+  }
+  if (!other.empty()) return;
+  const bool robust = solve.loss != synthesis::Loss::none;
+  if (robust && !table.has(kScale)) {
+    table.fault(kLoss,
+                fmt::format("is \"{}\" without a scale; loss_scale is wanted, the error from "
+                            "which it differs from least squares, in the target's unit",
+                            to_string(solve.loss)));
+  }
+  if (!robust && scale && !table.has(kLoss)) {
+    table.fault(kScale,
+                "is given without a loss; add loss = \"huber\" or another, or leave it out");
+  }
 }
 
 }  // namespace cognate::problems::reading

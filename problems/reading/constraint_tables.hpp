@@ -1,6 +1,8 @@
 /// @file `[constraints]` and `[solve]`.
 #pragma once
 
+#include <string_view>
+
 #include "problems/problem.hpp"
 #include "problems/reading/class_feasibility.hpp"
 #include "problems/reading/table_reader.hpp"
@@ -21,5 +23,9 @@ inline constexpr int kMostSearchedDesigns = 100;
 /// `[solve]`, without the keys that it shares with `[target]`. `minimax`: the objective asked for.
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
+
+/// `solve.loss` and `solve.loss_scale`. `other`: what the file asks for instead of least squares,
+/// to which no loss belongs, e.g. `objective = "minimax"`; empty where it asks for those.
+void read_loss(TableReader& table, std::string_view other, Solve& solve);
 
 }  // namespace cognate::problems::reading

@@ -188,6 +188,19 @@ void read_slider_tables(TableReader& mechanism, TableReader& bounds, TableReader
 }
 
 // Level peaks need a precision point for each thing that is free.
+/// What the file asks for, where that is not least squares.
+std::string_view beside_least_squares(FunctionObjective objective) {
+  switch (objective) {
+    case FunctionObjective::exact:
+      return "precision points";
+    case FunctionObjective::minimax:
+      return "objective = \"minimax\"";
+    case FunctionObjective::least_squares:
+      break;
+  }
+  return {};
+}
+
 void check_spacing(TableReader& table, const FunctionProblem& problem) {
   constexpr std::string_view kKey = "spacing";
   const bool level = problem.spacing == PointSpacing::equal_peaks;
@@ -235,6 +248,7 @@ FunctionProblem read_function_problem(TableReader& document) {
   read_best_by(solve, problem);
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);
+  read_loss(solve, beside_least_squares(problem.objective), problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

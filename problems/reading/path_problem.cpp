@@ -118,6 +118,29 @@ void read_positions(TableReader& target, PathProblem& problem) {
   }
 }
 
+/// Dimensions that the file leaves open, and with free timing a crank angle for each point.
+int unknown_count(const PathProblem& problem) {
+  const Given& given = problem.given;
+  const bool both_pivots = given.pivot_a && given.pivot_d;
+  const int lengths = !given.crank + !given.coupler + !given.rocker + !(given.frame || both_pivots);
+  const int places = (given.coupler_point ? 0 : 2) + (given.pivot_a || given.pivot_d ? 0 : 2) +
+                     !(given.frame_angle || both_pivots);
+  if (problem.timing == Timing::free) {
+    return lengths + places + static_cast<int>(problem.points.size());
+  }
+  return lengths + places + (problem.crank_reference == CrankReference::first);
+}
+
+void check_unknowns(TableReader& solve, const PathProblem& problem) {
+  constexpr int kMostOfAgs = 10;
+  const int count = unknown_count(problem);
+  if (problem.solve.solver != SolverChoice::ags || count <= kMostOfAgs) return;
+  solve.fault("solver", fmt::format("is \"ags\", which takes {} unknowns at most, and there are {} "
+                                    "(with free timing a crank angle for each point); every other "
+                                    "solver can",
+                                    kMostOfAgs, count));
+}
+
 }  // namespace
 
 PathProblem read_path_problem(TableReader& document) {
@@ -146,6 +169,8 @@ PathProblem read_path_problem(TableReader& document) {
   read_pivot_region(constraints, problem.given, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
+  read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
+  if (!exact) check_unknowns(solve, problem);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);

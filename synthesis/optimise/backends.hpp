@@ -12,12 +12,19 @@ struct Outcome {
   Stop stop = Stop::failed;
   int iterations = 0;
   std::vector<double> multipliers;
+  Eigen::VectorXd end;  ///< of a global search: its best point by its own measure
 };
 
 // Each minimises `model`, which has at least one unknown and a value at its start.
 Outcome minimise_with_ceres(DenseModel& model, const Options& options);
-Outcome minimise_with_slsqp(DenseModel& model, const Options& options);
-Outcome minimise_with_cobyla(DenseModel& model, const Options& options);
 Outcome minimise_with_ipopt(DenseModel& model, const Options& options);
+/// slsqp, mma, ccsaq, cobyla or bobyqa: descends from the start.
+Outcome minimise_with_nlopt(Backend backend, DenseModel& model, const Options& options);
+
+/// A global search (ags, isres, crs, mlsl or direct) and descents from the best that it found:
+/// where there are constraints, the best that nearly met them and the best by the search's own
+/// measure. If the start is still better, a descent from there.
+Solution search_globally(Backend backend, const Model& model, std::span<const double> start,
+                         const Options& options);
 
 }  // namespace cognate::synthesis

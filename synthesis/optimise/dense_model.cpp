@@ -1,6 +1,7 @@
 #include "synthesis/optimise/dense_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,8 +16,19 @@ std::span<double> view(Eigen::VectorXd& v) {
 
 }  // namespace
 
+double largest_violation(const Eigen::VectorXd& constraints, int equalities) {
+  double largest = 0;
+  for (Index i = 0; i < constraints.size(); ++i) {
+    largest = std::max(largest, i < equalities ? std::abs(constraints[i]) : -constraints[i]);
+  }
+  return largest;
+}
+
 DenseModel::DenseModel(const Model& model, std::span<const double> start, const Options& options)
-    : model_(model), options_(options), minimax_(model.objective() == Objective::max_abs) {
+    : model_(model),
+      options_(options),
+      minimax_(model.objective() == Objective::max_abs),
+      equalities_(model.equality_count()) {
   const std::span<const Variable> variables = model.variables();
   x_.resize(variables.size());
   for (std::size_t i = 0; i < variables.size(); ++i) {
@@ -109,13 +121,31 @@ void DenseModel::gather_derivatives() {
   valid_ = jacobian_.allFinite() && constraint_jacobian_.allFinite();
 }
 
+bool DenseModel::hessian(const Eigen::VectorXd& of_residuals, const Eigen::VectorXd& of_constraints,
+                         RowMatrix& out) {
+  const auto all = static_cast<Index>(x_.size());
+  hessian_.resize(x_.size() * x_.size());
+  try {
+    const bool known = model_.lagrangian_hessian(
+        x_, {of_residuals.data(), static_cast<std::size_t>(of_residuals.size())},
+        {of_constraints.data(), static_cast<std::size_t>(of_constraints.size())}, hessian_);
+    if (!known) return false;
+  } catch (...) {
+    fault_ = std::current_exception();
+    return false;
+  }
+  const Eigen::Map<const RowMatrix> whole(hessian_.data(), all, all);
+  out = scale_.asDiagonal() * whole(free_, free_) * scale_.asDiagonal();
+  return out.allFinite();
+}
+
 double DenseModel::objective() const {
   if (residuals_.size() == 0) return 0;
   return minimax_ ? residuals_.lpNorm<Eigen::Infinity>() : residuals_.squaredNorm();
 }
 
 double DenseModel::violation() const {
-  return constraints_.size() == 0 ? 0 : std::max(0.0, -constraints_.minCoeff());
+  return largest_violation(constraints_, equalities_);
 }
 
 void DenseModel::remember() {
@@ -136,6 +166,19 @@ void DenseModel::remember() {
   best_ = y_;
   best_objective_ = now;
   best_violation_ = now_violation;
+}
+
+std::vector<double> DenseModel::variables_at(const Eigen::VectorXd& y) {
+  known_ = false;
+  expand({y.data(), static_cast<std::size_t>(y.size())});
+  return x_;
+}
+
+std::optional<Stop> DenseModel::stop_at_start() {
+  if (!evaluate(view(start_), false)) return Stop::no_value;
+  if (const auto stop = must_stop()) return stop;
+  if (size() == 0) return Stop::converged;
+  return std::nullopt;
 }
 
 std::optional<Stop> DenseModel::must_stop() const {

@@ -16,6 +16,9 @@ namespace cognate::synthesis {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// By how much constraints miss: |c| of the first `equalities`, −c of the others; 0 where all hold.
+double largest_violation(const Eigen::VectorXd& constraints, int equalities);
+
 /// One solve of one model. Its unknowns y are the free variables (lower < upper), global and local,
 /// each divided by its scale; local columns are expanded, so that every matrix is dense and every
 /// derivative is with respect to y.
@@ -31,6 +34,7 @@ class DenseModel {
   int size() const { return static_cast<int>(free_.size()); }
   int residual_count() const { return static_cast<int>(residuals_.size()); }
   int constraint_count() const { return static_cast<int>(constraints_.size()); }
+  int equality_count() const { return equalities_; }
   bool minimax() const { return minimax_; }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
@@ -44,6 +48,10 @@ class DenseModel {
   const RowMatrix& jacobian() const { return jacobian_; }
   const Eigen::VectorXd& constraints() const { return constraints_; }
   const RowMatrix& constraint_jacobian() const { return constraint_jacobian_; }
+  bool has_hessian() const { return model_.has_hessian(); }
+  /// The model's `lagrangian_hessian` at the last point by the unknowns; false where there is none.
+  bool hessian(const Eigen::VectorXd& of_residuals, const Eigen::VectorXd& of_constraints,
+               RowMatrix& out);
   /// ‖r‖² or max |r| at the last point.
   double objective() const;
 
@@ -51,6 +59,12 @@ class DenseModel {
   /// violation; the start if there was none.
   const Eigen::VectorXd& best() const { return best_; }
   double best_objective() const { return best_objective_; }
+  /// The model's variables at y.
+  std::vector<double> variables_at(const Eigen::VectorXd& y);
+
+  /// Why there is nothing to solve at the start, if there is not: no value there, a limit reached,
+  /// or no unknowns (which is `converged`).
+  std::optional<Stop> stop_at_start();
 
   /// Why the solver must stop now, if it must: interruption, time, or an exception held back.
   std::optional<Stop> must_stop() const;
@@ -71,6 +85,7 @@ class DenseModel {
   const Model& model_;
   const Options& options_;
   const bool minimax_;
+  const int equalities_;
   const Clock::time_point begin_ = Clock::now();
   std::vector<int> free_;  ///< the model's index of each unknown
   Eigen::VectorXd scale_, lower_, upper_, start_;
@@ -78,6 +93,7 @@ class DenseModel {
   std::vector<double> x_;  ///< all variables of the model, in its own units
   Eigen::VectorXd y_, residuals_, constraints_;
   RowMatrix jacobian_, constraint_jacobian_;
+  std::vector<double> hessian_;  ///< by all variables, as the model gives it
   std::vector<double> global_, local_, constraint_global_;  ///< derivatives as the model gives them
   bool known_ = false, valid_ = false, differentiated_ = false;
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "synthesis/optimise/dense_model.hpp"
 #include "synthesis/optimise/quadratic_program.hpp"
 
 namespace cognate::synthesis {
@@ -13,7 +14,6 @@ using Clock = std::chrono::steady_clock;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 std::span<double> view(VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
@@ -28,13 +28,9 @@ std::span<double> view(RowMatrix& m) {
 /// A point with everything known about it. Residuals are per unit, derivatives per scaled variable.
 struct Point {
   VectorXd x, residuals, constraints;
-  double cost = 0;       ///< ½|r|², or max |r|
-  double violation = 0;  ///< largest max(0, −c)
+  double cost = 0;  ///< ½|r|², or max |r|
+  double violation = 0;
 };
-
-double largest_violation(const VectorXd& constraints) {
-  return constraints.size() == 0 ? 0 : std::max(0.0, -constraints.minCoeff());
-}
 
 class Solver {
  public:
@@ -50,6 +46,7 @@ class Solver {
   bool find_step(double damping);
   void step_locals(double damping);
   double predicted_decrease() const;
+  double penalty(const VectorXd& constraints) const;
   double merit(const Point& point) const;
   double linearised_merit() const;
   void raise_penalties();
@@ -60,7 +57,8 @@ class Solver {
   const Options& options_;
   const Clock::time_point begin_ = Clock::now();
   const bool minimax_;
-  const Index globals_, locals_, rows_, limits_;  ///< limits_: number of the model's constraints
+  const Index globals_, locals_, rows_;
+  const Index limits_, equalities_;  ///< numbers of the model's constraints, of equalities in them
   std::span<const int> local_of_row_;
   VectorXd scale_, lower_, upper_;
 
@@ -84,6 +82,7 @@ Solver::Solver(const Model& model, std::span<const double> start, const Options&
       locals_(model.local_count()),
       rows_(model.residual_count()),
       limits_(model.constraint_count()),
+      equalities_(model.equality_count()),
       local_of_row_(model.local_of_residual()) {
   const auto variables = model.variables();
   const auto n = static_cast<Index>(variables.size());
@@ -109,6 +108,9 @@ Solver::Solver(const Model& model, std::span<const double> start, const Options&
   local_rows_.resize(locals_, globals_);
   local_step_.setZero(locals_);
   penalties_.setZero(limits_);
+  if (std::ssize(options.multipliers) == limits_) {
+    for (Index i = 0; i < limits_; ++i) penalties_[i] = std::abs(options.multipliers[i]);
+  }
   diagonal_.setZero(globals_);
 }
 
@@ -119,7 +121,7 @@ bool Solver::evaluate(Point& point) {
   model_.constraints(view(point.x), view(point.constraints), {});
   point.cost =
       minimax_ ? point.residuals.lpNorm<Eigen::Infinity>() : 0.5 * point.residuals.squaredNorm();
-  point.violation = largest_violation(point.constraints);
+  point.violation = largest_violation(point.constraints, static_cast<int>(equalities_));
   return true;
 }
 
@@ -186,7 +188,8 @@ void Solver::state_constraints(double share) {
   Index row = 0;
   for (Index i = 0; i < limits_; ++i, ++row) {
     qp_matrix_.row(row).head(globals_) = constraint_jacobian_.row(i);
-    qp_offset_[row] = now_.constraints[i] > 0 ? now_.constraints[i] : share * now_.constraints[i];
+    const double c = now_.constraints[i];
+    qp_offset_[row] = c > 0 && i >= equalities_ ? c : share * c;
   }
   for (Index i = 0; i < globals_; ++i) {
     if (std::isfinite(lower_[i])) {
@@ -217,7 +220,7 @@ bool Solver::find_step(double damping) {
   }
   for (const double share : {1.0, 0.5, 0.1, 0.0}) {
     state_constraints(share);
-    const auto status = qp_.solve(hessian_, gradient_, qp_matrix_, qp_offset_);
+    const auto status = qp_.solve(hessian_, gradient_, qp_matrix_, qp_offset_, equalities_);
     if (status == QuadraticProgram::Status::solved) {
       step_ = qp_.x().head(globals_);
       step_locals(damping);
@@ -235,8 +238,15 @@ void Solver::step_locals(double damping) {
   }
 }
 
+/// What the penalties make of constraints that are missed.
+double Solver::penalty(const VectorXd& constraints) const {
+  const Index others = limits_ - equalities_;
+  return penalties_.head(equalities_).dot(constraints.head(equalities_).cwiseAbs()) +
+         penalties_.tail(others).dot((-constraints.tail(others)).cwiseMax(0.0));
+}
+
 double Solver::merit(const Point& point) const {
-  return point.cost + penalties_.dot((-point.constraints).cwiseMax(0.0));
+  return point.cost + penalty(point.constraints);
 }
 
 double Solver::linearised_merit() const {
@@ -246,12 +256,12 @@ double Solver::linearised_merit() const {
   }
   const VectorXd c = now_.constraints + constraint_jacobian_ * step_;
   const double cost = minimax_ ? r.lpNorm<Eigen::Infinity>() : 0.5 * r.squaredNorm();
-  return cost + penalties_.dot((-c).cwiseMax(0.0));
+  return cost + penalty(c);
 }
 
 void Solver::raise_penalties() {
   for (Index i = 0; i < limits_; ++i) {
-    penalties_[i] = std::max(penalties_[i], 2 * qp_.multipliers()[i]);
+    penalties_[i] = std::max(penalties_[i], 2 * std::abs(qp_.multipliers()[i]));
   }
 }
 

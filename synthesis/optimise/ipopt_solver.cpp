@@ -21,14 +21,16 @@ constexpr int kMostRounds = 3;
 /// A program in the words of Ipopt, its matrices dense.
 class Tnlp final : public Ipopt::TNLP {
  public:
-  explicit Tnlp(Program& program) : program_(program) {}
+  /// `multipliers`: of the model's constraints, for a warm start; else empty.
+  Tnlp(Program& program, std::span<const double> multipliers)
+      : program_(program), multipliers_(multipliers) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess,
                     IndexStyleEnum& style) override {
     n = program_.size();
     m = program_.constraint_count();
     nnz_jac = n * m;
-    nnz_hess = 0;  // approximated
+    nnz_hess = n * (n + 1) / 2;  // the lower triangle, unused where it is approximated
     style = TNLP::C_STYLE;
     return true;
   }
@@ -41,12 +43,21 @@ class Tnlp final : public Ipopt::TNLP {
     }
     std::fill_n(c_lower, m, 0.0);
     std::fill_n(c_upper, m, kInfinity);
+    std::fill_n(c_upper, program_.equality_count(), 0.0);
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* z, bool, Number*, Number*, Index, bool,
-                          Number*) override {
+  bool get_starting_point(Index n, bool, Number* z, bool with_bounds, Number* of_lower,
+                          Number* of_upper, Index m, bool with_constraints,
+                          Number* of_constraints) override {
     std::copy_n(program_.start().data(), n, z);
+    if (with_bounds) {
+      std::fill_n(of_lower, n, 0.0);
+      std::fill_n(of_upper, n, 0.0);
+    }
+    for (Index i = 0; with_constraints && i < m; ++i) {
+      of_constraints[i] = -multipliers_[i] / program_.unit();
+    }
     return true;
   }
 
@@ -84,6 +95,26 @@ class Tnlp final : public Ipopt::TNLP {
     return true;
   }
 
+  bool eval_h(Index n, const Number* z, bool, Number of_objective, Index m,
+              const Number* of_constraints, bool, Index, Index* row, Index* column,
+              Number* values) override {
+    if (values != nullptr) {
+      if (!program_.evaluate(view(z, n), true)) return false;
+      if (!program_.hessian(of_objective, view(of_constraints, m), hessian_)) return false;
+    }
+    for (Index i = 0, k = 0; i < n; ++i) {
+      for (Index j = 0; j <= i; ++j, ++k) {
+        if (values != nullptr) {
+          values[k] = hessian_(i, j);
+        } else {
+          row[k] = i;
+          column[k] = j;
+        }
+      }
+    }
+    return true;
+  }
+
   bool intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number, Number, Number, Number,
                              Number, Number, Number, Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -110,6 +141,8 @@ class Tnlp final : public Ipopt::TNLP {
   }
 
   Program& program_;
+  std::span<const double> multipliers_;
+  RowMatrix hessian_;
   std::optional<Stop> limit_;
   Outcome outcome_;
 };
@@ -136,7 +169,7 @@ Outcome Tnlp::outcome(Ipopt::ApplicationReturnStatus status) const {
   return out;
 }
 
-void set_options(Ipopt::OptionsList& list, const Options& options) {
+void set_options(Ipopt::OptionsList& list, const Options& options, bool exact_hessian) {
   list.SetStringValue("sb", "yes");
   list.SetIntegerValue("print_level", 0);
   list.SetIntegerValue("max_iter", options.max_iterations);
@@ -150,9 +183,21 @@ void set_options(Ipopt::OptionsList& list, const Options& options) {
   list.SetNumericValue("acceptable_constr_viol_tol", options.feasibility);
   list.SetNumericValue("acceptable_compl_inf_tol", 1e-10);
   list.SetNumericValue("acceptable_obj_change_tol", options.tolerance);
-  // JᵀJ in place of the Hessian is four times faster on small residuals, and fails where residuals
-  // or multipliers are large (Freudenstein-Roth, Hock-Schittkowski 43).
-  list.SetStringValue("hessian_approximation", "limited-memory");
+  // Where the model has no second derivatives: JᵀJ in place of the Hessian is four times faster on
+  // small residuals, and fails where residuals or multipliers are large (Freudenstein-Roth,
+  // Hock-Schittkowski 43).
+  list.SetStringValue("hessian_approximation", exact_hessian ? "exact" : "limited-memory");
+}
+
+/// The barrier begins small and the start is hardly pushed off its bounds.
+void set_warm_start(Ipopt::OptionsList& list) {
+  list.SetStringValue("warm_start_init_point", "yes");
+  list.SetNumericValue("mu_init", 1e-6);
+  for (const char* name :
+       {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
+        "warm_start_slack_bound_frac", "warm_start_mult_bound_push"}) {
+    list.SetNumericValue(name, 1e-8);
+  }
 }
 
 /// Ipopt with MUMPS holds global state: one solve at a time in a process.
@@ -164,9 +209,10 @@ std::mutex& ipopt_mutex() {
 /// One run from the start of the program.
 Outcome run(Program& program, const Options& options) {
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
-  set_options(*application->Options(), options);
+  set_options(*application->Options(), options, program.model().has_hessian());
+  if (!options.multipliers.empty()) set_warm_start(*application->Options());
   if (application->Initialize("") != Ipopt::Solve_Succeeded) return {};
-  const Ipopt::SmartPtr<Tnlp> tnlp = new Tnlp(program);
+  const Ipopt::SmartPtr<Tnlp> tnlp = new Tnlp(program, options.multipliers);
   const auto status = application->OptimizeTNLP(Ipopt::GetRawPtr(tnlp));
   return tnlp->outcome(status);
 }
@@ -177,6 +223,8 @@ Outcome minimise_with_ipopt(DenseModel& model, const Options& options) {
   const std::lock_guard lock(ipopt_mutex());
   Program program(model);
   Options left = options;
+  const bool warm = !program.epigraph() && std::ssize(left.multipliers) == model.constraint_count();
+  if (!warm) left.multipliers = {};
   Outcome outcome = run(program, left);
   // Ipopt's tolerances are relative to the objective at the start: where the objective has fallen
   // far below that, they are coarse, and another run is made in the new unit. Where nothing is left
@@ -188,6 +236,7 @@ Outcome minimise_with_ipopt(DenseModel& model, const Options& options) {
     const double objective = model.best_objective();
     if (objective > 0.1 * program.unit() || objective <= rounding) break;
     program.restart();
+    left.multipliers = {};
     Outcome polished = run(program, left);
     polished.iterations += outcome.iterations;
     if (polished.stop == Stop::failed) polished.stop = Stop::converged;  // as it was before

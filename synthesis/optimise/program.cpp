@@ -22,9 +22,9 @@ VectorXd with_level(const VectorXd& y, bool epigraph, double level) {
 
 }  // namespace
 
-Program::Program(DenseModel& model)
+Program::Program(DenseModel& model, Minimax form)
     : model_(model),
-      epigraph_(model.minimax()),
+      epigraph_(model.minimax() && form == Minimax::epigraph),
       lower_(with_level(model.lower(), epigraph_, 0)),
       upper_(with_level(model.upper(), epigraph_, std::numeric_limits<double>::infinity())) {
   restart();
@@ -60,6 +60,25 @@ void Program::constraints(std::span<double> out) const {
   const Index rows = model_.residual_count();
   c.tail(rows).array() = level_ + model_.residuals().array() / unit_;
   c.segment(model_.constraint_count(), rows).array() = level_ - model_.residuals().array() / unit_;
+}
+
+bool Program::hessian(double of_objective, std::span<const double> of_constraints, RowMatrix& out) {
+  const Map<const VectorXd> weights(of_constraints.data(), constraint_count());
+  const Index limits = model_.constraint_count(), rows = model_.residual_count();
+  VectorXd of_residuals;
+  if (epigraph_) {
+    of_residuals = (weights.tail(rows) - weights.segment(limits, rows)) / unit_;
+  } else {
+    of_residuals = (2 * of_objective / unit_) * model_.residuals();
+  }
+  RowMatrix curvature;
+  if (!model_.hessian(of_residuals, weights.head(limits), curvature)) return false;
+  out.setZero(size(), size());
+  out.topLeftCorner(model_.size(), model_.size()) = curvature;
+  if (!epigraph_) {
+    out += (2 * of_objective / unit_) * model_.jacobian().transpose() * model_.jacobian();
+  }
+  return true;
 }
 
 void Program::constraint_jacobian(std::span<double> out) const {

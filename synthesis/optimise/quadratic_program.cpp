@@ -81,11 +81,34 @@ void QuadraticProgram::drop_constraint(Index position) {
   }
 }
 
+/// Steps onto the equalities, one after another; false where they contradict each other. One that
+/// follows from those before it is left out.
+bool QuadraticProgram::add_equalities(const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+                                      const Eigen::Ref<const Eigen::VectorXd>& offset,
+                                      Index equalities, double tolerance) {
+  const Index n = x_.size();
+  for (Index i = 0; i < equalities; ++i) {
+    const double slack = matrix.row(i).dot(x_) + offset[i];
+    step_directions(matrix.row(i).transpose());
+    const Index q = active_count_;
+    if (q == n || d_.tail(n - q).norm() <= 1e-12 * d_.norm()) {
+      if (std::abs(slack) > tolerance * (1 + std::abs(offset[i]))) return false;
+      continue;
+    }
+    const double step = -slack / z_.dot(matrix.row(i));
+    x_ += step * z_;
+    u_.head(q) -= step * u_step_.head(q);
+    u_[q] = step;
+    if (!add_constraint(i)) return false;
+  }
+  return true;
+}
+
 QuadraticProgram::Status QuadraticProgram::solve(const Eigen::Ref<const Eigen::MatrixXd>& hessian,
                                                  const Eigen::Ref<const Eigen::VectorXd>& gradient,
                                                  const Eigen::Ref<const Eigen::MatrixXd>& matrix,
                                                  const Eigen::Ref<const Eigen::VectorXd>& offset,
-                                                 double tolerance) {
+                                                 Index equalities, double tolerance) {
   const Index n = gradient.size(), m = offset.size();
   resize(n, m);
   multipliers_.setZero();
@@ -94,11 +117,13 @@ QuadraticProgram::Status QuadraticProgram::solve(const Eigen::Ref<const Eigen::M
   d_.noalias() = j_.transpose() * gradient;
   x_.noalias() = -(j_ * d_);
 
+  if (!add_equalities(matrix, offset, equalities, tolerance)) return Status::infeasible;
+  const Index kept = active_count_;  // equalities are never dropped
   const Index limit = 10 * (n + m) + 20;
   for (Index round = 0; round < limit; ++round) {
     Index worst = -1;
     double least = 0;
-    for (Index i = 0; i < m; ++i) {
+    for (Index i = equalities; i < m; ++i) {
       if ((active_.head(active_count_).array() == i).any()) continue;
       const double slack = matrix.row(i).dot(x_) + offset[i];
       if (slack < -tolerance * (1 + std::abs(offset[i])) && slack < least) {
@@ -116,7 +141,7 @@ QuadraticProgram::Status QuadraticProgram::solve(const Eigen::Ref<const Eigen::M
       step_directions(matrix.row(worst).transpose());
       Index blocking = -1;
       double dual_step = kInfinity;
-      for (Index k = 0; k < active_count_; ++k) {
+      for (Index k = kept; k < active_count_; ++k) {
         if (u_step_[k] > 0 && u_[k] / u_step_[k] < dual_step) {
           dual_step = u_[k] / u_step_[k];
           blocking = k;

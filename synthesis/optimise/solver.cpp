@@ -1,5 +1,6 @@
 #include "synthesis/optimise/solver.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "synthesis/optimise/backends.hpp"
@@ -8,31 +9,24 @@
 namespace cognate::synthesis {
 namespace {
 
+/// A limit of the library (ags::solverMaxDim).
+constexpr int kMostUnknownsOfAgs = 10;
+
 Outcome minimise(Backend backend, DenseModel& model, const Options& options) {
   switch (backend) {
     case Backend::ceres:
       return minimise_with_ceres(model, options);
-    case Backend::slsqp:
-      return minimise_with_slsqp(model, options);
-    case Backend::cobyla:
-      return minimise_with_cobyla(model, options);
     case Backend::ipopt:
       return minimise_with_ipopt(model, options);
-    case Backend::gauss_newton:
-      break;  // has its own way in
+    default:
+      return minimise_with_nlopt(backend, model, options);
   }
-  return {};
 }
 
 Solution solve_dense(Backend backend, const Model& model, std::span<const double> start,
                      const Options& options) {
   DenseModel dense(model, start, options);
-  const Eigen::VectorXd& y = dense.start();
-  if (!dense.evaluate({y.data(), static_cast<std::size_t>(y.size())}, false)) {
-    return dense.finish(Stop::no_value, 0, {});
-  }
-  if (const auto stop = dense.must_stop()) return dense.finish(*stop, 0, {});
-  if (dense.size() == 0) return dense.finish(Stop::converged, 0, {});
+  if (const auto stop = dense.stop_at_start()) return dense.finish(*stop, 0, {});
   Outcome outcome = minimise(backend, dense, options);
   return dense.finish(outcome.stop, outcome.iterations, std::move(outcome.multipliers));
 }
@@ -47,17 +41,50 @@ std::string_view name(Backend backend) {
       return "ceres";
     case Backend::slsqp:
       return "slsqp";
+    case Backend::mma:
+      return "mma";
+    case Backend::ccsaq:
+      return "ccsaq";
     case Backend::cobyla:
       return "cobyla";
+    case Backend::bobyqa:
+      return "bobyqa";
+    case Backend::ags:
+      return "ags";
+    case Backend::isres:
+      return "isres";
+    case Backend::crs:
+      return "crs";
+    case Backend::mlsl:
+      return "mlsl";
+    case Backend::direct:
+      return "direct";
     case Backend::ipopt:
       return "ipopt";
   }
   return "unknown";
 }
 
+bool is_global(Backend backend) {
+  switch (backend) {
+    case Backend::ags:
+    case Backend::isres:
+    case Backend::crs:
+    case Backend::mlsl:
+    case Backend::direct:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool can_solve(Backend backend, const Model& model) {
-  return backend != Backend::ceres ||
-         (model.constraint_count() == 0 && model.objective() == Objective::sum_of_squares);
+  if (backend == Backend::ceres) {
+    return model.constraint_count() == 0 && model.objective() == Objective::sum_of_squares;
+  }
+  if (backend != Backend::ags) return true;
+  const auto free = [](const Variable& variable) { return variable.lower < variable.upper; };
+  return std::ranges::count_if(model.variables(), free) <= kMostUnknownsOfAgs;
 }
 
 Solution solve(Backend backend, const Model& model, std::span<const double> start,
@@ -68,7 +95,8 @@ Solution solve(Backend backend, const Model& model, std::span<const double> star
     refused.stop = Stop::failed;  // even where the start is infeasible: nothing was tried
     return refused;
   }
-  return solve_dense(backend, model, start, options);
+  return is_global(backend) ? search_globally(backend, model, start, options)
+                            : solve_dense(backend, model, start, options);
 }
 
 }  // namespace cognate::synthesis

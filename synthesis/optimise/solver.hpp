@@ -29,6 +29,14 @@ struct Options {
   int max_iterations = 200;
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
   const std::atomic<bool>* interrupted = nullptr;
+  std::uint64_t seed = 0;  ///< of the searches that draw random numbers (isres, crs, mlsl)
+  /// Evaluations that a global search may take before its best point is refined; 0: a thousand for
+  /// each unknown and one thousand more.
+  std::uint64_t search_evaluations = 0;
+  /// A warm start: multipliers of the constraints at the start, as a Solution has them.
+  /// Gauss-Newton sets its penalties by them; Ipopt, on sums of squares, begins near the central
+  /// path's end. The others begin anew.
+  std::span<const double> multipliers = {};
 };
 
 struct Solution {
@@ -37,21 +45,47 @@ struct Solution {
   double violation = 0;  ///< largest max(0, −c) and excess over the bounds, re-evaluated at x
   std::vector<double> multipliers;  ///< of the constraints, where the solver has them
   Stop stop = Stop::failed;
-  int iterations = 0;
+  int iterations = 0;             ///< of a global search: those that refined its best point
   std::uint64_t evaluations = 0;  ///< of the residuals
   std::uint64_t gradients = 0;    ///< of their Jacobian
 };
 
-/// The back ends. Ceres minimises sums of squares within bounds and refuses models with other
-/// constraints or a minimax objective (`can_solve` says which); the others take every model.
-enum class Backend { gauss_newton, ceres, slsqp, cobyla, ipopt };
+/// The back ends: our own; Ceres; of NLopt first those that descend from the start, then the global
+/// searches (Johnson, "The NLopt nonlinear-optimization package"); Ipopt.
+///
+/// Ceres minimises sums of squares within bounds and refuses models with other constraints or a
+/// minimax objective; AGS takes ten unknowns at most (`can_solve` says which models they take). The
+/// others take every model: constraints that an algorithm does not know enter its objective by an
+/// augmented Lagrangian.
+enum class Backend {
+  gauss_newton,
+  ceres,
+  slsqp,   ///< Kraft 1988: sequential quadratic programming
+  mma,     ///< Svanberg 2002: moving asymptotes
+  ccsaq,   ///< Svanberg 2002: conservative separable quadratic models
+  cobyla,  ///< Powell 1994: linear models, without derivatives
+  bobyqa,  ///< Powell 2009: quadratic models, without derivatives
+  ags,     ///< Sergeyev & Markin 1995: intervals along a space-filling curve
+  isres,   ///< Runarsson & Yao 2005: evolution strategy with stochastic ranking
+  crs,     ///< Kaelo & Ali 2006: controlled random search with local mutation
+  mlsl,    ///< Rinnooy Kan & Timmer 1987, Kucherenko & Sytsko 2005: single linkage, Sobol' points
+  direct,  ///< Gablonsky & Kelley 2001: dividing rectangles, locally biased
+  ipopt,
+};
 
 std::string_view name(Backend backend);
+
+/// Whether `backend` searches a box for its global minimum. The box is that of the variables'
+/// bounds; a bound that is infinite, or more than 100 scales from the start, is replaced by one 10
+/// scales from the start. Its best point is then refined: a sum of squares by Gauss-Newton, max |r|
+/// by SLSQP. The same seed gives the same result.
+bool is_global(Backend backend);
 
 /// Whether `backend` can honour everything that `model` asks for.
 bool can_solve(Backend backend, const Model& model);
 
-/// The local minimum of `model` that `backend` reaches from `start` (clamped to the bounds).
+/// The local minimum of `model` that `backend` reaches from `start` (clamped to the bounds), or the
+/// best that a global search knows of, which is never worse than the start.
 Solution solve(Backend backend, const Model& model, std::span<const double> start,
                const Options& options = {});
 

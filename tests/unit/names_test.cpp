@@ -11,9 +11,9 @@ namespace {
 template <class Enum>
 class EnumNamesTest : public testing::Test {};
 
-using Enums =
-    testing::Types<Assembly, MobilityClass, RequiredClass, SolverChoice, Timing, CrankReference,
-                   CrankSense, PointOrder, FunctionStart, FunctionObjective, Status, Defect>;
+using Enums = testing::Types<Assembly, MobilityClass, RequiredClass, SolverChoice, synthesis::Loss,
+                             Timing, CrankReference, CrankSense, PointOrder, FunctionStart,
+                             FunctionObjective, Status, Defect>;
 TYPED_TEST_SUITE(EnumNamesTest, Enums);
 
 TYPED_TEST(EnumNamesTest, EveryNameLeadsBackToItsValue) {
@@ -24,7 +24,8 @@ TYPED_TEST(EnumNamesTest, EveryNameLeadsBackToItsValue) {
     EXPECT_EQ(to_string(value), name);
     EXPECT_EQ(from_string<TypeParam>(name), value);
     EXPECT_TRUE(seen.insert(name).second) << name << " stands for two values";
-    EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos);
+    EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
+              std::string_view::npos);
   }
   EXPECT_EQ(to_string(static_cast<TypeParam>(ordinal)), "") << "a value without a name";
 }

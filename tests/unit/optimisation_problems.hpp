@@ -27,6 +27,7 @@ class FunctionModel final : public Model {
     std::vector<int> local_of_residual = {};
     int local_count = 0;
     std::function<bool(std::span<const double>)> has_value = [](auto) { return true; };
+    int equality_count = 0;
   };
 
   explicit FunctionModel(Parts parts) : parts_(std::move(parts)) {
@@ -38,6 +39,7 @@ class FunctionModel final : public Model {
   std::span<const Variable> variables() const override { return parts_.variables; }
   int residual_count() const override { return residual_count_; }
   int constraint_count() const override { return constraint_count_; }
+  int equality_count() const override { return parts_.equality_count; }
   Objective objective() const override { return parts_.objective; }
   std::span<const int> local_of_residual() const override { return parts_.local_of_residual; }
   int local_count() const override { return parts_.local_count; }
@@ -99,6 +101,7 @@ struct Problem {
   FunctionModel model;
   std::vector<std::vector<double>> starts;
   std::vector<Minimum> minima;
+  bool rugged = false;    ///< there are more minima than those listed, away from the starts
   bool singular = false;  ///< JᵀJ is singular at the minimum: x is known to few digits only
 };
 
@@ -259,6 +262,65 @@ inline std::vector<Problem> constrained_problems() {
   return out;
 }
 
+/// Hock and Schittkowski (1981), problems 6, 14, 42, 52 and 60: equalities, in 14 an inequality
+/// too.
+inline std::vector<Problem> equality_problems() {
+  std::vector<Problem> out;
+  const auto add = [&](std::string name, int equalities, std::vector<Variable> variables,
+                       Function residuals, Function constraints,
+                       std::vector<std::vector<double>> starts, Problem::Minimum minimum) {
+    FunctionModel::Parts parts{std::move(variables), std::move(residuals), std::move(constraints)};
+    parts.equality_count = equalities;
+    const bool rugged = name == "hs60";
+    out.push_back(
+        {std::move(name), FunctionModel(parts), std::move(starts), {std::move(minimum)}, rugged});
+  };
+  add(
+      "hs6", 1, free_variables(2), [](Point x) -> Values { return {1.0 - x[0]}; },
+      [](Point x) -> Values { return {10.0 * (x[1] - x[0] * x[0])}; }, {{-1.2, 1}, {2, 2}},
+      {0, {1, 1}});
+  const double root7 = std::sqrt(7.0);
+  add(
+      "hs14", 1, free_variables(2),
+      [](Point x) -> Values {
+        return {x[0] - 2.0, x[1] - 1.0};
+      },
+      [](Point x) -> Values {
+        return {x[0] - 2.0 * x[1] + 1.0, 1.0 - 0.25 * x[0] * x[0] - x[1] * x[1]};
+      },
+      {{2, 2}, {0, 0}}, {9 - 2.875 * root7, {0.5 * (root7 - 1), 0.25 * (root7 + 1)}});
+  const double root2 = std::sqrt(2.0);
+  add(
+      "hs42", 2, free_variables(4),
+      [](Point x) -> Values {
+        return {x[0] - 1.0, x[1] - 2.0, x[2] - 3.0, x[3] - 4.0};
+      },
+      [](Point x) -> Values {
+        return {x[0] - 2.0, x[2] * x[2] + x[3] * x[3] - 2.0};
+      },
+      {{1, 1, 1, 1}, {2, 0, 2, 0.5}}, {28 - 10 * root2, {2, 2, 0.6 * root2, 0.8 * root2}});
+  add(
+      "hs52", 3, free_variables(5),
+      [](Point x) -> Values {
+        return {4.0 * x[0] - x[1], x[1] + x[2] - 2.0, x[3] - 1.0, x[4] - 1.0};
+      },
+      [](Point x) -> Values {
+        return {x[0] + 3.0 * x[1], x[2] + x[3] - 2.0 * x[4], x[1] - x[4]};
+      },
+      {{2, 2, 2, 2, 2}, {0, 0, 0, 0, 0}},
+      {1859 / 349.0, {-33 / 349.0, 11 / 349.0, 180 / 349.0, -158 / 349.0, 11 / 349.0}});
+  add(
+      "hs60", 1, boxes({{-10, 10}, {-10, 10}, {-10, 10}}),
+      [](Point x) -> Values {
+        return {x[0] - 1.0, x[0] - x[1], (x[1] - x[2]) * (x[1] - x[2])};
+      },
+      [root2](Point x) -> Values {
+        return {x[0] * (1.0 + x[1] * x[1]) + x[2] * x[2] * x[2] * x[2] - 4.0 - 3 * root2};
+      },
+      {{2, 2, 2}}, {0.03256820025, {1.104859024, 1.196674194, 1.535262257}});
+  return out;
+}
+
 /// Best approximation of `target` on [-1, 1], sampled at steps of 1/40, by a polynomial.
 inline Function approximation(std::function<double(double)> target, int coefficients) {
   return [target, coefficients](Point x) {
@@ -389,7 +451,7 @@ inline const std::vector<Problem>& all_problems() {
   static const std::vector<Problem> problems = [] {
     std::vector<Problem> out;
     for (auto group : {unconstrained_problems(), bounded_problems(), constrained_problems(),
-                       minimax_problems(), local_problems()}) {
+                       equality_problems(), minimax_problems(), local_problems()}) {
       out.insert(out.end(), group.begin(), group.end());
     }
     return out;

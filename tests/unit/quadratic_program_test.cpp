@@ -50,6 +50,48 @@ TEST(QuadraticProgram, MeetsTheOptimalityConditions) {
   EXPECT_GT(active, 200);
 }
 
+TEST(QuadraticProgram, KeepsEqualities) {
+  std::mt19937_64 random(2);
+  QuadraticProgram program;
+  for (int i = 0; i < 500; ++i) {
+    const auto n = static_cast<Eigen::Index>(2 + random() % 7);
+    const auto equalities = static_cast<Eigen::Index>(1 + random() % (n - 1));
+    const auto m = equalities + static_cast<Eigen::Index>(random() % 12);
+    const MatrixXd root = random_matrix(random, n + 2, n);
+    const MatrixXd hessian = root.transpose() * root + 1e-3 * MatrixXd::Identity(n, n);
+    const VectorXd gradient = random_matrix(random, n, 1);
+    const MatrixXd matrix = random_matrix(random, m, n);
+    const VectorXd planted = random_matrix(random, n, 1);
+    VectorXd room = (random_matrix(random, m, 1).array() - 0.3).max(0.0);
+    room.head(equalities).setZero();
+    const VectorXd offset = room - matrix * planted;
+
+    ASSERT_EQ(program.solve(hessian, gradient, matrix, offset, equalities), Status::solved);
+    const VectorXd& x = program.x();
+    const VectorXd& multipliers = program.multipliers();
+    const VectorXd slack = matrix * x + offset;
+    const VectorXd stationarity = hessian * x + gradient - matrix.transpose() * multipliers;
+    EXPECT_LT(stationarity.norm(), 1e-8 * (1 + multipliers.norm())) << "case " << i;
+    EXPECT_LT(slack.head(equalities).norm(), 1e-8) << "case " << i;
+    EXPECT_GT(slack.minCoeff(), -1e-8) << "case " << i;
+    if (m == equalities) continue;
+    EXPECT_GE(multipliers.tail(m - equalities).minCoeff(), 0) << "case " << i;
+    EXPECT_LT(slack.cwiseProduct(multipliers).cwiseAbs().maxCoeff(), 1e-7) << "case " << i;
+  }
+}
+
+/// One that follows from another is left out; one that contradicts it is infeasible.
+TEST(QuadraticProgram, RecognisesDependentEqualities) {
+  QuadraticProgram program;
+  const MatrixXd matrix{{1, 1}, {2, 2}};
+  const MatrixXd hessian = MatrixXd::Identity(2, 2);
+  const VectorXd gradient = VectorXd::Zero(2);
+  ASSERT_EQ(program.solve(hessian, gradient, matrix, Eigen::Vector2d(-2, -4), 2), Status::solved);
+  EXPECT_NEAR((program.x() - Eigen::Vector2d(1, 1)).norm(), 0, 1e-12);
+  EXPECT_EQ(program.solve(hessian, gradient, matrix, Eigen::Vector2d(-2, -5), 2),
+            Status::infeasible);
+}
+
 TEST(QuadraticProgram, SaysWhenConstraintsContradictEachOther) {
   QuadraticProgram program;
   MatrixXd matrix(2, 1);

@@ -1,0 +1,96 @@
+#include "synthesis/optimise/loss.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace cognate::synthesis {
+namespace {
+
+/// √(ρ(s)/s) and its derivative by s.
+LossValue share(Loss loss, double s) {
+  if (!(s > 0)) return {1, 0};
+  const auto [rho, slope] = evaluate(loss, s);
+  const double value = std::sqrt(rho / s);
+  return {value, (slope * s - rho) / (2 * value * s * s)};
+}
+
+/// `rows` of one block times the share; r, s and share those of the block, `width` entries a row.
+/// By the product rule k dr + r k′ ds, ds = 2 r·dr/a².
+void scale_rows(std::span<const double> r, const LossValue& share, double inverse_square,
+                std::span<double> rows) {
+  const std::size_t width = rows.size() / r.size();
+  for (std::size_t j = 0; j < width; ++j) {
+    double along = 0;
+    for (std::size_t i = 0; i < r.size(); ++i) along += r[i] * rows[i * width + j];
+    const double turn = share.slope * 2 * inverse_square * along;
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      double& entry = rows[i * width + j];
+      entry = share.value * entry + r[i] * turn;
+    }
+  }
+}
+
+}  // namespace
+
+LossValue evaluate(Loss loss, double s) {
+  switch (loss) {
+    case Loss::none:
+      break;
+    case Loss::huber:
+      return s <= 1 ? LossValue{s, 1} : LossValue{2 * std::sqrt(s) - 1, 1 / std::sqrt(s)};
+    case Loss::soft_l1: {
+      const double root = std::sqrt(1 + s);
+      return {2 * s / (root + 1), 1 / root};
+    }
+    case Loss::cauchy:
+      return {std::log1p(s), 1 / (1 + s)};
+    case Loss::arctan:
+      return {std::atan(s), 1 / (1 + s * s)};
+    case Loss::tukey:
+      return s <= 1 ? LossValue{s * (1 - s * (1 - s / 3)), (1 - s) * (1 - s)}
+                    : LossValue{1.0 / 3, 0};
+  }
+  return {s, 1};
+}
+
+Solution solve_by_loss(Backend backend, const Model& model, Loss loss, double scale, int block,
+                       std::span<const double> start, const Options& options) {
+  if (loss == Loss::none) return solve(backend, model, start, options);
+  const RobustModel robust(model, loss, scale, block);
+  if (loss != Loss::tukey) return solve(backend, robust, start, options);
+  const auto begin = std::chrono::steady_clock::now();
+  const Solution way =
+      solve(backend, RobustModel(model, Loss::huber, scale, block), start, options);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  Options left = options;
+  left.time_limit -= spent.count();
+  Solution solution = solve(backend, robust, way.x, left);
+  solution.iterations += way.iterations;
+  solution.evaluations += way.evaluations;
+  solution.gradients += way.gradients;
+  return solution;
+}
+
+bool RobustModel::residuals(std::span<const double> x, std::span<double> r,
+                            std::span<double> jacobian, std::span<double> local) const {
+  if (!model_.residuals(x, r, jacobian, local)) return false;
+  const auto block = static_cast<std::size_t>(block_);
+  const double inverse_square = 1 / (scale_ * scale_);
+  const std::size_t width = jacobian.size() / r.size();
+  for (std::size_t first = 0; first < r.size(); first += block) {
+    const std::span<double> error = r.subspan(first, block);
+    double squares = 0;
+    for (const double value : error) squares += value * value;
+    const LossValue factor = share(loss_, squares * inverse_square);
+    if (!jacobian.empty()) {
+      scale_rows(error, factor, inverse_square, jacobian.subspan(first * width, block * width));
+    }
+    if (!local.empty()) {
+      scale_rows(error, factor, inverse_square, local.subspan(first, block));
+    }
+    for (double& value : error) value *= factor.value;
+  }
+  return true;
+}
+
+}  // namespace cognate::synthesis
