@@ -22,7 +22,11 @@ Backend backend_of(SolverChoice choice) {
 }
 
 std::string search_origin(Backend backend) {
-  const std::string text = "search + gauss-newton";
+  return "search" + refined_by(backend);
+}
+
+std::string refined_by(Backend backend) {
+  const std::string text = " + gauss-newton";
   return backend == Backend::gauss_newton ? text : text + " + " + std::string(name(backend));
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/mobility.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -47,6 +49,16 @@ L negative(const L& g) {
 }
 
 }  // namespace
+
+std::optional<RequiredClass> confining_class(const Constraints& constraints, const L& start) {
+  const auto& required = constraints.required_class;
+  const bool is_open = !required || *required == RequiredClass::grashof;
+  if (!is_open || !constraints.transmission_angle) return required;
+  const MobilityClass mobility = mobility_class(start);
+  if (mobility == MobilityClass::crank_rocker) return RequiredClass::crank_rocker;
+  if (mobility == MobilityClass::double_crank) return RequiredClass::double_crank;
+  return required;
+}
 
 LinkageConstraints::LinkageConstraints(const Constraints& constraints, double scale) {
   if (constraints.required_class) add_class(*constraints.required_class, scale);

@@ -17,6 +17,7 @@ namespace {
 
 using problems::Design;
 using problems::FunctionProblem;
+using problems::MotionProblem;
 using problems::PathProblem;
 
 /// Seeds per problem: 20, unless the environment asks for fewer (slow builds).
@@ -89,6 +90,31 @@ void check(const Record& record, const PathProblem& problem, const Design& desig
 void check(const Record& record, const FunctionProblem&, const Design& design) {
   expect_crank_rocker(four_bar(design));
   EXPECT_NEAR(design.error.sum_of_squares, record.best_known, 1e-6 * record.best_known);
+}
+
+/// The body's pose by the textbook's angles; `in_link`: of its axes from the line B–C.
+double textbook_error(const MotionProblem& problem, const Design& design) {
+  const FourBar& linkage = four_bar(design);
+  FourBar ahead = linkage;  // a point ahead of the body's origin along the coupler
+  ahead.coupler_point = *linkage.coupler_point + Vec2d{1, 0};
+  const auto fact =
+      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &problems::Fact::name);
+  const double in_link = std::get<double>(fact->value) * std::numbers::pi / 180;
+  double sum = 0;
+  for (std::size_t j = 0; j < problem.poses.size(); ++j) {
+    const Vec2d at = textbook_point(linkage, design.crank_angles[j]);
+    const Vec2d along = textbook_point(ahead, design.crank_angles[j]) - at;
+    const double turn = std::remainder(
+        std::atan2(along.y, along.x) + in_link - problem.poses[j].angle, 2 * std::numbers::pi);
+    sum += squared_norm(at - problem.poses[j].at) + std::pow(problem.angle_weight * turn, 2);
+  }
+  return sum;
+}
+
+void check(const Record& record, const MotionProblem& problem, const Design& design) {
+  const double error = textbook_error(problem, design);
+  EXPECT_TRUE(reaches(record, error, 1)) << error;
+  EXPECT_GE(error, record.best_known * (1 - 1e-6)) << "better than the best known: update records";
 }
 
 template <class OtherProblem>
