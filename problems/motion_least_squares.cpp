@@ -32,9 +32,9 @@ constexpr double kMetExactly = 1e-20;
 bool is_same(const GuidingDyad& a, const GuidingDyad& b, double size) {
   if (a.kind != b.kind) return false;
   const double turned = a.kind == DyadKind::rr ? 0 : std::abs(cross(a.direction, b.direction));
-  const double pivots = norm(a.in_body - b.in_body) + norm(a.fixed - b.fixed);
-  return turned <= kSameWithin && pivots + std::abs(a.length - b.length) <=
-                                      kSameWithin * (size + std::max(a.length, b.length));
+  const double apart = std::max(
+      {norm(a.in_body - b.in_body), norm(a.fixed - b.fixed), std::abs(a.length - b.length)});
+  return turned <= kSameWithin && apart <= kSameWithin * (size + std::max(a.length, b.length));
 }
 
 /// Whichever dyad drives.

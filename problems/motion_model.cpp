@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Links without a bound of the file are at most so many units long; beyond, a link is a slide.
-constexpr double kLongestLink = 1e4;
+constexpr double kLongestLink = 1000;
 constexpr double kShortestLink = 1e-6;
 
 /// Where the dimensions of the two dyads begin; a point is two of them.

@@ -92,7 +92,7 @@ void add_pairs_of(const MotionProblem& problem, const Five& five, std::vector<Ex
 std::string exact_origin(const Five& five, const std::vector<std::size_t>& numbers) {
   std::string origin = "exact:five-poses";
   for (std::size_t k = 0; k < 5; ++k) {
-    origin += fmt::format("{}{}", k == 0 ? " " : ", ", numbers[five.at(k)] + 1);
+    origin += fmt::format("{}{}", k == 0 ? ":" : ",", numbers[five.at(k)] + 1);
   }
   return origin;
 }

@@ -15,7 +15,8 @@ namespace cognate::problems {
 
 struct MotionStart {
   DyadPair pair;
-  std::string origin;  ///< "algebraic", "exact:five-poses 1, 3, 6, 9, 11" or "search"
+  std::string
+      origin;  ///< "algebraic", "exact:five-poses:1,3,6,9,11" (numbers of the poses) or "search"
 };
 
 /// Starts, the most promising first: pairs of the dyads of least algebraic error; the nearest of
