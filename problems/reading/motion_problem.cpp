@@ -258,6 +258,16 @@ void check_given_bounds(TableReader& bounds, const MotionProblem& problem) {
   }
 }
 
+// The pivots are the variables, so that limits of their distances are more than bounds.
+void check_solver(TableReader& solve, const MotionProblem& problem) {
+  const bool bounded = problem.bounds.coupler || problem.bounds.frame;
+  if (problem.method == MotionMethod::exact || !bounded) return;
+  if (problem.solve.solver != SolverChoice::ceres) return;
+  solve.fault("solver",
+              "is \"ceres\", which does not honour bounds of coupler and frame, distances of "
+              "pivots; \"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted");
+}
+
 }  // namespace
 
 MotionProblem read_motion_problem(TableReader& document) {
@@ -299,6 +309,7 @@ MotionProblem read_motion_problem(TableReader& document) {
   }
   problem.designs_given = solve.has("designs");
   problem.solve = read_solve(solve, problem.constraints, false);
+  check_solver(solve, problem);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

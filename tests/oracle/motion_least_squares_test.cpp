@@ -251,6 +251,21 @@ TEST(MotionLeastSquares, SaysWhatCannotBeKept) {
   }
 }
 
+TEST(MotionLeastSquares, OtherSolversFinishAtTheSameLinkage) {
+  MotionProblem problem = eleven_poses();
+  problem.solve.starts = 20;
+  problem.solve.designs = 1;
+  for (const auto& [choice, name] : {std::pair{SolverChoice::ceres, "ceres"},
+                                     {SolverChoice::slsqp, "slsqp"},
+                                     {SolverChoice::cobyla, "cobyla"}}) {
+    problem.solve.solver = choice;
+    const Result result = solve(problem, {.seed = 1});
+    ASSERT_EQ(result.status, Status::solved) << name;
+    EXPECT_NEAR(result.designs.front().error.sum_of_squares, 2.15377440765e-4, 1e-10) << name;
+    EXPECT_TRUE(result.designs.front().origin.ends_with(std::string(" + ") + name));
+  }
+}
+
 TEST(MotionLeastSquares, IsTheSameForAnyNumberOfThreads) {
   const MotionProblem problem = eleven_poses();
   const auto one = solve(problem, {.seed = 5, .threads = 1});
