@@ -6,7 +6,7 @@ namespace {
 constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
-    {"motion-generation", "a body is to be carried through two to five poses"},
+    {"motion-generation", "a body is to be carried through poses"},
     {"path-generation", "a point of the coupler is to pass through given points"},
     {"quick-return", "the return is to take less time than the advance, by a given ratio"},
     {"straight-line", "a point of the coupler is to move along a straight line"}};
@@ -49,6 +49,9 @@ constexpr Metric kMetrics[] = {
     {"dyads", "", "the two dyads that guide the body: RR, PR (slider), RP (block) (motions)"},
     {"angle_error_max_deg", "deg",
      "greatest error of the body's angle at a pose (motions, exact paths)"},
+    {"angle_error_rms_deg", "deg", "its root mean square over the poses (motions, least squares)"},
+    {"position_error_rms, position_error_max", "length",
+     "of the distances of the body's origin alone (motions, least squares)"},
     {"body_angle_in_link_deg", "deg", "of the body's first axis in its link's axes (motions)"},
     {"slide_1, slide_2, ...", "length", "a driving slider's place at each pose (motions)"},
     {"contact_points", "1", "of path and line, 9 for one straight to 8th order (straight lines)"},

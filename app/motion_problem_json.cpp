@@ -14,6 +14,10 @@ ordered_json points(const std::vector<Vec2d>& all) {
 
 ordered_json target(const problems::MotionProblem& problem) {
   ordered_json table = ordered_json::object();
+  table["method"] = problems::to_string(problem.method);
+  if (problem.method == problems::MotionMethod::least_squares) {
+    table["angle_weight"] = problem.angle_weight;
+  }
   if (!problem.segments.empty()) {
     auto& segments = table["segments"] = ordered_json::array();
     for (const auto& [first, second] : problem.segments)
@@ -45,7 +49,9 @@ ordered_json tables_of(const problems::MotionProblem& problem) {
   ordered_json tables = document("motion-generation", problem.title);
   tables["target"] = target(problem);
   tables["mechanism"] = mechanism(problem);
-  tables["bounds"] = bounds_table(problem.bounds);
+  auto& bounds = tables["bounds"] = bounds_table(problem.bounds);
+  set_json(bounds, "moving_pivot_a", problem.moving_bounds[0]);
+  set_json(bounds, "moving_pivot_d", problem.moving_bounds[1]);
   tables["constraints"] = constraints_table(problem.constraints);
   tables["solve"] = solve_table(problem.solve);
   return tables;

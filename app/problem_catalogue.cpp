@@ -32,14 +32,20 @@ constexpr Entry kFunction[] = {
     {"solve.best_by", "order of exact designs: \"transmission\" or \"error\""}};
 
 constexpr Entry kMotion[] = {
-    {"target.poses", "[[x, y, angle_deg], ...], 2 to 5 of them"},
+    {"target.poses", "[[x, y, angle_deg], ...], 2 to 10000 of them"},
     {"target.segments", "or: [[[x1, y1], [x2, y2]], ...], two points of the body in each pose"},
+    {"target.method", "\"exact\" (default of 2 to 5 poses) or \"least-squares\" (3 and more)"},
+    {"target.angle_weight",
+     "least squares: length that counts as much as one radian (default: the rms way of the poses)"},
     {"mechanism.dyads", "which kinds may guide the body: \"RR\", \"PR\" (slider), \"RP\" (block)"},
-    {"mechanism.fixed_pivots", "2 or 3 poses: one or two of them [x, y]"},
-    {"mechanism.moving_pivots", "2 or 3 poses: one or two of them [u, v] in the body"},
+    {"mechanism.fixed_pivots", "2 or 3 poses, or least squares: one or two of them [x, y]"},
+    {"mechanism.moving_pivots",
+     "2 or 3 poses, or least squares: one or two of them [u, v] in the body"},
     {"mechanism.fixed_pivot_line", "2 poses: [a, b, c], a x + b y = c, for the fixed pivots"},
-    {"mechanism.crank", "2 poses: length of the first dyad's link"},
-    {"mechanism.rocker", "2 poses: length of the second's"}};
+    {"mechanism.crank", "2 poses, or least squares: length of the first dyad's link"},
+    {"mechanism.rocker", "2 poses, or least squares: length of the second's"},
+    {"bounds.moving_pivot_a",
+     "least squares: [[umin, vmin], [umax, vmax]] in the body; moving_pivot_d: likewise"}};
 
 constexpr Entry kPath[] = {
     {"target.points", "[[x, y], ...]; 3 to 10000, or 2 to 9 for exact synthesis"},
@@ -94,7 +100,7 @@ constexpr Entry kStraightLine[] = {
 
 constexpr KeyedEntry kSynthesis[] = {
     {"function-generation", "designs by Freudenstein's equation and by least squares", kFunction},
-    {"motion-generation", "designs by Burmester's theory", kMotion},
+    {"motion-generation", "designs by Burmester's theory and by least squares", kMotion},
     {"path-generation", "designs by homotopy and by least squares", kPath},
     {"quick-return", "designs from the time ratio", kQuickReturn},
     {"straight-line", "designs from the curvature of coupler curves", kStraightLine}};

@@ -38,8 +38,12 @@ Backend backend_of(SolverChoice choice) {
 }
 
 std::string search_origin(Backend backend, std::string start) {
-  start += " + gauss-newton";
-  return backend == Backend::gauss_newton ? start : start + " + " + std::string(name(backend));
+  return std::move(start) + refined_by(backend);
+}
+
+std::string refined_by(Backend backend) {
+  const std::string text = " + gauss-newton";
+  return backend == Backend::gauss_newton ? text : text + " + " + std::string(name(backend));
 }
 
 }  // namespace cognate::problems

@@ -15,4 +15,7 @@ synthesis::Backend backend_of(SolverChoice choice);
 /// another solver, where the file names one, finishes the best.
 std::string search_origin(synthesis::Backend backend, std::string start = "search");
 
+/// What `origin` adds to where a start came from: " + gauss-newton", and another solver.
+std::string refined_by(synthesis::Backend backend);
+
 }  // namespace cognate::problems

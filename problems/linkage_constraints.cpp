@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/mobility.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -36,6 +38,16 @@ LinkLimit half_space(const std::array<double, 4>& weights, double margin) {
 }
 
 }  // namespace
+
+std::optional<RequiredClass> confining_class(const Constraints& constraints, const L& start) {
+  const auto& required = constraints.required_class;
+  const bool is_open = !required || *required == RequiredClass::grashof;
+  if (!is_open || !constraints.transmission_angle) return required;
+  const MobilityClass mobility = mobility_class(start);
+  if (mobility == MobilityClass::crank_rocker) return RequiredClass::crank_rocker;
+  if (mobility == MobilityClass::double_crank) return RequiredClass::double_crank;
+  return required;
+}
 
 LinkageConstraints::LinkageConstraints(const Constraints& constraints, double scale) {
   if (constraints.required_class) add_class(*constraints.required_class, scale);

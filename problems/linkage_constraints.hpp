@@ -1,6 +1,7 @@
 /// @file The constraints that depend on the four link lengths alone, as smooth functions c ≥ 0.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "synthesis/search/link_limit.hpp"
 
 namespace cognate::problems {
+
+/// The class to which a refinement from `start` is to keep: the one asked for, or, where the
+/// transmission angle is limited and the crank of `start` turns fully, that of `start`, so that the
+/// limits are those of the full turn. Empty: any.
+std::optional<RequiredClass> confining_class(const Constraints& constraints,
+                                             const Lengths<double>& start);
 
 /// Class, transmission angle over the full turn, largest link ratio and time ratio, as functions
 /// c(l) ≥ 0.

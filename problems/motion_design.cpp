@@ -172,22 +172,32 @@ std::optional<Pose> placed(const GuidedMechanism& guided, const synthesis::Drive
   return std::nullopt;
 }
 
-/// Fills in the error, and returns the greatest of the angle; empty where the kernel does not place
-/// the body at a pose.
-std::optional<double> set_error(std::span<const Pose> poses, const GuidedMechanism& guided,
-                                TargetError& error) {
-  double turned = 0;
+/// How far the body, as the kernel places it, is from its poses: distances and angles.
+struct Misses {
+  std::vector<double> place, angle;
+};
+
+/// Empty where the kernel does not place the body at a pose.
+std::optional<Misses> misses(std::span<const Pose> poses, const GuidedMechanism& guided) {
+  Misses all;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const auto pose = placed(guided, guided.stations[i]);
     if (!pose) return std::nullopt;
-    const double miss = norm(pose->at - poses[i].at);
+    all.place.push_back(norm(pose->at - poses[i].at));
+    all.angle.push_back(
+        std::abs(std::remainder(pose->angle - poses[i].angle, 2 * std::numbers::pi)));
+  }
+  return all;
+}
+
+TargetError error_of(std::span<const double> misses) {
+  TargetError error;
+  for (const double miss : misses) {
     error.sum_of_squares += miss * miss;
     error.max = std::max(error.max, miss);
-    turned = std::max(turned,
-                      std::abs(std::remainder(pose->angle - poses[i].angle, 2 * std::numbers::pi)));
   }
-  error.rms = std::sqrt(error.sum_of_squares / double(poses.size()));
-  return turned;
+  error.rms = std::sqrt(error.sum_of_squares / double(misses.size()));
+  return error;
 }
 
 /// Whether the kernel finds the body where it was asked for, as near as the poses' own rounding and
@@ -211,6 +221,23 @@ void add_facts(const DyadPair& pair, const GuidedMechanism& guided, double turne
   facts.push_back({"angle_error_max_deg", degrees(turned)});
   facts.push_back({"body_angle_in_link_deg",
                    degrees(std::remainder(guided.body_in_link.angle, 2 * std::numbers::pi))});
+}
+
+void add_moving_bounds(const MotionProblem& problem, const DyadPair& pair,
+                       std::vector<ConstraintCheck>& checks) {
+  const double allowance = kCheckTolerance * longest_link(pair);
+  const auto add = [&](const std::string& name, double value, double least, double greatest) {
+    const bool inside = value >= least - allowance && value <= greatest + allowance;
+    checks.push_back({"bounds." + name, value, Range{least, greatest}, inside});
+  };
+  const auto add_box = [&](const std::string& name, const GuidingDyad& dyad,
+                           const std::optional<Box>& box) {
+    if (!box || dyad.kind == DyadKind::rp) return;
+    add(name + ".u", dyad.in_body.x, box->min.x, box->max.x);
+    add(name + ".v", dyad.in_body.y, box->min.y, box->max.y);
+  };
+  add_box("moving_pivot_a", pair.first, problem.moving_bounds[0]);
+  add_box("moving_pivot_d", pair.second, problem.moving_bounds[1]);
 }
 
 void add_drive(const GuidedMechanism& guided, Design& design) {
@@ -241,8 +268,9 @@ double longest_link(const DyadPair& pair) {
   return links.empty() ? 0 : *std::ranges::max_element(links);
 }
 
-std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair) {
-  const auto guided = synthesis::guided_mechanism(pair.first, pair.second, problem.poses);
+std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair,
+                               std::span<const Pose> reached) {
+  const auto guided = synthesis::guided_mechanism(pair.first, pair.second, reached);
   if (guided.fault != synthesis::PairingFault::none) return std::nullopt;
   std::vector<ConstraintCheck> checks;
   Metrics metrics;
@@ -255,26 +283,67 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
     checks = check_constraints(problem.constraints, problem.bounds, mechanism, metrics);
   }
   if (!is_number(metrics)) return std::nullopt;
+  add_moving_bounds(problem, pair, checks);
   return Judgement{violation(checks), merit(problem, pair, metrics)};
 }
+
+std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair) {
+  return judge(problem, pair, problem.poses);
+}
+
+namespace {
+
+/// Everything but the error and what depends on it.
+std::optional<Design> plain_design(const MotionProblem& problem, const DyadPair& pair,
+                                   const GuidedMechanism& guided, const std::string& origin) {
+  Design design;
+  design.mechanism = named_mechanism(guided);
+  design.metrics = metrics_of(guided, &design.mechanism);
+  if (!is_number(design.metrics)) return std::nullopt;
+  design.constraints =
+      check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
+  add_moving_bounds(problem, pair, design.constraints);
+  design.origin = origin;
+  return design;
+}
+
+}  // namespace
 
 std::optional<Design> motion_design(const MotionProblem& problem, const DyadPair& pair,
                                     const std::string& origin) {
   const auto guided = synthesis::guided_mechanism(pair.first, pair.second, problem.poses);
   if (guided.fault != synthesis::PairingFault::none) return std::nullopt;
-  Design design;
-  design.mechanism = named_mechanism(guided);
-  design.metrics = metrics_of(guided, &design.mechanism);
-  const auto turned = set_error(problem.poses, guided, design.error);
-  if (!is_number(design.metrics) || !turned) return std::nullopt;
-  if (!is_on_poses(problem.poses, pair, design.error, *turned)) return std::nullopt;
-  design.metrics.precision_residual = std::max(pair.first.residual, pair.second.residual);
-  design.metrics.condition = std::max(pair.first.condition, pair.second.condition);
-  add_facts(pair, guided, *turned, design.metrics.facts);
-  add_drive(guided, design);
-  design.constraints =
-      check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
-  design.origin = origin;
+  auto design = plain_design(problem, pair, guided, origin);
+  const auto missed = misses(problem.poses, guided);
+  if (!design || !missed) return std::nullopt;
+  design->error = error_of(missed->place);
+  const double turned = std::ranges::max(missed->angle);
+  if (!is_on_poses(problem.poses, pair, design->error, turned)) return std::nullopt;
+  design->metrics.precision_residual = std::max(pair.first.residual, pair.second.residual);
+  design->metrics.condition = std::max(pair.first.condition, pair.second.condition);
+  add_facts(pair, guided, turned, design->metrics.facts);
+  add_drive(guided, *design);
+  return design;
+}
+
+std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPair& pair,
+                                     std::span<const Pose> reached, const std::string& origin) {
+  const auto guided = synthesis::guided_mechanism(pair.first, pair.second, reached);
+  if (guided.fault != synthesis::PairingFault::none) return std::nullopt;
+  auto design = plain_design(problem, pair, guided, origin);
+  const auto missed = misses(problem.poses, guided);
+  if (!design || !missed) return std::nullopt;
+  std::vector<double> together;
+  for (std::size_t i = 0; i < missed->place.size(); ++i) {
+    together.push_back(std::hypot(missed->place[i], problem.angle_weight * missed->angle[i]));
+  }
+  design->error = error_of(together);
+  const TargetError place = error_of(missed->place), angle = error_of(missed->angle);
+  add_facts(pair, guided, angle.max, design->metrics.facts);
+  design->metrics.facts.push_back({"angle_error_rms_deg", degrees(angle.rms)});
+  design->metrics.facts.push_back({"position_error_rms", place.rms});
+  design->metrics.facts.push_back({"position_error_max", place.max});
+  add_drive(guided, *design);
   return design;
 }
 

@@ -35,7 +35,11 @@ struct Judgement {
   }
 };
 
-/// Empty where the dyads make no mechanism, or one whose numbers are none.
+/// Empty where the dyads make no mechanism, or one whose numbers are none. `reached`: where the
+/// body stands at each pose of the problem, on both dyads.
+std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair,
+                               std::span<const synthesis::Pose> reached);
+/// Of dyads that guide the body exactly.
 std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair);
 
 /// The design of a pair that `judge` accepts. Its error is the distance of the body's origin, as
@@ -44,6 +48,13 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
 /// from its poses by more than a part in 1e6 of their extent.
 std::optional<Design> motion_design(const MotionProblem& problem, const DyadPair& pair,
                                     const std::string& origin);
+
+/// The design of a pair by least squares, its body standing at `reached` where it is nearest to the
+/// problem's poses: its error counts places and, weighted, angles, and `facts` have their errors
+/// apart. Empty where the dyads make no mechanism or the kernel cannot place it.
+std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPair& pair,
+                                     std::span<const synthesis::Pose> reached,
+                                     const std::string& origin);
 
 /// The mechanism with the names that users know its parts by; the body's origin is its coupler
 /// point, or a point "P" of its link.

@@ -8,6 +8,7 @@
 
 #include "problems/deadline.hpp"
 #include "problems/motion_design.hpp"
+#include "problems/motion_least_squares.hpp"
 #include "problems/motion_legs.hpp"
 #include "problems/motion_loci.hpp"
 #include "problems/motion_search.hpp"
@@ -149,6 +150,7 @@ void find_designs(const MotionProblem& problem, const Deadline& deadline, Result
 }  // namespace
 
 Result solve(const MotionProblem& problem, const Run& run) {
+  if (problem.method == MotionMethod::least_squares) return solve_by_least_squares(problem, run);
   const Deadline deadline(run);
   Result result;
   const MotionProblem reduced = without_repeats(problem, result.notes);

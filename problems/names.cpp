@@ -37,6 +37,8 @@ constexpr Named<PointOrder> kPointOrders[] = {{"cyclic", PointOrder::cyclic},
                                               {"any", PointOrder::any}};
 constexpr Named<PathMethod> kPathMethods[] = {{"least-squares", PathMethod::least_squares},
                                               {"exact", PathMethod::exact}};
+constexpr Named<MotionMethod> kMotionMethods[] = {{"exact", MotionMethod::exact},
+                                                  {"least-squares", MotionMethod::least_squares}};
 constexpr Named<FunctionStart> kFunctionStarts[] = {
     {"free", FunctionStart::free},
     {"outer-dead-centre", FunctionStart::outer_dead_centre},
@@ -133,6 +135,11 @@ std::span<const Named<PointOrder>> names<PointOrder>() {
 template <>
 std::span<const Named<PathMethod>> names<PathMethod>() {
   return kPathMethods;
+}
+
+template <>
+std::span<const Named<MotionMethod>> names<MotionMethod>() {
+  return kMotionMethods;
 }
 
 template <>

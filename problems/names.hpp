@@ -44,6 +44,8 @@ std::span<const Named<PointOrder>> names<PointOrder>();
 template <>
 std::span<const Named<PathMethod>> names<PathMethod>();
 template <>
+std::span<const Named<MotionMethod>> names<MotionMethod>();
+template <>
 std::span<const Named<FunctionStart>> names<FunctionStart>();
 template <>
 std::span<const Named<FunctionObjective>> names<FunctionObjective>();

@@ -5,7 +5,6 @@
 #include <random>
 #include <span>
 
-#include "analysis/mobility.hpp"
 #include "analysis/parallel.hpp"
 #include "problems/path_exact_starts.hpp"
 #include "problems/path_starts.hpp"
@@ -40,23 +39,11 @@ std::mt19937_64 generator(std::uint64_t seed, int start) {
   return std::mt19937_64(sequence);
 }
 
-std::optional<RequiredClass> confinement(const PathProblem& problem, const FourBar& start) {
-  const Constraints& constraints = problem.constraints;
-  const bool open =
-      !constraints.required_class || *constraints.required_class == RequiredClass::grashof;
-  if (open && constraints.transmission_angle) {
-    const MobilityClass mobility = mobility_class(lengths(start));
-    if (mobility == MobilityClass::crank_rocker) return RequiredClass::crank_rocker;
-    if (mobility == MobilityClass::double_crank) return RequiredClass::double_crank;
-  }
-  return constraints.required_class;
-}
-
 /// A start, before it is fitted.
 PathFound placed(const PathProblem& problem, const PathStart& start) {
   PathFound found;
-  found.minimum = {
-      start.linkage.assembly, start.clockwise, confinement(problem, start.linkage), {}};
+  const auto confined_to = confining_class(problem.constraints, lengths(start.linkage));
+  found.minimum = {start.linkage.assembly, start.clockwise, confined_to, {}};
   found.minimum.solution.x =
       model_of(problem, found.minimum).variables_of(start.linkage, start.crank_angles);
   found.valid = true;

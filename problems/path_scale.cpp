@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/similarity.hpp"
+
 namespace cognate::problems {
-namespace {
-
-void shrink(std::optional<double>& length, double size) {
-  if (length) *length /= size;
-}
-
-void shrink(std::optional<Range>& range, double size) {
-  if (range) range = Range{range->min / size, range->max / size};
-}
-
-}  // namespace
 
 PathScale::PathScale(const PathProblem& problem) : given_(problem.given) {
   const auto weight = [&](std::size_t j) {
@@ -38,24 +29,12 @@ PathScale::PathScale(const PathProblem& problem) : given_(problem.given) {
 }
 
 PathProblem PathScale::into(PathProblem problem) const {
-  const auto move = [&](const Vec2d& p) { return (1 / size) * (p - centre); };
-  for (Vec2d& p : problem.points) p = move(p);
-  Given& given = problem.given;
-  for (auto* length : {&given.crank, &given.coupler, &given.rocker, &given.frame}) {
-    shrink(*length, size);
-  }
-  if (given.pivot_a) given.pivot_a = move(*given.pivot_a);
-  if (given.pivot_d) given.pivot_d = move(*given.pivot_d);
-  if (given.coupler_point) given.coupler_point = (1 / size) * *given.coupler_point;
+  const Similarity similarity{centre, size};
+  for (Vec2d& p : problem.points) p = similarity.point(p);
+  similarity.move(problem.given);
+  similarity.move(problem.bounds);
+  similarity.move(problem.constraints.pivot_region);
   problem.solve.loss_scale /= size;
-  Bounds& bounds = problem.bounds;
-  for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
-    shrink(*range, size);
-  }
-  for (auto* box : {&bounds.pivot_a, &bounds.pivot_d, &problem.constraints.pivot_region}) {
-    if (*box) *box = Box{move((*box)->min), move((*box)->max)};
-  }
-  if (auto& box = bounds.coupler_point) box = Box{(1 / size) * box->min, (1 / size) * box->max};
   return problem;
 }
 

@@ -18,8 +18,9 @@
 
 namespace cognate::problems {
 
-/// Error at the targets, in the target's unit (length for paths, radians for functions).
-/// `sum_of_squares` is unweighted.
+/// Error at the targets, in the target's unit (length for paths and motions, radians for
+/// functions). Of a motion by least squares it holds the angle too, by its weight. `sum_of_squares`
+/// is unweighted.
 struct TargetError {
   double sum_of_squares = 0;
   double rms = 0;
@@ -59,7 +60,8 @@ struct Design {
   TargetError error;
   Metrics metrics;
   std::vector<ConstraintCheck> constraints;
-  std::string origin;             ///< `exact:<method>`, `search` or `given`, then " + <solver>"
+  /// `exact:<method>`, `algebraic`, `search` or `given`, then " + <solver>".
+  std::string origin;
   std::optional<int> cognate_of;  ///< index of the better design that traces the same curve
   std::optional<int> mirror_of;   ///< index of the design of which this is the mirror image
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "app/report/convex_hull.hpp"
@@ -73,6 +74,19 @@ ordered_json outline_json(const Design& design, const GuidedBody& guided) {
   return list;
 }
 
+/// The axes that the poses are of, in those of the body that is guided: as the design has them,
+/// else as they were found from where the body stands.
+Pose body_axes(const Design& design, const GuidedBody& guided) {
+  const auto& points = design.mechanism.points;
+  const auto& facts = design.metrics.facts;
+  const auto origin = std::ranges::find(points, "P", &problems::NamedPoint::name);
+  const auto angle = std::ranges::find(facts, "body_angle_in_link_deg", &problems::Fact::name);
+  if (origin == points.end() || origin->at.body != guided.body || angle == facts.end()) {
+    return guided.target_in_body;
+  }
+  return {origin->at.at, std::get<double>(angle->value) * std::numbers::pi / 180};
+}
+
 }  // namespace
 
 Fineness fineness(std::size_t designs) {
@@ -105,8 +119,9 @@ ordered_json reached_points(const Design& design) {
 }
 
 ordered_json reached_poses(const Design& design, std::span<const Pose> targets) {
-  const auto guided = guided_body(design.mechanism, design.crank_angles, targets);
+  auto guided = guided_body(design.mechanism, design.crank_angles, targets);
   if (!guided) return {{"reached", ordered_json::array()}, {"guided", nullptr}};
+  guided->target_in_body = body_axes(design, *guided);
   ordered_json origins = ordered_json::array(), reached = origins;
   for (const auto& pose : guided->reached) {
     reached.push_back(pose ? pose_json(*pose) : ordered_json(nullptr));

@@ -17,26 +17,18 @@ using synthesis::DyadKind;
 
 constexpr std::string_view kPoses = "poses";
 constexpr std::string_view kSegments = "segments";
-constexpr std::size_t kMost = 5;
+constexpr std::size_t kMostExact = 5;
+constexpr std::size_t kLeastNearby = 3;  // two poses leave circles undetermined
+constexpr std::size_t kMost = 10000;
 
 // Relative difference of the segments' lengths beyond which they are not one body: far above what
 // printed digits leave, and named in the message.
 constexpr double kSameLength = 1e-6;
 
-// The number of poses, which a message of its own refuses.
-constexpr Count kCount{.min = 2, .of = "poses"};
-
-bool is_too_many(TableReader& target, std::string_view key, std::size_t count) {
-  if (count <= kMost) return false;
-  target.fault(key, fmt::format("has {} poses, and least squares over more poses than five is not "
-                                "available in this version; 2 to 5 poses are wanted",
-                                count));
-  return true;
-}
+constexpr Count kCount{.min = 2, .max = kMost, .of = "poses"};
 
 void read_poses(TableReader& target, MotionProblem& problem) {
   const auto rows = target.each_row(kPoses, 3, kQuantity, "[x, y, angle_deg]", kCount);
-  if (is_too_many(target, kPoses, rows.size())) return;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i] || kAngle.accepts((*rows[i])[2])) continue;
     target.faults().add(target.where(kPoses, i),
@@ -70,7 +62,6 @@ void check_lengths(TableReader& target, const MotionProblem& problem) {
 
 void read_segments(TableReader& target, MotionProblem& problem) {
   const auto read = target.each_segment(kSegments, kQuantity, "[[x1, y1], [x2, y2]]", kCount);
-  if (is_too_many(target, kSegments, read.size())) return;
   const auto segments = all_or_none(read);
   if (!segments) return;
   std::vector<Vec2d> firsts, seconds;
@@ -90,11 +81,38 @@ void read_target(TableReader& target, MotionProblem& problem) {
     target.fault(kSegments, "is given beside target.poses; give one of the two");
   } else if (!has_poses && !has_segments) {
     target.fault(kPoses,
-                 "is missing; two to five poses [x, y, angle_deg], or target.segments, the places "
+                 "is missing; two poses or more, [x, y, angle_deg], or target.segments, the places "
                  "[[x1, y1], [x2, y2]] of two points of the body, are wanted");
   }
   if (has_poses) read_poses(target, problem);
   if (has_segments && !has_poses) read_segments(target, problem);
+}
+
+void read_method(TableReader& target, MotionProblem& problem) {
+  constexpr std::string_view kMethod = "method", kWeight = "angle_weight";
+  const std::size_t count = problem.poses.size();
+  const auto asked = target.choice<MotionMethod>(kMethod);
+  problem.method =
+      asked.value_or(count > kMostExact ? MotionMethod::least_squares : MotionMethod::exact);
+  const auto weight = target.number(kWeight, kLinkLength);
+  if (count == 0) return;
+  problem.angle_weight = weight.value_or(natural_angle_weight(problem.poses));
+  if (problem.method == MotionMethod::exact) {
+    if (count > kMostExact) {
+      target.fault(kMethod, fmt::format("is \"exact\" with {} poses; at most five can be met, so "
+                                        "\"least-squares\" is wanted, or fewer poses",
+                                        count));
+    }
+    if (weight) {
+      target.fault(kWeight,
+                   "is given, but the poses are met exactly; it goes with method = "
+                   "\"least-squares\"");
+    }
+  } else if (count < kLeastNearby) {
+    target.fault(kMethod, fmt::format("is \"least-squares\" with {} poses; at least three are "
+                                      "wanted",
+                                      count));
+  }
 }
 
 std::vector<Vec2d> read_pivots(TableReader& mechanism, std::string_view key,
@@ -150,6 +168,14 @@ void check_freedom(TableReader& mechanism, const MotionProblem& problem) {
   const auto refuse = [&](std::string_view key, std::string_view why) {
     if (mechanism.has(key)) mechanism.fault(key, why);
   };
+  if (problem.method == MotionMethod::least_squares) {
+    refuse("fixed_pivot_line", "goes with two poses only; leave it out, or bound the pivots");
+    if (std::ranges::count(problem.dyads, DyadKind::rr) == 0) {
+      mechanism.fault("dyads",
+                      "leaves \"RR\" out; by least squares one of the two dyads is a link");
+    }
+    return;
+  }
   if (count > 3) {
     const auto why = fmt::format(
         "is given with {} poses, which determine the pivots; leave it "
@@ -186,11 +212,60 @@ void check_freedom(TableReader& mechanism, const MotionProblem& problem) {
 }
 
 void use_points_of_segments(MotionProblem& problem) {
-  const bool few = problem.poses.size() == 2 || problem.poses.size() == 3;
+  const bool few = problem.method == MotionMethod::exact && problem.poses.size() <= 3;
   if (!few || problem.segments.empty()) return;
   if (!problem.moving_pivots.empty() || !problem.fixed_pivots.empty()) return;
   const auto& [first, second] = problem.segments.front();
   problem.moving_pivots = {{0, 0}, {norm(second - first), 0}};
+}
+
+// Where moving pivots may lie. Poses to be met exactly determine them or leave them to the search.
+void read_moving_bounds(TableReader& bounds, MotionProblem& problem) {
+  constexpr std::string_view kKeys[] = {"moving_pivot_a", "moving_pivot_d"};
+  for (std::size_t i = 0; i < std::size(kKeys); ++i) {
+    problem.moving_bounds.at(i) = bounds.box(kKeys[i]);
+    if (!problem.moving_bounds.at(i)) continue;
+    if (problem.method == MotionMethod::exact && !problem.poses.empty()) {
+      bounds.fault(kKeys[i],
+                   "is given, but the poses are met exactly; it goes with method = "
+                   "\"least-squares\"");
+    } else if (i < problem.moving_pivots.size() &&
+               !contains(*problem.moving_bounds.at(i), problem.moving_pivots[i])) {
+      bounds.fault(kKeys[i],
+                   "does not contain the moving pivot that [mechanism] gives; give one of the two");
+    }
+  }
+}
+
+// What is given by least squares keeps to its bounds.
+void check_given_bounds(TableReader& bounds, const MotionProblem& problem) {
+  if (problem.method == MotionMethod::exact) return;
+  const auto check_length = [&](std::string_view key, const std::optional<double>& length,
+                                const std::optional<Range>& range) {
+    if (!length || !range || (*length >= range->min && *length <= range->max)) return;
+    bounds.fault(
+        key, fmt::format("does not allow the {} of {} that [mechanism] gives; give one of the two",
+                         key, *length));
+  };
+  check_length("crank", problem.crank, problem.bounds.crank);
+  check_length("rocker", problem.rocker, problem.bounds.rocker);
+  const std::optional<Box>* boxes[] = {&problem.bounds.pivot_a, &problem.bounds.pivot_d};
+  constexpr std::string_view kKeys[] = {"pivot_a", "pivot_d"};
+  for (std::size_t i = 0; i < problem.fixed_pivots.size() && i < 2; ++i) {
+    if (!*boxes[i] || contains(**boxes[i], problem.fixed_pivots[i])) continue;
+    bounds.fault(kKeys[i],
+                 "does not contain the fixed pivot that [mechanism] gives; give one of the two");
+  }
+}
+
+// The pivots are the variables, so that limits of their distances are more than bounds.
+void check_solver(TableReader& solve, const MotionProblem& problem) {
+  const bool bounded = problem.bounds.coupler || problem.bounds.frame;
+  if (problem.method == MotionMethod::exact || !bounded) return;
+  if (problem.solve.solver != SolverChoice::ceres) return;
+  solve.fault("solver",
+              "is \"ceres\", which does not honour bounds of coupler and frame, distances of "
+              "pivots; \"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted");
 }
 
 }  // namespace
@@ -204,6 +279,7 @@ MotionProblem read_motion_problem(TableReader& document) {
   TableReader solve = document.table("solve");
 
   read_target(target, problem);
+  read_method(target, problem);
   problem.fixed_pivots = read_pivots(mechanism, "fixed_pivots", "[x, y]");
   problem.moving_pivots = read_pivots(mechanism, "moving_pivots", "[u, v]");
   use_points_of_segments(problem);
@@ -215,6 +291,8 @@ MotionProblem read_motion_problem(TableReader& document) {
   read_length_bounds(bounds, problem.bounds);
   problem.bounds.pivot_a = bounds.box("pivot_a");
   problem.bounds.pivot_d = bounds.box("pivot_d");
+  read_moving_bounds(bounds, problem);
+  check_given_bounds(bounds, problem);
   Given given;
   given.crank = problem.crank;
   given.rocker = problem.rocker;
@@ -231,6 +309,7 @@ MotionProblem read_motion_problem(TableReader& document) {
   }
   problem.designs_given = solve.has("designs");
   problem.solve = read_solve(solve, problem.constraints, false);
+  check_solver(solve, problem);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

@@ -17,6 +17,7 @@ namespace {
 
 using problems::Design;
 using problems::FunctionProblem;
+using problems::MotionProblem;
 using problems::PathProblem;
 
 /// Seeds per problem: 10 for paths, 2 for the many functions, unless the environment asks for fewer
@@ -121,6 +122,29 @@ void check(const Record& record, const PathProblem& problem, const Design& desig
 void check(const Record& record, const FunctionProblem& problem, const Design& design) {
   expect_class(problem.constraints, four_bar(design));
   expect_reached(record, textbook_error(record, problem, design));
+}
+
+/// The body's pose by the textbook's angles; `in_link`: of its axes from the line B–C.
+double textbook_error(const MotionProblem& problem, const Design& design) {
+  const FourBar& linkage = four_bar(design);
+  FourBar ahead = linkage;  // a point ahead of the body's origin along the coupler
+  ahead.coupler_point = *linkage.coupler_point + Vec2d{1, 0};
+  const auto fact =
+      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &problems::Fact::name);
+  const double in_link = std::get<double>(fact->value) * std::numbers::pi / 180;
+  double sum = 0;
+  for (std::size_t j = 0; j < problem.poses.size(); ++j) {
+    const Vec2d at = textbook_point(linkage, design.crank_angles[j]);
+    const Vec2d along = textbook_point(ahead, design.crank_angles[j]) - at;
+    const double turn = std::remainder(
+        std::atan2(along.y, along.x) + in_link - problem.poses[j].angle, 2 * std::numbers::pi);
+    sum += squared_norm(at - problem.poses[j].at) + std::pow(problem.angle_weight * turn, 2);
+  }
+  return sum;
+}
+
+void check(const Record& record, const MotionProblem& problem, const Design& design) {
+  expect_reached(record, textbook_error(problem, design));
 }
 
 template <class OtherProblem>

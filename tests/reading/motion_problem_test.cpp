@@ -21,6 +21,9 @@ const std::string kTwo = "poses = [[0, 0, 0], [1, 2, 30]]\n";
 const std::string kThree = "poses = [[0, 0, 0], [1, 2, 30], [3, 2, 50]]\n";
 const std::string kFour = "poses = [[0, 0, 0], [1, 2, 30], [3, 2, 50], [4, 1, 60]]\n";
 
+const std::string kSix =
+    "poses = [[0, 0, 0], [1, 0, 10], [2, 0, 30], [4, 0, 50], [5, 1, 60], [6, 1, 80]]\n";
+
 MotionProblem read(const std::string& lines) {
   const auto problem = parse_problem(file(lines));
   if (!problem) {
@@ -43,6 +46,23 @@ TEST(MotionProblemTest, Poses) {
   EXPECT_FALSE(problem.designs_given);
 }
 
+TEST(MotionProblemTest, MoreThanFivePosesAreFitted) {
+  EXPECT_EQ(read(kFour).method, MotionMethod::exact);
+  const MotionProblem problem = read(kSix);
+  EXPECT_EQ(problem.method, MotionMethod::least_squares);
+  // The root mean squared distance from (3, 1/3) of the six places.
+  EXPECT_NEAR(problem.angle_weight, std::sqrt((9 + 4 + 1 + 1 + 4 + 9) / 6.0 + 2 / 9.0), 1e-14);
+  EXPECT_EQ(read(kSix + "angle_weight = 2.5\n").angle_weight, 2.5);
+  EXPECT_EQ(read(kFour + "method = \"least-squares\"\n").method, MotionMethod::least_squares);
+  const MotionProblem given =
+      read(kSix +
+           "[mechanism]\nfixed_pivots = [[0, 0], [1, 0]]\nmoving_pivots = [[0, 0], [1, "
+           "0]]\ncrank = 2\nrocker = 3\n[bounds]\nmoving_pivot_d = [[-1, -2], [3, 4]]\n");
+  EXPECT_EQ(given.moving_pivots.size(), 2U);
+  EXPECT_EQ(given.rocker, 3);
+  EXPECT_EQ(given.moving_bounds[1].value().max, (Vec2d{3, 4}));
+}
+
 TEST(MotionProblemTest, SegmentsAreBodiesWithTheirEndsAsPivots) {
   const MotionProblem problem = read("segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n");
   ASSERT_EQ(problem.poses.size(), 2U);
@@ -59,9 +79,44 @@ const std::vector<FaultCase> kCases = {
      file(kTwo + "segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n"),
      {{4, 12, "beside target.poses"}}},
     {"OnePose", file("poses = [[0, 0, 0]]\n"), {{3, 9, "has 1 pose; 2 to"}}},
-    {"SixPoses",
-     file("poses = [[0, 0, 0], [1, 0, 1], [2, 0, 3], [4, 0, 5], [5, 1, 5], [6, 1, 5]]\n"),
-     {{3, 9, "least squares over more poses than five is not available"}}},
+    {"SixPosesExactly",
+     file(kSix + "method = \"exact\"\n"),
+     {{4, 10, "is \"exact\" with 6 poses; at most five can be met"}}},
+    {"TwoPosesNearby",
+     file(kTwo + "method = \"least-squares\"\n"),
+     {{4, 10, "is \"least-squares\" with 2 poses; at least three"}}},
+    {"UnknownMethod", file(kSix + "method = \"least\"\n"), {{4, 10, "\"least-squares\""}}},
+    {"ZeroWeight", file(kSix + "angle_weight = 0\n"), {{4, 16, "is 0; a length"}}},
+    {"NegativeWeight", file(kSix + "angle_weight = -1\n"), {{4, 16, "is -1; a length"}}},
+    {"WeightOfExactPoses",
+     file(kThree + "angle_weight = 1\n"),
+     {{4, 16, "is given, but the poses are met exactly"}}},
+    {"NotANumberInSix",
+     file("poses = [[0, 0, 0], [1, 0, nan], [2, 0, 3], [4, 0, 5], [5, 1, 5], [6, 1, 5]]\n"),
+     {{3, 28, "nan"}}},
+    {"SlidesAlone",
+     file(kSix + "[mechanism]\ndyads = [\"PR\", \"RP\"]\n"),
+     {{5, 9, "leaves \"RR\" out"}}},
+    {"LineOfSix",
+     file(kSix + "[mechanism]\nfixed_pivot_line = [1, 0, 2]\n"),
+     {{5, 20, "goes with two poses only"}}},
+    {"MovingBoundsOfExactPoses",
+     file(kThree + "[bounds]\nmoving_pivot_a = [[0, 0], [1, 1]]\n"),
+     {{5, 18, "is given, but the poses are met exactly"}}},
+    {"MovingPivotOutsideItsBounds",
+     file(kSix + "[mechanism]\nmoving_pivots = [[5, 5]]\n[bounds]\n"
+                 "moving_pivot_a = [[0, 0], [1, 1]]\n"),
+     {{7, 18, "does not contain the moving pivot"}}},
+    {"FixedPivotOutsideItsBounds",
+     file(kSix + "[mechanism]\nfixed_pivots = [[0, 0], [5, 5]]\n[bounds]\n"
+                 "pivot_d = [[0, 0], [1, 1]]\n"),
+     {{7, 11, "does not contain the fixed pivot"}}},
+    {"CrankOutsideItsBounds",
+     file(kSix + "[mechanism]\ncrank = 5\n[bounds]\ncrank = [1, 2]\n"),
+     {{7, 9, "does not allow the crank of 5"}}},
+    {"CeresWithBoundedFrame",
+     file(kSix + "[bounds]\nframe = [1, 2]\n[solve]\nsolver = \"ceres\"\n"),
+     {{7, 10, "does not honour bounds of coupler and frame"}}},
     {"ShortPose", file("poses = [[0, 0], [1, 2, 3]]\n"), {{3, 10, "has 2 entries"}}},
     {"WordInPose", file("poses = [[0, 0, \"x\"], [1, 2, 3]]\n"), {{3, 17, "is a string"}}},
     {"HugeAngle", file("poses = [[0, 0, 1e6], [1, 2, 3]]\n"), {{3, 10, "pose 1"}}},

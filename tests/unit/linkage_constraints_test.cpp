@@ -33,6 +33,18 @@ L random_links(std::mt19937_64& random) {
   return {length(random), length(random), length(random), length(random)};
 }
 
+TEST(ConfiningClass, IsThatOfATurningCrankWhereTransmissionIsLimited) {
+  const L crank_rocker{1, 3, 3, 3.5}, double_crank{3, 3, 3.5, 1}, triple{2, 1, 2.2, 3.9};
+  Constraints constraints;
+  EXPECT_EQ(confining_class(constraints, crank_rocker), std::nullopt);
+  constraints.transmission_angle = Range{0.5, 2.5};
+  EXPECT_EQ(confining_class(constraints, crank_rocker), RequiredClass::crank_rocker);
+  EXPECT_EQ(confining_class(constraints, double_crank), RequiredClass::double_crank);
+  EXPECT_EQ(confining_class(constraints, triple), std::nullopt);
+  constraints.required_class = RequiredClass::double_rocker;
+  EXPECT_EQ(confining_class(constraints, crank_rocker), RequiredClass::double_rocker);
+}
+
 TEST(LinkageConstraints, HalfSpacesAreTheCrankRocker) {
   const LinkageConstraints constraints({.required_class = RequiredClass::crank_rocker}, 1.0);
   std::mt19937_64 random(1);

@@ -20,14 +20,9 @@
 #include <span>
 
 #include "synthesis/exact/motion/dyad.hpp"
+#include "synthesis/exact/motion/null_space_pivots.hpp"
 
 namespace cognate::synthesis {
-
-/// The homogeneous coordinates of the two pivots of a dyad, each a unit vector.
-struct PivotPair {
-  Eigen::Vector3d moving;
-  Eigen::Vector3d fixed;
-};
 
 class GuidanceForms {
  public:
@@ -49,7 +44,7 @@ class GuidanceForms {
 
   /// For five poses: what satisfies the four conditions in (h, w, g, q), q = w ḡ, three orthonormal
   /// columns.
-  const Eigen::Matrix<double, 7, 3>& null_space() const { return null_space_; }
+  const PivotNullSpace& null_space() const { return null_space_; }
 
   /// Homogeneous coordinates, unit vectors, of a point in body axes and one in the frame.
   Eigen::Vector3d moving(const Vec2d& in_body) const;
@@ -89,7 +84,7 @@ class GuidanceForms {
   GuidanceStatus status_ = GuidanceStatus::found;
   std::array<Eigen::Matrix3d, kMost> forms_;
   std::array<Eigen::Matrix3d, kMost> basis_;
-  Eigen::Matrix<double, 7, 3> null_space_;
+  PivotNullSpace null_space_;
 };
 
 }  // namespace cognate::synthesis

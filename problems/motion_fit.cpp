@@ -1,0 +1,275 @@
+#include "problems/motion_fit.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "analysis/parallel.hpp"
+#include "problems/motion_starts.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Backend;
+using synthesis::Solution;
+
+/// Iterations spent on every start, on the best ones, and on the best of these over all poses of a
+/// long list or by a back end of the user's choice.
+constexpr int kExploringIterations = 60;
+constexpr int kDeepeningIterations = 1000;
+constexpr int kFinishingIterations = 200;
+/// How many explored starts are deepened, and how many of those finished, beyond twice the designs
+/// wanted.
+constexpr std::size_t kDeepened = 24, kFinished = 2;
+constexpr double kFeasibility = 1e-9;
+/// Starts are explored over at most so many poses.
+constexpr std::size_t kMostPoses = 40;
+
+struct Found {
+  MotionMinimum minimum;
+  bool valid = false;
+  double violation = 0;  ///< of the file's constraints by the finished design, defects included
+};
+
+/// How far the design of a minimum violates what the file demands, by whichever dyad may drive.
+double design_violation(const MotionProblem& problem, const MotionMinimum& minimum) {
+  const MotionModel model(problem, minimum.form);
+  const auto reached = model.reached(minimum.solution.x);
+  if (reached.empty()) return std::numeric_limits<double>::infinity();
+  const DyadPair pair = model.pair(minimum.solution.x);
+  double least = std::numeric_limits<double>::infinity();
+  if (const auto judged = judge(problem, pair, reached)) least = judged->violation;
+  if (least > 0 && pair.second.kind == synthesis::DyadKind::rr && roles_are_alike(problem)) {
+    const auto judged = judge(problem, {pair.second, pair.first}, reached);
+    if (judged) least = std::min(least, judged->violation);
+  }
+  return least;
+}
+
+bool better(const MotionMinimum& a, const MotionMinimum& b) {
+  const bool a_feasible = a.solution.violation <= kFeasibility;
+  const bool b_feasible = b.solution.violation <= kFeasibility;
+  if (a_feasible != b_feasible) return a_feasible;
+  if (!a_feasible) return a.solution.violation < b.solution.violation;
+  return a.solution.objective < b.solution.objective;
+}
+
+/// Whether two minima are the same point up to what an unfinished refinement leaves open.
+bool close(const MotionMinimum& a, const MotionMinimum& b) {
+  if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
+  if (a.form.sides != b.form.sides) return false;
+  for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
+    const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
+    if (difference > 1e-6 * (1 + std::abs(a.solution.x[i]))) return false;
+  }
+  return true;
+}
+
+/// Sound designs first, then by the solver's measure.
+void sort_and_merge(std::vector<Found>& all) {
+  std::erase_if(all, [](const Found& found) { return !found.valid; });
+  std::ranges::stable_sort(all, [](const Found& a, const Found& b) {
+    const bool a_sound = a.violation == 0, b_sound = b.violation == 0;
+    return a_sound != b_sound ? a_sound : better(a.minimum, b.minimum);
+  });
+  std::vector<Found> distinct;
+  for (Found& found : all) {
+    const bool known = std::ranges::any_of(
+        distinct, [&](const Found& other) { return close(other.minimum, found.minimum); });
+    if (!known) distinct.push_back(std::move(found));
+  }
+  all = std::move(distinct);
+}
+
+/// The best `most`: at least a third of them places for those that are not sound, which further
+/// refinement may mend.
+void keep_best(std::vector<Found>& all, std::size_t most) {
+  if (all.size() <= most) return;
+  const auto sound = static_cast<std::size_t>(std::ranges::count(all, 0.0, &Found::violation));
+  const std::size_t unsound =
+      std::max(std::min(most / 3, all.size() - sound), most - std::min(most, sound));
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(most - unsound);
+  all.erase(begin, all.begin() + static_cast<std::ptrdiff_t>(sound));
+  all.resize(most);
+}
+
+/// The numbers of the poses that are looked at first: even steps, first and last among them.
+std::vector<std::size_t> kept_poses(std::size_t count) {
+  const std::size_t kept = std::min(count, kMostPoses);
+  std::vector<std::size_t> numbers(kept);
+  for (std::size_t k = 0; k < kept; ++k) {
+    numbers[k] = kept == count ? k : k * (count - 1) / (kept - 1);
+  }
+  return numbers;
+}
+
+MotionProblem only(const MotionProblem& problem, const std::vector<std::size_t>& numbers) {
+  MotionProblem some = problem;
+  some.poses.clear();
+  for (const std::size_t number : numbers) some.poses.push_back(problem.poses[number]);
+  return some;
+}
+
+/// The stages of a search; each works on `all_` in place.
+class MotionSearch {
+ public:
+  MotionSearch(const MotionProblem& scaled, double tolerance, const Run& run,
+               const Deadline& deadline, Work& work)
+      : whole_(scaled),
+        kept_(kept_poses(scaled.poses.size())),
+        coarse_(only(scaled, kept_)),
+        tolerance_(tolerance),
+        run_(run),
+        deadline_(deadline),
+        work_(work) {}
+
+  void explore_all(int count);
+  void finish(Backend backend);
+  std::vector<MotionMinimum> take();
+
+ private:
+  synthesis::Options options(int iterations, double tolerance) const {
+    return {.tolerance = tolerance,
+            .feasibility = kFeasibility,
+            .max_iterations = iterations,
+            .time_limit = deadline_.remaining(),
+            .interrupted = deadline_.flag()};
+  }
+
+  Found explored(const MotionStart& start) const;
+  void carry_over(Found& found) const;
+  void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
+                   int iterations, double share);
+  void count_work(const Solution& solution, std::size_t poses);
+  void lower_best(const Found& found);
+
+  const MotionProblem& whole_;
+  std::vector<std::size_t> kept_;
+  MotionProblem coarse_;
+  double tolerance_;
+  const Run& run_;
+  const Deadline& deadline_;
+  Work& work_;
+  std::vector<Found> all_;
+  std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
+};
+
+Found MotionSearch::explored(const MotionStart& start) const {
+  Found found{{form_of(coarse_, start.pair), start.origin, {}}, false};
+  const MotionModel model(coarse_, found.minimum.form);
+  found.minimum.solution = solve(Backend::gauss_newton, model, model.variables_of(start.pair),
+                                 options(kExploringIterations, 1e-10));
+  found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
+  if (found.valid) found.violation = design_violation(coarse_, found.minimum);
+  return found;
+}
+
+void MotionSearch::lower_best(const Found& found) {
+  if (!found.valid || found.violation > 0) return;
+  const double objective = found.minimum.solution.objective;
+  double known = best_;
+  while (objective < known && !best_.compare_exchange_weak(known, objective)) {
+  }
+}
+
+void MotionSearch::count_work(const Solution& solution, std::size_t poses) {
+  work_.positions += solution.evaluations * poses;
+  work_.gradients += solution.gradients * poses;
+  work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
+}
+
+void MotionSearch::explore_all(int count) {
+  const MotionStarts starts(coarse_, kept_, run_.seed, deadline_);
+  all_.resize(static_cast<std::size_t>(count));
+  std::atomic<int> done{0};
+  parallel_for(count, run_.threads, [&](int index, int thread) {
+    if (deadline_.reached()) return;
+    const auto start = starts.start(index);
+    if (!start) return;
+    Found& found = all_[static_cast<std::size_t>(index)];
+    found = explored(*start);
+    ++done;
+    lower_best(found);
+    if (thread == 0 && run_.progress) run_.progress(0.8 * done / count, best_);
+  });
+  work_.candidates += static_cast<std::uint64_t>(done);
+  for (const Found& found : all_) count_work(found.minimum.solution, coarse_.poses.size());
+  sort_and_merge(all_);
+}
+
+/// From the kept poses to all: the same dyads, their sides looked at anew.
+void MotionSearch::carry_over(Found& found) const {
+  const DyadPair pair = MotionModel(coarse_, found.minimum.form).pair(found.minimum.solution.x);
+  MotionForm form = form_of(whole_, pair);
+  form.confined_to = found.minimum.form.confined_to;
+  const auto& coarse_sides = found.minimum.form.sides;
+  const bool one_side =
+      std::ranges::count(coarse_sides, coarse_sides.front()) == std::ssize(coarse_sides);
+  if (one_side) std::ranges::fill(form.sides, coarse_sides.front());
+  found.minimum.form = form;
+  found.minimum.solution.x = MotionModel(whole_, form).variables_of(pair);
+  found.minimum.solution.objective = std::numeric_limits<double>::infinity();
+}
+
+/// Keeps `reserve` and twice the designs wanted, and goes on with those; what is reached replaces
+/// them unless it is worse.
+void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
+                               int iterations, double share) {
+  keep_best(all_, reserve + 2 * static_cast<std::size_t>(whole_.solve.designs));
+  std::vector<Solution> solutions(all_.size());
+  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
+    if (deadline_.reached()) return;
+    Found& found = all_[static_cast<std::size_t>(index)];
+    const MotionModel model(problem, found.minimum.form);
+    MotionMinimum refined = found.minimum;
+    refined.solution =
+        solve(backend, model, found.minimum.solution.x, options(iterations, tolerance_));
+    solutions[static_cast<std::size_t>(index)] = refined.solution;
+    if (refined.solution.stop != synthesis::Stop::no_value && !better(found.minimum, refined)) {
+      found.minimum = std::move(refined);
+      found.violation = design_violation(problem, found.minimum);
+    }
+    lower_best(found);
+    if (thread == 0 && run_.progress) run_.progress(share, best_);
+  });
+  for (const Solution& solution : solutions) count_work(solution, problem.poses.size());
+  sort_and_merge(all_);
+}
+
+/// Brings the best to convergence at all poses, by `backend` in the end.
+void MotionSearch::finish(Backend backend) {
+  refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, 0.85);
+  if (kept_.size() < whole_.poses.size()) {
+    keep_best(all_, kFinished + 2 * static_cast<std::size_t>(whole_.solve.designs));
+    for (Found& found : all_) carry_over(found);
+    refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, 0.9);
+  }
+  if (backend != Backend::gauss_newton) {
+    refine_best(whole_, kFinished, backend, kFinishingIterations, 0.95);
+  }
+}
+
+std::vector<MotionMinimum> MotionSearch::take() {
+  std::erase_if(all_, [](const Found& found) {
+    return !std::isfinite(found.minimum.solution.objective);  // never refined over all poses
+  });
+  std::vector<MotionMinimum> minima;
+  for (Found& found : all_) minima.push_back(std::move(found.minimum));
+  return minima;
+}
+
+}  // namespace
+
+std::vector<MotionMinimum> search_motions(const MotionProblem& scaled, int starts, Backend backend,
+                                          double tolerance, const Run& run,
+                                          const Deadline& deadline, Work& work) {
+  MotionSearch search(scaled, tolerance, run, deadline, work);
+  search.explore_all(starts);
+  search.finish(backend);
+  return search.take();
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,32 @@
+/// @file Motion problems in units of the body's own way, with its middle as origin.
+#pragma once
+
+#include "problems/motion_design.hpp"
+#include "problems/motion_problem.hpp"
+#include "problems/similarity.hpp"
+
+namespace cognate::problems {
+
+/// Solvers see every motion at the same place and of the same size. The body keeps its axes.
+class MotionScale {
+ public:
+  explicit MotionScale(const MotionProblem& problem);
+
+  /// Length unit of the scaled problem: the natural angle weight, or, where the body's origin
+  /// stands still, the weight of the problem.
+  double size() const { return similarity_.size; }
+
+  MotionProblem into(MotionProblem problem) const;  ///< file units → scaled
+
+  /// Scaled → file units; what the file gives comes out as written.
+  synthesis::Pose out_of(const synthesis::Pose& pose) const;
+  DyadPair out_of(const DyadPair& pair) const;
+
+ private:
+  synthesis::GuidingDyad out_of(const synthesis::GuidingDyad& dyad) const;
+
+  const MotionProblem& problem_;
+  Similarity similarity_;
+};
+
+}  // namespace cognate::problems
