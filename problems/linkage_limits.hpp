@@ -64,6 +64,8 @@ struct Solve {
   std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
   int designs = 3;                  ///< how many different designs to return, 1…100
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
+  bool certify = false;             ///< prove how near the best design is to the best possible
+  double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
 };
 
 }  // namespace cognate::problems

@@ -1,13 +1,14 @@
 /// Path generation from problem to designs: search, conversion to the file's units, verification.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "analysis/angle.hpp"
 #include "analysis/cognates.hpp"
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
 #include "problems/crank_sense.hpp"
+#include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
 #include "problems/path_search.hpp"
@@ -142,6 +143,13 @@ Result solve(const PathProblem& problem, const Run& run) {
   }
   result.status = status(deadline, ended_early, designs, !minima.empty());
   result.designs = designs.take();
+  if (problem.solve.certify && result.status == Status::solved) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const Design& design : result.designs) {
+      best = std::min(best, path_objective(problem, design));
+    }
+    result.certificate = certify(problem, best, run, deadline);
+  }
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes at every target point; wider bounds or more starts may "

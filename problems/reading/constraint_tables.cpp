@@ -117,4 +117,14 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
   return solve;
 }
 
+void read_certificate(TableReader& table, std::string_view refusal, Solve& solve) {
+  solve.certify = table.boolean("certify").value_or(false);
+  const auto gap = table.number("certify_gap", kTolerance);
+  if (gap && !solve.certify) {
+    table.fault("certify_gap", "is given without certify; add certify = true or leave it out");
+  }
+  if (solve.certify && !refusal.empty()) table.fault("certify", std::string(refusal));
+  solve.certify_gap = gap.value_or(solve.certify_gap);
+}
+
 }  // namespace cognate::problems::reading

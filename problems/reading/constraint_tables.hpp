@@ -22,4 +22,8 @@ inline constexpr int kMostSearchedDesigns = 100;
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
 
+/// `solve.certify` and `solve.certify_gap` into `solve`. `refusal`: why this problem cannot be
+/// certified and what can, for a message; empty where it can be.
+void read_certificate(TableReader& table, std::string_view refusal, Solve& solve);
+
 }  // namespace cognate::problems::reading

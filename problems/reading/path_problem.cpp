@@ -118,6 +118,17 @@ void read_positions(TableReader& target, PathProblem& problem) {
   }
 }
 
+// The unknown crank angles of free timing are too many to be divided.
+std::string_view certificate_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is true with method = \"exact\", whose designs meet the points; leave it out";
+  }
+  if (problem.timing == Timing::free) {
+    return "is true with free timing; only paths with timing = \"prescribed\" can be certified";
+  }
+  return {};
+}
+
 }  // namespace
 
 PathProblem read_path_problem(TableReader& document) {
@@ -146,6 +157,7 @@ PathProblem read_path_problem(TableReader& document) {
   read_pivot_region(constraints, problem.given, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
+  read_certificate(solve, certificate_refusal(problem), problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);
