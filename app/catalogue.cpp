@@ -17,7 +17,11 @@ constexpr Entry kSolveOptions[] = {
     {"designs",
      "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
      "many: to 10000, by default all"},
-    {"tolerance", "relative change of the error at which a refinement stops"}};
+    {"tolerance", "relative change of the error at which a refinement stops"},
+    {"certify",
+     "true: prove how near the best design is to the best possible; timed paths and functions by "
+     "least squares (at most 60 s, or what --time-limit leaves)"},
+    {"certify_gap", "the relative gap at which a certificate is complete (default 1e-3)"}};
 
 constexpr Metric kMetrics[] = {
     {"class", "", "which link turns fully, by Grashof's criterion"},

@@ -63,6 +63,10 @@ ordered_json solve_table(const problems::Solve& given) {
   if (given.starts) table["starts"] = *given.starts;
   table["designs"] = given.designs;
   set(table, "tolerance", given.tolerance);
+  if (given.certify) {
+    table["certify"] = true;
+    table["certify_gap"] = given.certify_gap;
+  }
   return table;
 }
 

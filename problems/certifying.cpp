@@ -50,17 +50,37 @@ std::string domain_text(const Constraints& constraints, const Given& given, doub
                      ratio, ratio_given ? "" : " (a limit of the certificate; the file has none)");
 }
 
+synthesis::LengthLimits certified_lengths(const std::array<Range, 4>& limits) {
+  synthesis::LengthLimits lengths;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    lengths.least[i] = limits[i].min * (1 - 2 * kCheckTolerance);
+    lengths.greatest[i] = limits[i].max * (1 + 2 * kCheckTolerance);
+  }
+  return lengths;
+}
+
 std::vector<ProportionBox> proportion_roots(const Constraints& constraints, const Given& given,
-                                            double ratio, const Range& phase) {
+                                            const std::array<Range, 4>& limits, double ratio,
+                                            const Range& phase) {
   ProportionBox box;
   box.proportions = proportions_of(constraints);
-  const double least = 1 / (1 + ratio), greatest = ratio / (1 + ratio);
-  box.side[0] = synthesis::outward(least, greatest);
-  if (box.proportions == Proportions::crank_shortest) box.side[0].low = 0.5;
-  if (box.proportions == Proportions::frame_shortest) box.side[0].high = 0.5;
+  const Range &crank = limits[0], &frame = limits[3];
+  const double most = frame.max / crank.min, fewest = frame.min / crank.max;
+  const double greatest = std::isfinite(most) ? std::min(ratio, most) : ratio;
+  const double least = std::isfinite(fewest) ? std::max(1 / ratio, fewest) : 1 / ratio;
+  constexpr double kSlack = 4 * kCheckTolerance;
+  const double lowest = least / (1 + least) * (1 - kSlack);
+  const double highest = greatest / (1 + greatest) + kSlack / (1 + greatest);
+  box.side[0] = Interval(lowest, highest);
+  if (box.proportions == Proportions::crank_shortest) {
+    box.side[0].low = std::max(0.5, lowest);
+  } else if (box.proportions == Proportions::frame_shortest) {
+    box.side[0].high = std::min(0.5, highest);
+  }
+  if (box.side[0].low > box.side[0].high) return {};
   if (box.proportions == Proportions::any) {
     box.side[1] = Interval(-1, 1);
-    box.side[2] = Interval(0, Interval::above(greatest));
+    box.side[2] = Interval(0, Interval::above(ratio / (1 + ratio)));
   } else {
     box.side[1] = Interval(0, Interval::above(kPi));
     box.side[2] = Interval(0, Interval::above(kPi / 2));

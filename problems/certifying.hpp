@@ -29,11 +29,15 @@ std::optional<double> largest_ratio(const std::array<Range, 4>& limits,
 std::string domain_text(const Constraints& constraints, const Given& given, double ratio,
                         bool ratio_given);
 
-/// Root boxes of the proportions that the class and the largest ratio allow, in the assemblies
-/// that the file allows, with the phase in [phase.min, phase.max].
+/// `limits` as far as a check of the finished design lets them be passed.
+synthesis::LengthLimits certified_lengths(const std::array<Range, 4>& limits);
+
+/// Root boxes of the proportions that the class, the limits of crank and frame and the largest
+/// ratio allow, in the assemblies that the file allows, with the phase in [phase.min, phase.max].
 std::vector<synthesis::ProportionBox> proportion_roots(const Constraints& constraints,
-                                                       const Given& given, double ratio,
-                                                       const Range& phase);
+                                                       const Given& given,
+                                                       const std::array<Range, 4>& limits,
+                                                       double ratio, const Range& phase);
 
 /// What the constraints ask of proportions beyond their root boxes.
 synthesis::ProportionLimits proportion_limits(const Constraints& constraints, double ratio);

@@ -87,12 +87,7 @@ TimedPath timed_path(const PathProblem& scaled, bool clockwise) {
   }
   path.weights = scaled.weights;
   path.weights.resize(path.points.size(), 1.0);
-  const auto limits = length_limits(scaled);
-  for (int i = 0; i < 4; ++i) {
-    // As far as a check of the finished design lets them be passed.
-    path.least[i] = limits[i].min * (1 - 2 * kCheckTolerance);
-    path.greatest[i] = limits[i].max * (1 + 2 * kCheckTolerance);
-  }
+  path.lengths = certified_lengths(length_limits(scaled));
   path.farthest_point = farthest_point(scaled).value_or(kFarthestPoint);
   return path;
 }
@@ -120,7 +115,8 @@ PathDomain path_domain(const PathProblem& problem) {
     if (either ? clockwise : scaled.crank_sense == other) continue;
     domain.bounds.emplace_back(timed_path(scaled, clockwise), limits);
   }
-  domain.roots = proportion_roots(scaled.constraints, scaled.given, ratio, phase_range(scaled));
+  domain.roots = proportion_roots(scaled.constraints, scaled.given, length_limits(scaled), ratio,
+                                  phase_range(scaled));
   domain.text = domain_text(scaled.constraints, scaled.given, ratio, given_ratio.has_value());
   if (!farthest_point(scaled)) {
     domain.text +=

@@ -235,6 +235,12 @@ FunctionProblem read_function_problem(TableReader& document) {
   read_best_by(solve, problem);
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);
+  read_certificate(solve,
+                   problem.objective == FunctionObjective::least_squares
+                       ? ""
+                       : "is true, but only designs of least squares can be certified; "
+                         "objective = \"least-squares\" is wanted",
+                   problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

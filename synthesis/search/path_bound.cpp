@@ -101,26 +101,6 @@ PathBound::PathBound(TimedPath path, const ProportionLimits& limits)
       limits_(limits),
       target_(std::make_shared<const Target>(path_, path_.weights)) {}
 
-/// Between which lengths the crank may be; false where there is none.
-bool PathBound::crank_range(const ProportionRanges& ranges, double& low, double& high) const {
-  const Interval size = ranges.inverse * ranges.difference, doubled = Interval(2) * ranges.inverse;
-  const Interval coupler = Interval(1) + size, rocker = Interval(1) - size;
-  const auto crank_by = [&](const Interval& share, const Interval& of) {
-    return of.low > 0 ? share * ranges.crank / of : Interval(0, kInfinite);
-  };
-  const Interval ratio[4] = {Interval(1), crank_by(doubled, coupler), crank_by(doubled, rocker),
-                             crank_by(Interval(1), ranges.frame)};
-  low = 0;
-  high = kInfinite;
-  for (int i = 0; i < 4; ++i) {
-    if (path_.least[i] > 0) low = std::max(low, Interval::below(path_.least[i] * ratio[i].low));
-    if (std::isfinite(path_.greatest[i])) {
-      high = std::min(high, Interval::above(path_.greatest[i] * ratio[i].high));
-    }
-  }
-  return low <= high;
-}
-
 PathBound::Forms PathBound::linear_part(const std::vector<DirectionRange>& directions,
                                         std::vector<double>& weights) const {
   const std::size_t n = directions.size();
@@ -324,7 +304,7 @@ BoxBound PathBound::operator()(const ProportionBox& box, double wanted) const {
   const bool turning = box.proportions != Proportions::any;
   const ProportionRanges ranges = ranges_of(box);
   double low = 0, high = 0;
-  if (!may_satisfy(ranges, limits_, turning) || !crank_range(ranges, low, high)) {
+  if (!may_satisfy(ranges, limits_, turning) || !crank_range(ranges, path_.lengths, low, high)) {
     return {kInfinite, -1};
   }
   if (turning && !may_transmit(ranges, limits_, ranges.inner, ranges.outer)) {
@@ -341,6 +321,26 @@ BoxBound PathBound::operator()(const ProportionBox& box, double wanted) const {
     }
   }
   return {bound(directions, low, high, wanted), worst_side(box, directions)};
+}
+
+bool crank_range(const ProportionRanges& ranges, const LengthLimits& limits, double& low,
+                 double& high) {
+  const Interval size = ranges.inverse * ranges.difference, doubled = Interval(2) * ranges.inverse;
+  const Interval coupler = Interval(1) + size, rocker = Interval(1) - size;
+  const auto crank_by = [&](const Interval& share, const Interval& of) {
+    return of.low > 0 ? share * ranges.crank / of : Interval(0, kInfinite);
+  };
+  const Interval ratio[4] = {Interval(1), crank_by(doubled, coupler), crank_by(doubled, rocker),
+                             crank_by(Interval(1), ranges.frame)};
+  low = 0;
+  high = kInfinite;
+  for (int i = 0; i < 4; ++i) {
+    if (limits.least[i] > 0) low = std::max(low, Interval::below(limits.least[i] * ratio[i].low));
+    if (std::isfinite(limits.greatest[i])) {
+      high = std::min(high, Interval::above(limits.greatest[i] * ratio[i].high));
+    }
+  }
+  return low <= high;
 }
 
 bool may_satisfy(const ProportionRanges& r, const ProportionLimits& limits, bool turning) {

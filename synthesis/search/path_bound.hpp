@@ -22,6 +22,17 @@
 
 namespace cognate::synthesis {
 
+/// Limits of crank, coupler, rocker and frame, in one unit of length.
+struct LengthLimits {
+  std::array<double, 4> least{};
+  std::array<double, 4> greatest{};  ///< possibly infinite
+};
+
+/// Between which lengths the crank may be where the four lengths keep to `limits`: `low` and
+/// `high`. False where that is impossible.
+bool crank_range(const ProportionRanges& ranges, const LengthLimits& limits, double& low,
+                 double& high);
+
 /// What is wanted. Points in a unit of the path's size, relative to the crank pivot where that is
 /// fixed, else to any point near them.
 struct TimedPath {
@@ -32,8 +43,7 @@ struct TimedPath {
   /// Whether the crank's direction at angle zero in the plane is known: then it is the x axis of
   /// `points`.
   bool direction_fixed = false;
-  double least[4] = {};       ///< of crank, coupler, rocker, frame
-  double greatest[4] = {};    ///< possibly infinite
+  LengthLimits lengths;
   double farthest_point = 0;  ///< greatest distance of the coupler point from B, possibly infinite
 };
 
@@ -63,7 +73,6 @@ class PathBound {
   struct Multipliers;
   struct Bounded;
 
-  bool crank_range(const ProportionRanges& ranges, double& low, double& high) const;
   /// v and the rest; sets the weights to zero where the rest is too large to be of use.
   Forms linear_part(const std::vector<DirectionRange>& directions,
                     std::vector<double>& weights) const;

@@ -163,10 +163,11 @@ TimedPath random_path(Random& random) {
   path.direction_fixed = random.chance(0.4);
   path.farthest_point = random.chance(0.4) ? random.uniform(0.2, 2) : kInfinite;
   for (int i = 0; i < 4; ++i) {
-    path.least[i] = random.chance(0.4) ? random.uniform(0, 0.8) : 0;
-    path.greatest[i] = random.chance(0.4) ? path.least[i] + random.uniform(0, 2) : kInfinite;
+    double& least = path.lengths.least[i];
+    least = random.chance(0.4) ? random.uniform(0, 0.8) : 0;
+    path.lengths.greatest[i] = random.chance(0.4) ? least + random.uniform(0, 2) : kInfinite;
   }
-  if (random.chance(0.1)) path.greatest[0] = path.least[0];
+  if (random.chance(0.1)) path.lengths.greatest[0] = path.lengths.least[0];
   return path;
 }
 
@@ -222,8 +223,8 @@ std::optional<double> error_at(const TimedPath& path, const ProportionBox& box, 
                            double(links->frame / links->crank)};
   double low = 0, high = kInfinite;
   for (int i = 0; i < 4; ++i) {
-    low = std::max(low, path.least[i] / ratio[i]);
-    high = std::min(high, path.greatest[i] / ratio[i]);
+    low = std::max(low, path.lengths.least[i] / ratio[i]);
+    high = std::min(high, path.lengths.greatest[i] / ratio[i]);
   }
   if (low > high) return std::nullopt;
   Fit fit = best_fit(path, u, std::nullopt);
@@ -303,8 +304,8 @@ TEST(PathBound, PlantedDesignKeepsItsBoxes) {
                                crank * double(links->rocker / links->crank),
                                crank * double(links->frame / links->crank)};
     for (int l = 0; l < 4; ++l) {  // limits that the planted design just satisfies
-      path.least[l] = random.chance(0.3) ? lengths[l] * (1 - 1e-12) : 0;
-      path.greatest[l] = random.chance(0.3) ? lengths[l] * (1 + 1e-12) : kInfinite;
+      path.lengths.least[l] = random.chance(0.3) ? lengths[l] * (1 - 1e-12) : 0;
+      path.lengths.greatest[l] = random.chance(0.3) ? lengths[l] * (1 + 1e-12) : kInfinite;
     }
     path.farthest_point = random.chance(0.5) ? std::abs(q) : kInfinite;
     const PathBound bound(path, no_limits());
