@@ -43,11 +43,15 @@ std::optional<double> largest_ratio(const std::array<Range, 4>& limits,
 std::string domain_text(const Constraints& constraints, const Given& given, double ratio,
                         bool ratio_given) {
   const auto& required = constraints.required_class;
+  // At a change point the check of a design limits the transmission angle at the targets alone.
+  const bool apart =
+      constraints.transmission_angle && proportions_of(constraints) != Proportions::any;
   return fmt::format("four-bars{}{}, longest link at most {:g} times the shortest{}",
                      required ? fmt::format(" of class {}", to_string(*required)) : "",
                      given.assembly ? fmt::format(", assembly {}", to_string(*given.assembly))
                                     : ", both assemblies",
-                     ratio, ratio_given ? "" : " (a limit of the certificate; the file has none)");
+                     ratio, ratio_given ? "" : " (a limit of the certificate; the file has none)") +
+         (apart ? ", change points apart" : "");
 }
 
 synthesis::LengthLimits certified_lengths(const std::array<Range, 4>& limits) {

@@ -25,7 +25,9 @@ inline constexpr double kCertifiedLinkRatio = 300;
 std::optional<double> largest_ratio(const std::array<Range, 4>& limits,
                                     const Constraints& constraints);
 
-/// The domain in words: the class, the assemblies and the largest link ratio.
+/// The domain in words: the class, the assemblies, the largest link ratio, and that linkages
+/// exactly at a change point are left out where the transmission angle is limited over the full
+/// turn.
 std::string domain_text(const Constraints& constraints, const Given& given, double ratio,
                         bool ratio_given);
 

@@ -270,7 +270,8 @@ PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, cons
     lost += 2 * w * rest * gradient;
     b_of_rest += w * size_of(y) * rest;
     crank_of_rest += w * size_of(target.e[j]) * rest;
-    b_size += w * size_of(y);
+    // Of the terms, not of y, in which they may cancel.
+    b_size += w * (size_of(target.z[j]) + per_form * size_of(target.e[j]) * size_of(pulled));
     crank_size += w * size_of(target.e[j]);
     rest_square += w * rest * rest;
   }

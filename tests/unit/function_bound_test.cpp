@@ -64,9 +64,7 @@ class Random {
     Point point{};
     for (int i = 0; i < kBoxSides; ++i) {
       const Interval& side = box.side[i];
-      point[i] = chance(0.2)   ? side.low
-                 : chance(0.2) ? side.high
-                               : uniform(side.low, side.high);
+      point[i] = chance(0.2) ? side.low : chance(0.2) ? side.high : uniform(side.low, side.high);
     }
     return point;
   }
@@ -126,8 +124,8 @@ struct Start {
 std::optional<Start> start_of(const WantedFunction& function, const ProportionBox& box,
                               const Point& at) {
   if (!function.start) {
-    return Start{at[3], function.output_start ? std::optional<Real>(*function.output_start)
-                                              : std::nullopt};
+    return Start{
+        at[3], function.output_start ? std::optional<Real>(*function.output_start) : std::nullopt};
   }
   using problems::FunctionStart;
   const Links links = links_at(box, at);

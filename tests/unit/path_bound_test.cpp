@@ -260,7 +260,7 @@ ProportionLimits no_limits() {
 TEST(PathBound, NoDesignOfABoxIsBetterThanItsBound) {
   Random random(2);
   int checked = 0, tight = 0;
-  for (int i = 0; i < repeats(6000); ++i) {
+  for (int i = 0; i < repeats(4500); ++i) {
     const ProportionBox box = random.box();
     TimedPath path = random_path(random);
     const PathBound bound(path, no_limits());
@@ -277,7 +277,7 @@ TEST(PathBound, NoDesignOfABoxIsBetterThanItsBound) {
       if (found.least > 0.5 * std::min(*error, target)) ++tight;
     }
   }
-  EXPECT_GT(checked, repeats(6000));
+  EXPECT_GT(checked, repeats(4500));
   EXPECT_GT(tight, checked / 10);
 }
 
@@ -357,7 +357,9 @@ TEST(PathBound, LeastOfAQuadraticOverTheBox) {
       least = std::min(least, value(t));
     }
     EXPECT_LE(bound, least + 1e-12) << i;
-    if (convex) EXPECT_NEAR(bound, least, 1e-6) << i;
+    if (convex) {
+      EXPECT_NEAR(bound, least, 1e-6) << i;
+    }
   }
 }
 
