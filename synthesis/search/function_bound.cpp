@@ -23,18 +23,6 @@ double wrapped(double angle) {
   return std::remainder(angle, 2 * kPi);
 }
 
-/// An error over a box: value[0] + Σ t_i value[i], up to rest.
-struct ErrorRange {
-  std::array<double, kTerms> value{};
-  double rest = 0;
-
-  double spread() const {
-    double sum = rest;
-    for (int i = 1; i < kTerms; ++i) sum += std::abs(value[i]);
-    return sum;
-  }
-};
-
 /// The phase as a function of the other sides: what it adds to a direction goes to theirs.
 void substitute(const LimitAngle& phase, DirectionRange& range) {
   const double by_phase = phase.reach > 0 ? range.slope[3] / phase.reach : 0;
@@ -47,8 +35,23 @@ void substitute(const LimitAngle& phase, DirectionRange& range) {
 
 }  // namespace
 
+/// An error over a box: value[0] + Σ t_i value[i], up to rest.
+struct FunctionBound::ErrorRange {
+  std::array<double, kTerms> value{};
+  double rest = 0;
+
+  double spread() const {
+    double sum = rest;
+    for (int i = 1; i < kTerms; ++i) sum += std::abs(value[i]);
+    return sum;
+  }
+};
+
 FunctionBound::FunctionBound(WantedFunction wanted, const ProportionLimits& limits)
-    : function_(std::move(wanted)), limits_(limits), refers_(function_.start.has_value()) {
+    : function_(std::move(wanted)),
+      limits_(limits),
+      refers_(function_.start.has_value()),
+      free_(!refers_ && !function_.output_start) {
   if (!refers_) return;
   function_.input.insert(function_.input.begin(), 0.0);
   function_.output.insert(function_.output.begin(), 0.0);
@@ -82,9 +85,12 @@ bool FunctionBound::enclose(const ProportionBox& whole,
   return true;
 }
 
-double FunctionBound::bound(const std::vector<DirectionRange>& directions, double wanted) const {
-  const double target = std::min(wanted, kMostSquares);
-  std::vector<ErrorRange> errors;
+/// The errors at the samples, less those of which it is not known how many turns they are off: they
+/// may be zero. Counted from one, so that those that belong together come to the same turn: from
+/// that at the start, or, where any start will do, from the best known.
+std::vector<FunctionBound::ErrorRange> FunctionBound::errors(
+    const std::vector<DirectionRange>& directions) const {
+  std::vector<ErrorRange> all;
   for (std::size_t j = 0; j < directions.size(); ++j) {
     const DirectionRange& at = directions[j];
     ErrorRange error;
@@ -92,31 +98,32 @@ double FunctionBound::bound(const std::vector<DirectionRange>& directions, doubl
                      function_.output_start.value_or(0);
     for (int i = 0; i < kBoxSides; ++i) error.value[i + 1] = at.slope[i];
     error.rest = at.radius + kRounding * (8 + std::abs(function_.output[j]));
-    errors.push_back(error);
+    all.push_back(error);
   }
-  // Counted from one error, so that those that belong together come to the same turn: from that at
-  // the start, or, where any start will do, from the best known.
-  const bool free = !refers_ && !function_.output_start;
-  const ErrorRange reference = refers_ ? errors.front()
-                               : free  ? *std::ranges::min_element(errors, {}, &ErrorRange::spread)
+  const ErrorRange reference = refers_ ? all.front()
+                               : free_ ? *std::ranges::min_element(all, {}, &ErrorRange::spread)
                                        : ErrorRange{};
   std::vector<ErrorRange> kept;
-  for (std::size_t j = refers_ ? 1 : 0; j < errors.size(); ++j) {
-    ErrorRange error = errors[j];
+  for (std::size_t j = refers_ ? 1 : 0; j < all.size(); ++j) {
+    ErrorRange error = all[j];
     if (refers_) {
       error.rest += reference.rest;
       for (int i = 1; i < kTerms; ++i) error.value[i] -= reference.value[i];
     }
     error.value[0] = wrapped(error.value[0] - reference.value[0]);
-    // An error of which it is not known how many turns it is off may be zero.
-    const double doubt = error.spread() + (free ? reference.spread() : 0);
+    const double doubt = error.spread() + (free_ ? reference.spread() : 0);
     if (std::abs(error.value[0]) + doubt < kPi) kept.push_back(error);
   }
-  if (kept.empty()) return 0;
+  return kept;
+}
 
+double FunctionBound::bound(const std::vector<DirectionRange>& directions, double wanted) const {
+  const double target = std::min(wanted, kMostSquares);
+  std::vector<ErrorRange> kept = errors(directions);
+  if (kept.empty()) return 0;
   std::array<double, kTerms> mean{};
   for (const ErrorRange& error : kept) {
-    for (int a = 0; a < kTerms && free; ++a) mean[a] += error.value[a] / double(kept.size());
+    for (int a = 0; a < kTerms && free_; ++a) mean[a] += error.value[a] / double(kept.size());
   }
   BoxQuadratic squares{};
   double lost = 0, rests = 0, size = 0;

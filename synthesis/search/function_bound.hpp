@@ -34,12 +34,16 @@ class FunctionBound {
   BoxBound operator()(const ProportionBox& box, double wanted) const;
 
  private:
+  struct ErrorRange;
+
   bool enclose(const ProportionBox& box, std::vector<DirectionRange>& directions) const;
+  std::vector<ErrorRange> errors(const std::vector<DirectionRange>& directions) const;
   double bound(const std::vector<DirectionRange>& directions, double wanted) const;
 
   WantedFunction function_;
   ProportionLimits limits_;
   bool refers_;  ///< whether errors count from the first direction: the output at the start
+  bool free_;    ///< whether the output may start anywhere
 };
 
 }  // namespace cognate::synthesis

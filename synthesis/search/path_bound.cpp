@@ -96,6 +96,13 @@ struct PathBound::Bounded {
   double missing = 0;
 };
 
+struct PathBound::Loss {
+  double of_form = 0;  ///< of H
+  double of_u = 0;     ///< of U, by rounding alone
+  double crank = 0;    ///< bound of |Σ w ē rest|
+  double square = 0;   ///< Σ w |rest|²
+};
+
 PathBound::PathBound(TimedPath path, const ProportionLimits& limits)
     : path_(std::move(path)),
       limits_(limits),
@@ -173,8 +180,10 @@ PathBound::Multipliers PathBound::crank_multipliers(const Target& target, const 
   } else {
     const double along = size_of(slope), length = std::clamp(along / curvature, low, high);
     s = along > 0 ? (length / along) * slope : Complex(length);
-    if (length != along / curvature) m.on_square = curvature - along / length;
-    if (!(m.on_square < target.crank_form)) m.on_square = 0;
+    // A multiplier of the other sign would hold s from the wrong side: no bound at all.
+    const double pull_of_limit = curvature - along / length;
+    const bool held = (pull_of_limit > 0 && length == low) || (pull_of_limit < 0 && length == high);
+    if (held && pull_of_limit < target.crank_form) m.on_square = pull_of_limit;
     if (m.on_square != 0) m.constant = m.on_square * length * length;
   }
   m.q = inverse * size_of(pull - conjugate_product(f.crank[0], s));
@@ -231,6 +240,42 @@ double PathBound::bound(const Target& target, Forms& f, double low, double high,
   return std::max(first.least, bounded(target, f, m, wanted).least);
 }
 
+/// What the rest of u may take away from H, first by its product with H's gradient, then its own,
+/// and the rounding of H. Besides bounds of |Σ w ē rest|, Σ w |rest|² and of the terms of U.
+PathBound::Loss PathBound::loss(const Target& target, const Forms& f, const Multipliers& m,
+                                const std::array<Complex, kTerms>& b, double kappa) const {
+  const std::size_t n = target.weights.size();
+  const double per_form = 1 / (target.crank_form - m.on_square);
+  const Complex pulled = target.crank_point + m.on_crank;
+  Loss loss;
+  double b_of_rest = 0, b_size = 0, crank_size = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double w = target.weights[j], rest = f.rest[j];
+    if (w == 0) continue;
+    const Complex y = target.z[j] - per_form * product(target.e[j], pulled);
+    double gradient = 0;
+    for (int a = 0; a < kTerms; ++a) {
+      const Complex part = f.v[a][j] - f.mean[a] - per_form * product(target.e[j], f.crank[a]);
+      gradient += size_of(kappa * part - product(y, b[a]));
+    }
+    const double crank = size_of(target.e[j]);
+    loss.of_form += 2 * w * rest * gradient;
+    b_of_rest += w * size_of(y) * rest;
+    loss.crank += w * crank * rest;
+    loss.square += w * rest * rest;
+    // Of the terms, not of y, in which they may cancel.
+    b_size += w * (size_of(target.z[j]) + per_form * crank * size_of(pulled));
+    crank_size += w * crank;
+  }
+  loss.of_form += b_of_rest * b_of_rest;
+  if (m.on_square > 0) loss.of_form += kappa * per_form * loss.crank * loss.crank;
+  const double reach = 1 + f.turned;
+  const double rounding = kRounding * double(n + 16) * reach * reach;
+  loss.of_u = rounding * (target.weight + per_form * crank_size * crank_size + m.on_point);
+  loss.of_form += kappa * loss.of_u + rounding * b_size * b_size;
+  return loss;
+}
+
 PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, const Multipliers& m,
                                       double wanted) const {
   const std::size_t n = target.weights.size();
@@ -256,44 +301,21 @@ PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, cons
   }
   h[0][0] += kappa * m.on_point;
 
-  // What the rest of u may take away: first by its product with the gradient of H, then its own.
-  double lost = 0, b_of_rest = 0, crank_of_rest = 0, rest_square = 0, b_size = 0, crank_size = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    const double w = target.weights[j], rest = f.rest[j];
-    if (w == 0) continue;
-    const Complex y = target.z[j] - per_form * product(target.e[j], pulled);
-    double gradient = 0;
-    for (int a = 0; a < kTerms; ++a) {
-      const Complex part = f.v[a][j] - f.mean[a] - per_form * product(target.e[j], f.crank[a]);
-      gradient += size_of(kappa * part - product(y, b[a]));
-    }
-    lost += 2 * w * rest * gradient;
-    b_of_rest += w * size_of(y) * rest;
-    crank_of_rest += w * size_of(target.e[j]) * rest;
-    // Of the terms, not of y, in which they may cancel.
-    b_size += w * (size_of(target.z[j]) + per_form * size_of(target.e[j]) * size_of(pulled));
-    crank_size += w * size_of(target.e[j]);
-    rest_square += w * rest * rest;
-  }
-  lost += b_of_rest * b_of_rest;
-  if (m.on_square > 0) lost += kappa * per_form * crank_of_rest * crank_of_rest;
-  const double reach = 1 + f.turned;
-  const double form_size = target.weight + per_form * crank_size * crank_size + m.on_point;
-  lost += rounding * reach * reach * (kappa * form_size + b_size * b_size);
-  const double least = least_over_box(h) - lost * (1 + 1e-12);
+  const Loss lost = loss(target, f, m, b, kappa);
+  const double least = least_over_box(h) - lost.of_form * (1 + 1e-12);
   if (least >= 0) return {wanted, kappa, 0};
 
   // H = U·(error − wanted): divided by the least U of the box.
   const auto length = [&](const BoxQuadratic& q) {
-    double size = std::sqrt(std::max(0.0, q[0][0])) - std::sqrt(rest_square);
+    double size = std::sqrt(std::max(0.0, q[0][0])) - std::sqrt(lost.square);
     for (int a = 1; a < kTerms; ++a) size -= std::sqrt(std::max(0.0, q[a][a]));
     return std::max(0.0, size);
   };
   const bool indefinite = m.on_square > 0;
   const double size = length(indefinite ? f.gram : form);
-  double smallest = m.on_point + size * size - rounding * reach * reach * form_size;
+  double smallest = m.on_point + size * size - lost.of_u;
   if (indefinite) {
-    double crank = crank_of_rest;
+    double crank = lost.crank;
     for (const Complex& c : f.crank) crank += size_of(c);
     smallest -= per_form * crank * crank;
   }

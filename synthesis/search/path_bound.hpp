@@ -72,6 +72,7 @@ class PathBound {
   struct Forms;
   struct Multipliers;
   struct Bounded;
+  struct Loss;
 
   /// v and the rest; sets the weights to zero where the rest is too large to be of use.
   Forms linear_part(const std::vector<DirectionRange>& directions,
@@ -84,6 +85,8 @@ class PathBound {
   double bound(const std::vector<DirectionRange>& directions, double low, double high,
                double wanted) const;
   double bound(const Target& target, Forms& forms, double low, double high, double wanted) const;
+  Loss loss(const Target& target, const Forms& forms, const Multipliers& multipliers,
+            const std::array<Complex, kBoxSides + 1>& b, double kappa) const;
   Bounded bounded(const Target& target, const Forms& forms, const Multipliers& multipliers,
                   double wanted) const;
 
