@@ -21,7 +21,11 @@ constexpr Entry kSolveOptions[] = {
      "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
      "that gross errors in the target do not govern"},
     {"loss_scale", "with a loss: the error from which it differs, in the target's unit"},
-    {"tolerance", "relative change of the error at which a refinement stops"}};
+    {"tolerance", "relative change of the error at which a refinement stops"},
+    {"certify",
+     "true: prove how near the best design is to the best possible; timed paths and functions by "
+     "least squares (at most 60 s, or what --time-limit leaves)"},
+    {"certify_gap", "the relative gap at which a certificate is complete (default 1e-3)"}};
 
 constexpr Metric kMetrics[] = {
     {"class", "", "which link turns fully, by Grashof's criterion"},

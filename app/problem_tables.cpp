@@ -68,6 +68,10 @@ ordered_json solve_table(const problems::Solve& given) {
     table["loss_scale"] = given.loss_scale;
   }
   set(table, "tolerance", given.tolerance);
+  if (given.certify) {
+    table["certify"] = true;
+    table["certify_gap"] = given.certify_gap;
+  }
   return table;
 }
 

@@ -127,6 +127,14 @@ void add_findings(ordered_json& document, const problems::Result& result) {
   for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
   for (const auto& family : result.families) document["families"].push_back(family_json(family));
   if (!result.facts.empty()) add_facts(document["facts"], finite(result.facts));
+  if (const auto& proof = result.certificate) {
+    document["certificate"] = {{"lower_bound", proof->lower_bound},
+                               {"upper_bound", proof->upper_bound},
+                               {"gap_relative", proof->gap_relative},
+                               {"complete", proof->complete},
+                               {"boxes", proof->boxes},
+                               {"domain", proof->domain}};
+  }
 }
 
 bool is_row(const ordered_json& value) {

@@ -12,7 +12,7 @@
 namespace cognate::app {
 
 /// The document `cognate-result/1` of a run: `format`, `version`, `seed`, `status`, `problem`,
-/// `designs` (best first), `loci`, `families`, `facts`, `notes`, `work`, as
+/// `designs` (best first), `loci`, `families`, `facts`, `certificate`, `notes`, `work`, as
 /// `schema/cognate-result-1.schema.json` describes. Angles are in degrees under keys that end in
 /// `_deg`; errors are in the target's unit, for function generation in radians and besides as
 /// `rms_deg`, `max_deg`. `cognate_of` and `mirror_of` are indices into `designs` from 0. What has

@@ -144,6 +144,22 @@ std::string facts_line(const Result& result) {
   return line.empty() ? line : line + '\n';
 }
 
+/// What is proved of the best design.
+std::string certificate_line(const Result& result) {
+  if (!result.certificate) return {};
+  const problems::Certificate& proof = *result.certificate;
+  const std::string among = fmt::format("among {} ({} boxes)", proof.domain, proof.boxes);
+  if (proof.complete) {
+    return fmt::format(
+        "certified: sum of squares {:.10g} is within {:.2g} of the least possible, {}\n",
+        proof.upper_bound, proof.gap_relative, among);
+  }
+  return fmt::format(
+      "not certified in the time given: sum of squares {:.10g}, least possible at least {:.10g} "
+      "(gap {:.2g}), {}\n",
+      proof.upper_bound, proof.lower_bound, proof.gap_relative, among);
+}
+
 std::span<const Design> shown_designs(const Result& result) {
   return std::span(result.designs).first(std::min(kShown, result.designs.size()));
 }
@@ -198,6 +214,7 @@ std::string design_table(const Problem& problem, const Result& result, bool colo
   text += facts_line(result);
   append_designs(text, problem, result, colour);
   append_violations(text, result, colour);
+  text += certificate_line(result);
   for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
   text += fmt::format("{:.3g} s on {}", result.work.seconds,
                       counted(static_cast<std::size_t>(result.work.threads), "thread"));

@@ -20,9 +20,9 @@ std::string describe(const problems::Problem& problem);
 /// A heading, the status in words, the facts of the synthesis, one row for each of the first 20
 /// designs (number, error or facts, class, transmission angle, time ratio, dimensions, residual and
 /// condition of an exact synthesis, defects, constraints, origin; see design_columns.hpp), then for
-/// each of these that violates a constraint what it violates, the notes, and the time. Errors are
-/// in the unit of length for paths and in degrees for functions. With `colour`, ANSI colours mark
-/// what is met and missed.
+/// each of these that violates a constraint what it violates, the certificate, the notes, and the
+/// time. Errors are in the unit of length for paths and in degrees for functions. With `colour`,
+/// ANSI colours mark what is met and missed.
 std::string design_table(const problems::Problem& problem, const problems::Result& result,
                          bool colour);
 

@@ -8,6 +8,7 @@
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
 #include "problems/deadline.hpp"
+#include "problems/function_certificate.hpp"
 #include "problems/function_designs.hpp"
 #include "problems/function_exact.hpp"
 #include "problems/function_search.hpp"
@@ -55,6 +56,10 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
       best_designs(std::move(designs), by_loss ? std::nullopt : std::optional(problem.objective),
                    problem.solve.designs);
   result.status = status(result, deadline, ended_early);
+  if (problem.solve.certify && result.status == Status::solved) {
+    const double best = result.designs.front().error.sum_of_squares;
+    result.certificate = certify(problem, wanted, best, run, deadline);
+  }
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes over the whole range; wider bounds, free start angles "

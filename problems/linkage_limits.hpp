@@ -83,6 +83,8 @@ struct Solve {
   synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
   double loss_scale = 1;            ///< the error from which the loss differs, in the target's unit
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
+  bool certify = false;             ///< prove how near the best design is to the best possible
+  double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
 };
 
 }  // namespace cognate::problems

@@ -1,7 +1,7 @@
 /// Path generation from problem to designs: search, conversion to the file's units, verification.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "analysis/angle.hpp"
 #include "analysis/cognates.hpp"
@@ -9,6 +9,7 @@
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
 #include "problems/crank_sense.hpp"
+#include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
 #include "problems/path_search.hpp"
@@ -141,6 +142,13 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   result.facts = {{"starts", double(found.thoroughness.starts)},
                   {"best_hits", double(found.thoroughness.best_hits)},
                   {"chance_of_unseen_minimum", found.thoroughness.unseen}};
+  if (problem.solve.certify && result.status == Status::solved) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const Design& design : result.designs) {
+      best = std::min(best, path_objective(problem, design));
+    }
+    result.certificate = certify(problem, best, run, deadline);
+  }
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes at every target point; wider bounds or more starts may "

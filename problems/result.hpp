@@ -13,6 +13,7 @@
 #include "analysis/four_bar.hpp"
 #include "analysis/mobility.hpp"
 #include "problems/analysis/named_mechanism.hpp"
+#include "problems/certificate.hpp"
 #include "problems/fact.hpp"
 #include "problems/problem.hpp"
 
@@ -111,6 +112,7 @@ struct Result {
   std::vector<Locus> loci;
   std::vector<Family> families;
   std::vector<Fact> facts;  ///< counts of a synthesis as a whole: "complex_solutions"
+  std::optional<Certificate> certificate;  ///< where the file asks for one and a design is feasible
   Work work;
   std::vector<std::string> notes;  ///< sentences for the user: degeneracies, why nothing was found
 };

@@ -154,4 +154,19 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve) {
   }
 }
 
+void read_certificate(TableReader& table, std::string_view refusal, Solve& solve) {
+  solve.certify = table.boolean("certify").value_or(false);
+  const auto gap = table.number("certify_gap", kTolerance);
+  if (gap && !solve.certify) {
+    table.fault("certify_gap", "is given without certify; add certify = true or leave it out");
+  }
+  if (solve.certify && !refusal.empty()) table.fault("certify", std::string(refusal));
+  if (solve.certify && solve.loss != synthesis::Loss::none) {
+    table.fault("certify",
+                "is true with a loss, but only sums of squares can be certified; leave "
+                "one of them out");
+  }
+  solve.certify_gap = gap.value_or(solve.certify_gap);
+}
+
 }  // namespace cognate::problems::reading

@@ -28,4 +28,8 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
 /// to which no loss belongs, e.g. `objective = "minimax"`; empty where it asks for those.
 void read_loss(TableReader& table, std::string_view other, Solve& solve);
 
+/// `solve.certify` and `solve.certify_gap` into `solve`. `refusal`: why this problem cannot be
+/// certified and what can, for a message; empty where it can be.
+void read_certificate(TableReader& table, std::string_view refusal, Solve& solve);
+
 }  // namespace cognate::problems::reading

@@ -249,6 +249,12 @@ FunctionProblem read_function_problem(TableReader& document) {
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);
   read_loss(solve, beside_least_squares(problem.objective), problem.solve);
+  read_certificate(solve,
+                   problem.objective == FunctionObjective::least_squares
+                       ? ""
+                       : "is true, but only designs of least squares can be certified; "
+                         "objective = \"least-squares\" is wanted",
+                   problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

@@ -141,6 +141,17 @@ void check_unknowns(TableReader& solve, const PathProblem& problem) {
                                     kMostOfAgs, count));
 }
 
+// The unknown crank angles of free timing are too many to be divided.
+std::string_view certificate_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is true with method = \"exact\", whose designs meet the points; leave it out";
+  }
+  if (problem.timing == Timing::free) {
+    return "is true with free timing; only paths with timing = \"prescribed\" can be certified";
+  }
+  return {};
+}
+
 }  // namespace
 
 PathProblem read_path_problem(TableReader& document) {
@@ -171,6 +182,7 @@ PathProblem read_path_problem(TableReader& document) {
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknowns(solve, problem);
+  read_certificate(solve, certificate_refusal(problem), problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);

@@ -170,6 +170,21 @@ class Solve(unittest.TestCase):
                 for design in document["designs"]:
                     self.assertLessEqual(keys_of(design["metrics"]), metrics)
 
+    def test_certifies_what_the_file_asks_for(self):
+        text = (LIBRARY / "path/semicircle.toml").read_text() + "[solve]\ncertify = true\n"
+        done = run("solve", self.write(text), "--out", "out", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        document = parse((self.folder / "out/written.result.json").read_text())
+        self.check_document(document)
+        proof = document["certificate"]
+        self.assertTrue(proof["complete"])
+        self.assertAlmostEqual(proof["upper_bound"], 2.580355625505, delta=1e-9)
+        self.assertAlmostEqual(proof["lower_bound"], 2.580355625505, delta=3e-3)
+        self.assertLessEqual(proof["lower_bound"], proof["upper_bound"])
+        self.assertIn("certified: sum of squares 2.58035562", done.stdout)
+        report = (self.folder / "out/written.report.html").read_text()
+        self.assertIn('"lower_bound"', report)
+
     def test_quiet_prints_nothing(self):
         done = run("solve", LIBRARY / FUNCTION, "--quiet", cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))

@@ -80,6 +80,19 @@ const std::vector<FaultCase> kPathCases = {
     {"PointsWrongType",
      "kind = \"path-generation\"\n[target]\npoints = \"line\"\n",
      {{3, 10, "target.points is a string; an array of [x, y] is wanted"}}},
+    {"CertificateOfFreeTiming",
+     "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 1], [2, 0]]\n"
+     "[solve]\ncertify = true\n",
+     {{5, 11, "only paths with timing = \"prescribed\" can be certified"}}},
+    {"CertificateGap",
+     "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 1], [2, 0]]\n"
+     "timing = \"prescribed\"\ncrank_deg = [0, 30, 60]\n"
+     "[solve]\ncertify = true\ncertify_gap = 1\n",
+     {{8, 15, "a number above 0 and below 1"}}},
+    {"CertificateGapAlone",
+     "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 1], [2, 0]]\n"
+     "[solve]\ncertify_gap = 0.1\n",
+     {{5, 15, "add certify = true or leave it out"}}},
     {"TooFewPoints",
      "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 1]]\n",
      {{3, 10, "has 2 points; 3 to 10000 are wanted"}}},
@@ -303,6 +316,10 @@ const std::vector<FaultCase> kFunctionCases = {
     {"NothingToGenerate",
      "kind = \"function-generation\"\n[target]\n",
      {{2, 1, "one of function (with domain), table and pairs_deg is wanted"}}},
+    {"CertificateOfMinimax",
+     "kind = \"function-generation\"\n[target]\npairs_deg = [[0, 0], [10, 8], [20, 15]]\n"
+     "objective = \"minimax\"\n[solve]\ncertify = true\n",
+     {{6, 11, "objective = \"least-squares\" is wanted"}}},
     {"TwoTargets",
      function("table = [[0, 0], [1, 1], [2, 2]]\n"),
      {{7, 9, "is given beside target.function"}}},

@@ -1,10 +1,10 @@
 /// The range of the crank about a position, against dimensions whose limits are known.
+#include "synthesis/exact/straight_line/coupler_position.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "synthesis/exact/straight_line/coupler_position.hpp"
 
 namespace cognate::synthesis {
 namespace {

@@ -58,6 +58,18 @@ TEST(Table, ShowsEachDesignAndWhatItMisses) {
   EXPECT_TRUE(contains(text, "0.5 s on 2 threads, 11 candidates screened\n"));
 }
 
+TEST(Table, SaysWhatIsProved) {
+  auto result = planted_result();
+  result.certificate = {0.5, 0.625, 0.2, true, 12345, "all there are"};
+  const std::string proved = design_table(planted_path(), result, false);
+  EXPECT_TRUE(contains(proved, "certified: sum of squares 0.625 is within 0.2 of the least"));
+  EXPECT_TRUE(contains(proved, "among all there are (12345 boxes)"));
+  result.certificate->complete = false;
+  const std::string open = design_table(planted_path(), result, false);
+  EXPECT_TRUE(contains(open, "not certified in the time given"));
+  EXPECT_TRUE(contains(open, "at least 0.5 (gap 0.2)"));
+}
+
 TEST(Table, GivesFunctionErrorsInDegrees) {
   problems::FunctionProblem problem;
   problem.target = problems::AnglePairs{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.7}};

@@ -24,6 +24,15 @@ function showNotes(notes) {
   byId("notes-list").replaceChildren(...notes.map((note) => element("li", {}, note)));
 }
 
+// What is proved of the best design, as one of the notes.
+function certificateNote(certificate) {
+  if (!certificate) return [];
+  const { complete, lower_bound: lower, upper_bound: upper, gap_relative: gap, domain } = certificate;
+  return [complete
+    ? `Certified: the sum of squares ${number(upper)} is within ${number(gap)} of the least possible among ${domain}.`
+    : `Not certified in the time given: the sum of squares is ${number(upper)}, the least possible at least ${number(lower)}, among ${domain}.`];
+}
+
 // Of the counts of all kinds of work those that there are.
 function showWork(work) {
   const { skipped = [], ...counts } = work ?? {};

@@ -129,7 +129,7 @@ function listen() {
 let table = null;
 let families = null;
 showDesignHead(result, kind);
-showNotes(result.notes ?? []);
+showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])]);
 showFindings(result.facts);
 showWork(result.work);
 followTheme(() => { curves.redraw(); families?.redraw(); });
