@@ -1,0 +1,166 @@
+/// What a search must not care about: units, place, direction and numbering; and what it must: data
+/// that a linkage draws, noise on them, and the border of what is possible.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+
+#include "analysis/mobility.hpp"
+#include "analysis/motion.hpp"
+#include "problems/read.hpp"
+#include "problems/result.hpp"
+#include "tests/unit/planted_path.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Slow builds try one case of each.
+int cases(int many) {
+  return std::getenv("COGNATE_TEST_SEEDS") ? 1 : many;
+}
+
+PathProblem from_library(const std::string& name) {
+  return std::get<PathProblem>(
+      *read_problem(std::string(COGNATE_LIBRARY_DIR) + "/path/" + name + ".toml"));
+}
+
+struct Copy {
+  double scale = 1, angle = 0;
+  Vec2d shift;
+
+  Vec2d operator()(const Vec2d& p) const {
+    return scale * (Vec2d{std::cos(angle), std::sin(angle)} * p) + shift;
+  }
+};
+
+/// At the scales of the specification, anywhere within some thousand sizes of the path.
+std::vector<Copy> copies() {
+  std::vector<Copy> all;
+  for (const double scale : {1e-3, 1.0, 1e6}) {
+    all.push_back({scale, 0, {}});
+    all.push_back({scale, 2.1, {}});
+    all.push_back({scale, -0.7, {-2e4 * scale, 3e4 * scale}});
+  }
+  all.resize(static_cast<std::size_t>(cases(int(all.size()))));
+  return all;
+}
+
+class Invariance : public testing::TestWithParam<const char*> {};
+
+TEST_P(Invariance, OfTheBestDesign) {
+  const PathProblem problem = from_library(GetParam());
+  const Design best = solve(problem, {}).designs.front();
+  for (const Copy& copy : copies()) {
+    SCOPED_TRACE(testing::Message() << "scale " << copy.scale << ", angle " << copy.angle);
+    PathProblem other = problem;
+    for (Vec2d& p : other.points) p = copy(p);
+    const Result result = solve(other, {.seed = 2});
+    ASSERT_EQ(result.status, Status::solved);
+    const Design& found = result.designs.front();
+    const double squared = copy.scale * copy.scale;
+    EXPECT_NEAR(found.error.sum_of_squares / squared, best.error.sum_of_squares,
+                1e-6 * best.error.sum_of_squares);
+    const auto a = lengths(four_bar(best)), b = lengths(four_bar(found));
+    for (const auto link :
+         {&Lengths<double>::crank, &Lengths<double>::coupler, &Lengths<double>::rocker}) {
+      EXPECT_NEAR(b.*link / copy.scale, a.*link, 1e-3 * a.*link);
+    }
+    const Vec2d pivot = copy(four_bar(best).pivot_a);
+    EXPECT_LT(norm(four_bar(found).pivot_a - pivot), 1e-3 * copy.scale * a.frame);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, Invariance,
+                         testing::Values("textbook-eight-points", "textbook-ten-points"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+TEST(Numbering, DoesNotMatterWhereAnyOrderWillDo) {
+  PathProblem problem = from_library("ten-point-ellipse");
+  problem.points.pop_back();
+  problem.weights.pop_back();
+  const double cyclic = solve(problem, {}).designs.front().error.sum_of_squares;
+  problem.order = PointOrder::any;
+  std::mt19937_64 random(1);
+  for (int i = 0; i < cases(3); ++i) {
+    std::ranges::shuffle(problem.points, random);
+    const Result result = solve(problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_NEAR(result.designs.front().error.sum_of_squares, cyclic, 1e-6 * cyclic);
+  }
+}
+
+PathProblem drawn_by(const testing::PlantedPath& planted, Timing timing) {
+  PathProblem problem;
+  for (const auto& position : testing::positions_of(planted, 0)) {
+    problem.points.push_back(position.at);
+  }
+  problem.timing = timing;
+  if (timing == Timing::prescribed) problem.crank_angles = planted.crank_angles;
+  problem.weights.assign(problem.points.size(), 1);
+  return problem;
+}
+
+double rms(const Design& design) {
+  return design.error.rms;
+}
+
+TEST(PlantedPaths, ComeBackToThePrecisionOfTheData) {
+  std::mt19937_64 random(5);
+  for (const Timing timing : {Timing::prescribed, Timing::free}) {
+    for (int i = 0; i < cases(12); ++i) {
+      const auto planted = testing::random_crank_rocker(random, 12, 1.0);
+      const Result result = solve(drawn_by(planted, timing), {});
+      ASSERT_FALSE(result.designs.empty());
+      EXPECT_LT(rms(result.designs.front()), 1e-8) << "case " << i;
+    }
+  }
+}
+
+/// The best design is at least as good as the linkage that drew the points before they were
+/// disturbed.
+TEST(PlantedPaths, DegradeSmoothlyWithNoise) {
+  std::mt19937_64 random(6);
+  for (const double noise : {1e-6, 1e-4, 1e-2}) {
+    for (int i = 0; i < cases(4); ++i) {
+      const auto planted = testing::random_crank_rocker(random, 14, 1.0);
+      PathProblem problem = drawn_by(planted, Timing::prescribed);
+      std::normal_distribution<double> disturbance(0, noise);
+      double squares = 0;
+      for (Vec2d& p : problem.points) {
+        const Vec2d change{disturbance(random), disturbance(random)};
+        p = p + change;
+        squares += squared_norm(change);
+      }
+      const Result result = solve(problem, {});
+      ASSERT_FALSE(result.designs.empty());
+      EXPECT_LE(result.designs.front().error.sum_of_squares, squares * (1 + 1e-9)) << noise;
+    }
+  }
+}
+
+/// All four lengths given: the transmission angle is what it is, to the last digits.
+TEST(Border, PartsWhatIsPossibleFromWhatIsNot) {
+  const Lengths<double> links{1, 3, 3.5, 4};
+  const double least = std::acos((3 * 3 + 3.5 * 3.5 - 3 * 3) / (2 * 3 * 3.5));
+  PathProblem problem = from_library("textbook-eight-points");
+  problem.given.crank = links.crank;
+  problem.given.coupler = links.coupler;
+  problem.given.rocker = links.rocker;
+  problem.given.frame = links.frame;
+  for (const double off : {1e-3, 1e-5, 1e-7}) {
+    problem.constraints.transmission_angle = Range{least - off, std::numbers::pi};
+    EXPECT_EQ(solve(problem, {}).status, Status::solved) << off;
+    problem.constraints.transmission_angle = Range{least + off, std::numbers::pi};
+    EXPECT_EQ(solve(problem, {}).status, Status::infeasible) << off;
+  }
+}
+
+}  // namespace
+}  // namespace cognate::problems
