@@ -62,9 +62,12 @@ std::string published(const Record& record) {
 
 void print(int seeds) {
   fmt::print(
-      "Sums of squares, or largest errors in degrees, the worst of {} seeds, on {} threads "
-      "({}).\n\n",
-      seeds, std::thread::hardware_concurrency(), synthesis::screen_instruction_set());
+      "# Published problems\n\n"
+      "What `build/release/tests/records {}` printed: sums of squares (largest errors where they\n"
+      "are in degrees), the worst of {} seeds by default settings, on {} threads ({}). Reached "
+      "are\n"
+      "seeds that end within 1e-6 of the best known error, of exact ones within rounding of 0.\n\n",
+      seeds, seeds, std::thread::hardware_concurrency(), synthesis::screen_instruction_set());
   fmt::print(
       "| problem | source | best known | Cognate | reached | median s | worst s | "
       "published |\n");
