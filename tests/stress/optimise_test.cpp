@@ -48,33 +48,42 @@ std::vector<Copy> copies() {
   return all;
 }
 
-class Invariance : public testing::TestWithParam<const char*> {};
+/// Whether dimensions agree to a thousandth, as they do where the error is flat about its minimum.
+bool is_copy(const FourBar& found, const FourBar& original, const Copy& copy) {
+  const auto a = lengths(original), b = lengths(found);
+  const double unit = copy.scale * a.frame;
+  const auto near = [&](double Lengths<double>::*link) {
+    return std::abs(b.*link - copy.scale * (a.*link)) < 1e-3 * unit;
+  };
+  return near(&Lengths<double>::crank) && near(&Lengths<double>::coupler) &&
+         near(&Lengths<double>::rocker) && near(&Lengths<double>::frame) &&
+         norm(found.pivot_a - copy(original.pivot_a)) < 1e-3 * unit &&
+         norm(found.pivot_d - copy(original.pivot_d)) < 1e-3 * unit;
+}
+
+class Invariance : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Invariance, OfTheBestDesign) {
   const PathProblem problem = from_library(GetParam());
   const Design best = solve(problem, {}).designs.front();
   for (const Copy& copy : copies()) {
-    SCOPED_TRACE(testing::Message() << "scale " << copy.scale << ", angle " << copy.angle);
+    SCOPED_TRACE(::testing::Message() << "scale " << copy.scale << ", angle " << copy.angle);
     PathProblem other = problem;
     for (Vec2d& p : other.points) p = copy(p);
     const Result result = solve(other, {.seed = 2});
     ASSERT_EQ(result.status, Status::solved);
-    const Design& found = result.designs.front();
     const double squared = copy.scale * copy.scale;
-    EXPECT_NEAR(found.error.sum_of_squares / squared, best.error.sum_of_squares,
+    EXPECT_NEAR(result.designs.front().error.sum_of_squares / squared, best.error.sum_of_squares,
                 1e-6 * best.error.sum_of_squares);
-    const auto a = lengths(four_bar(best)), b = lengths(four_bar(found));
-    for (const auto link :
-         {&Lengths<double>::crank, &Lengths<double>::coupler, &Lengths<double>::rocker}) {
-      EXPECT_NEAR(b.*link / copy.scale, a.*link, 1e-3 * a.*link);
-    }
-    const Vec2d pivot = copy(four_bar(best).pivot_a);
-    EXPECT_LT(norm(four_bar(found).pivot_a - pivot), 1e-3 * copy.scale * a.frame);
+    // A cognate that is as good may come before it.
+    EXPECT_TRUE(std::ranges::any_of(result.designs, [&](const Design& found) {
+      return is_copy(four_bar(found), four_bar(best), copy);
+    }));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Paths, Invariance,
-                         testing::Values("textbook-eight-points", "textbook-ten-points"),
+                         ::testing::Values("textbook-eight-points", "textbook-ten-points"),
                          [](const auto& info) {
                            std::string name = info.param;
                            std::ranges::replace(name, '-', '_');

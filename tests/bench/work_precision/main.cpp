@@ -158,13 +158,14 @@ std::vector<Contest> contests(const Settings& settings) {
            std::ranges::find(settings.problems, name) != settings.problems.end();
   };
   for (const Record& record : read_records()) {
-    const std::string name = record.file.stem().string();
-    const auto problem = problems::read_problem(record.file);
-    if (!wanted(name) || !problem) continue;
-    if (const auto* path = std::get_if<problems::PathProblem>(&*problem)) {
-      all.push_back(path_contest(*path, name));
-    } else if (const auto* function = std::get_if<problems::FunctionProblem>(&*problem)) {
-      all.push_back(function_contest(*function, name));
+    // Variants and the many functions of one kind only where they are asked for.
+    const bool is_one_of_many =
+        record.name.find('(') != record.name.npos || record.source == "classical";
+    if (!wanted(record.name) || (is_one_of_many && settings.problems.empty())) continue;
+    if (const auto* path = std::get_if<problems::PathProblem>(&record.problem)) {
+      all.push_back(path_contest(*path, record.name));
+    } else if (const auto* function = std::get_if<problems::FunctionProblem>(&record.problem)) {
+      all.push_back(function_contest(*function, record.name));
     } else {
       continue;
     }
