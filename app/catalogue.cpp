@@ -20,7 +20,8 @@ constexpr Entry kSolveOptions[] = {
     {"loss",
      "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
      "that gross errors in the target do not govern"},
-    {"loss_scale", "with a loss: the error from which it differs, in the target's unit"},
+    {"loss_scale",
+     "with a loss: the error from which it differs, a length for paths, radians for functions"},
     {"tolerance", "relative change of the error at which a refinement stops"},
     {"certify",
      "true: prove how near the best design is to the best possible; timed paths and functions by "

@@ -81,7 +81,7 @@ struct Solve {
   std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
   int designs = 3;            ///< how many different designs to return, 1…100
   synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
-  double loss_scale = 1;            ///< the error from which the loss differs, in the target's unit
+  double loss_scale = 1;            ///< the error from which the loss differs: length or radians
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
   bool certify = false;             ///< prove how near the best design is to the best possible
   double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete

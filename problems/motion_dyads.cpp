@@ -185,6 +185,7 @@ std::vector<DyadCandidate> nearest_slides(const MotionProblem& scaled) {
     const double misfit = synthesis::squared_misfit(dyad, poses);
     if (std::isfinite(misfit)) candidates.push_back({dyad, misfit});
   }
+  std::ranges::stable_sort(candidates, {}, &DyadCandidate::misfit);
   return candidates;
 }
 

@@ -136,7 +136,8 @@ class MotionSearch {
             .feasibility = kFeasibility,
             .max_iterations = iterations,
             .time_limit = deadline_.remaining(),
-            .interrupted = deadline_.flag()};
+            .interrupted = deadline_.flag(),
+            .seed = run_.seed};
   }
 
   Found explored(const MotionStart& start) const;
@@ -210,8 +211,14 @@ void MotionSearch::carry_over(Found& found) const {
       std::ranges::count(coarse_sides, coarse_sides.front()) == std::ssize(coarse_sides);
   if (one_side) std::ranges::fill(form.sides, coarse_sides.front());
   found.minimum.form = form;
-  found.minimum.solution.x = MotionModel(whole_, form).variables_of(pair);
-  found.minimum.solution.objective = std::numeric_limits<double>::infinity();
+  const MotionModel whole(whole_, form);
+  Solution& solution = found.minimum.solution;
+  solution.x = whole.variables_of(pair);
+  std::vector<double> residuals(static_cast<std::size_t>(whole.residual_count()));
+  solution.objective = std::numeric_limits<double>::infinity();
+  if (!whole.residuals(solution.x, residuals, {}, {})) return;
+  solution.objective =
+      std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
 }
 
 /// Keeps `reserve` and twice the designs wanted, and goes on with those; what is reached replaces
@@ -254,7 +261,7 @@ void MotionSearch::finish(Backend backend) {
 
 std::vector<MotionMinimum> MotionSearch::take() {
   std::erase_if(all_, [](const Found& found) {
-    return !std::isfinite(found.minimum.solution.objective);  // never refined over all poses
+    return !std::isfinite(found.minimum.solution.objective);  // does not close at every pose
   });
   std::vector<MotionMinimum> minima;
   for (Found& found : all_) minima.push_back(std::move(found.minimum));

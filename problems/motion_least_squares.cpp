@@ -8,6 +8,7 @@
 
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
+#include "problems/conflict.hpp"
 #include "problems/motion_dyads.hpp"
 #include "problems/motion_fit.hpp"
 #include "problems/motion_scale.hpp"
@@ -73,10 +74,10 @@ class Designs {
   /// The best designs: feasible ones if there are any.
   std::vector<Design> take() {
     auto& all = feasible_.empty() ? violating_ : feasible_;
-    if (!feasible_.empty()) {  // several searches may have added to them
-      std::ranges::stable_sort(all, {},
-                               [](const Candidate& c) { return c.design.error.sum_of_squares; });
-    }
+    // Several searches may have added to them.
+    std::ranges::stable_sort(all, {}, [](const Candidate& c) {
+      return std::pair(c.violation, c.design.error.sum_of_squares);
+    });
     const auto exact = std::stable_partition(all.begin(), all.end(), [&](const Candidate& c) {
       return c.design.error.sum_of_squares <= kMetExactly * size_ * size_;
     });
@@ -165,10 +166,7 @@ std::string degeneracy(const MotionProblem& problem) {
   return rests ? told(synthesis::GuidanceStatus::rotation) : "";
 }
 
-}  // namespace
-
-Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
-  const Deadline deadline(run);
+Result search(const MotionProblem& problem, const Run& run, const Deadline& deadline) {
   Result result;
   Designs designs(problem, MotionScale(problem).size());
   const auto drives = drives_of(problem);
@@ -186,6 +184,20 @@ Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
     result.notes.push_back(
         "No mechanism was found that closes at every pose; wider bounds or more starts may help.");
   }
+  return result;
+}
+
+}  // namespace
+
+Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
+  const Deadline deadline(run);
+  Result result = search(problem, run, deadline);
+  Run silent = run;
+  silent.progress = nullptr;
+  const auto solve_once = [&](const MotionProblem& other) {
+    return search(other, silent, deadline);
+  };
+  tell_conflict(problem, deadline, solve_once, result);
   result.work.skipped = {"velocities", "accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

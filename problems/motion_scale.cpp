@@ -9,10 +9,12 @@ using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
 
+/// Counted from the first place, so that places which are all one have exactly that mean.
 Vec2d mean_place(std::span<const Pose> poses) {
+  const Vec2d first = poses.front().at;
   Vec2d mean{};
-  for (const Pose& pose : poses) mean = mean + (1.0 / double(poses.size())) * pose.at;
-  return mean;
+  for (const Pose& pose : poses) mean = mean + (1.0 / double(poses.size())) * (pose.at - first);
+  return first + mean;
 }
 
 double mean_way(std::span<const Pose> poses) {

@@ -129,6 +129,18 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
   return solve;
 }
 
+void check_unknown_count(TableReader& table, SolverChoice solver, int count) {
+  if (solver == SolverChoice::automatic || solver == SolverChoice::gauss_newton) return;
+  // The others know nothing of angles that touch one residual each: their matrices are full.
+  constexpr int kMostOfAgs = 10, kMost = 2000;
+  const int most = solver == SolverChoice::ags ? kMostOfAgs : kMost;
+  if (count <= most) return;
+  table.fault("solver",
+              fmt::format("is \"{}\", which takes {} unknowns at most, and there are {} (with a "
+                          "crank angle for each point or pose); \"auto\" takes any number",
+                          to_string(solver), most, count));
+}
+
 void read_loss(TableReader& table, std::string_view other, Solve& solve) {
   constexpr std::string_view kLoss = "loss", kScale = "loss_scale";
   solve.loss = table.choice<synthesis::Loss>(kLoss).value_or(solve.loss);
@@ -145,7 +157,8 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve) {
   if (robust && !table.has(kScale)) {
     table.fault(kLoss,
                 fmt::format("is \"{}\" without a scale; loss_scale is wanted, the error from "
-                            "which it differs from least squares, in the target's unit",
+                            "which it differs from least squares: a length for paths, radians "
+                            "for functions",
                             to_string(solve.loss)));
   }
   if (!robust && scale && !table.has(kLoss)) {

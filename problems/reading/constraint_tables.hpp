@@ -24,6 +24,9 @@ inline constexpr int kMostSearchedDesigns = 100;
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
 
+/// Whether `solver` can have so many unknowns, the crank angle of each point or pose among them.
+void check_unknown_count(TableReader& table, SolverChoice solver, int count);
+
 /// `solve.loss` and `solve.loss_scale`. `other`: what the file asks for instead of least squares,
 /// to which no loss belongs, e.g. `objective = "minimax"`; empty where it asks for those.
 void read_loss(TableReader& table, std::string_view other, Solve& solve);

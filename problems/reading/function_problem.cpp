@@ -187,8 +187,7 @@ void read_slider_tables(TableReader& mechanism, TableReader& bounds, TableReader
   read_slider_constraints(constraints, problem);
 }
 
-// Level peaks need a precision point for each thing that is free.
-/// What the file asks for, where that is not least squares.
+// What the file asks for, where that is not least squares.
 std::string_view beside_least_squares(FunctionObjective objective) {
   switch (objective) {
     case FunctionObjective::exact:
@@ -201,6 +200,7 @@ std::string_view beside_least_squares(FunctionObjective objective) {
   return {};
 }
 
+// Level peaks need a precision point for each thing that is free.
 void check_spacing(TableReader& table, const FunctionProblem& problem) {
   constexpr std::string_view kKey = "spacing";
   const bool level = problem.spacing == PointSpacing::equal_peaks;

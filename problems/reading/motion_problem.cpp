@@ -260,12 +260,14 @@ void check_given_bounds(TableReader& bounds, const MotionProblem& problem) {
 
 // The pivots are the variables, so that limits of their distances are more than bounds.
 void check_solver(TableReader& solve, const MotionProblem& problem) {
+  if (problem.method == MotionMethod::exact) return;
+  constexpr int kDyads = 10;
+  check_unknown_count(solve, problem.solve.solver, kDyads + static_cast<int>(problem.poses.size()));
   const bool bounded = problem.bounds.coupler || problem.bounds.frame;
-  if (problem.method == MotionMethod::exact || !bounded) return;
-  if (problem.solve.solver != SolverChoice::ceres) return;
+  if (!bounded || problem.solve.solver != SolverChoice::ceres) return;
   solve.fault("solver",
               "is \"ceres\", which does not honour bounds of coupler and frame, distances of "
-              "pivots; \"auto\", \"slsqp\", \"cobyla\" or \"ipopt\" is wanted");
+              "pivots; every other solver can");
 }
 
 }  // namespace

@@ -131,16 +131,6 @@ int unknown_count(const PathProblem& problem) {
   return lengths + places + (problem.crank_reference == CrankReference::first);
 }
 
-void check_unknowns(TableReader& solve, const PathProblem& problem) {
-  constexpr int kMostOfAgs = 10;
-  const int count = unknown_count(problem);
-  if (problem.solve.solver != SolverChoice::ags || count <= kMostOfAgs) return;
-  solve.fault("solver", fmt::format("is \"ags\", which takes {} unknowns at most, and there are {} "
-                                    "(with free timing a crank angle for each point); every other "
-                                    "solver can",
-                                    kMostOfAgs, count));
-}
-
 // The unknown crank angles of free timing are too many to be divided.
 std::string_view certificate_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
@@ -181,7 +171,7 @@ PathProblem read_path_problem(TableReader& document) {
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
-  if (!exact) check_unknowns(solve, problem);
+  if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);

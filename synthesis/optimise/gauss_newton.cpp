@@ -119,6 +119,7 @@ bool Solver::evaluate(Point& point) {
   if (!model_.residuals(view(point.x), view(point.residuals), {}, {})) return false;
   if (!point.residuals.allFinite()) return false;
   model_.constraints(view(point.x), view(point.constraints), {});
+  if (!point.constraints.allFinite()) return false;
   point.cost =
       minimax_ ? point.residuals.lpNorm<Eigen::Infinity>() : 0.5 * point.residuals.squaredNorm();
   point.violation = largest_violation(point.constraints, static_cast<int>(equalities_));

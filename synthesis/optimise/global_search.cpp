@@ -102,6 +102,7 @@ Solution search_globally(Backend backend, const Model& model, std::span<const do
   };
   if (model.constraint_count() > 0) improve(dense.variables_at(outcome.end));
   if (better(before, best, options.feasibility)) improve(start);
+  if (better(before, best, options.feasibility)) best = before;
   best.iterations = total.iterations;
   best.evaluations = total.evaluations + found.evaluations + before.evaluations;
   best.gradients = total.gradients + found.gradients;

@@ -11,21 +11,21 @@ LossValue share(Loss loss, double s) {
   if (!(s > 0)) return {1, 0};
   const auto [rho, slope] = evaluate(loss, s);
   const double value = std::sqrt(rho / s);
-  return {value, (slope * s - rho) / (2 * value * s * s)};
+  return {value, (slope - rho / s) / (2 * value * s)};  // s² may overflow
 }
 
 /// `rows` of one block times the share; r, s and share those of the block, `width` entries a row.
 /// By the product rule k dr + r k′ ds, ds = 2 r·dr/a².
-void scale_rows(std::span<const double> r, const LossValue& share, double inverse_square,
+void scale_rows(std::span<const double> r, const LossValue& share, double scale,
                 std::span<double> rows) {
   const std::size_t width = rows.size() / r.size();
   for (std::size_t j = 0; j < width; ++j) {
     double along = 0;
-    for (std::size_t i = 0; i < r.size(); ++i) along += r[i] * rows[i * width + j];
-    const double turn = share.slope * 2 * inverse_square * along;
+    for (std::size_t i = 0; i < r.size(); ++i) along += (r[i] / scale) * rows[i * width + j];
+    const double turn = share.slope * 2 * along;
     for (std::size_t i = 0; i < r.size(); ++i) {
       double& entry = rows[i * width + j];
-      entry = share.value * entry + r[i] * turn;
+      entry = share.value * entry + (r[i] / scale) * turn;
     }
   }
 }
@@ -75,19 +75,16 @@ bool RobustModel::residuals(std::span<const double> x, std::span<double> r,
                             std::span<double> jacobian, std::span<double> local) const {
   if (!model_.residuals(x, r, jacobian, local)) return false;
   const auto block = static_cast<std::size_t>(block_);
-  const double inverse_square = 1 / (scale_ * scale_);
   const std::size_t width = jacobian.size() / r.size();
   for (std::size_t first = 0; first < r.size(); first += block) {
     const std::span<double> error = r.subspan(first, block);
     double squares = 0;
-    for (const double value : error) squares += value * value;
-    const LossValue factor = share(loss_, squares * inverse_square);
+    for (const double value : error) squares += (value / scale_) * (value / scale_);
+    const LossValue factor = share(loss_, squares);
     if (!jacobian.empty()) {
-      scale_rows(error, factor, inverse_square, jacobian.subspan(first * width, block * width));
+      scale_rows(error, factor, scale_, jacobian.subspan(first * width, block * width));
     }
-    if (!local.empty()) {
-      scale_rows(error, factor, inverse_square, local.subspan(first, block));
-    }
+    if (!local.empty()) scale_rows(error, factor, scale_, local.subspan(first, block));
     for (double& value : error) value *= factor.value;
   }
   return true;

@@ -89,6 +89,8 @@ void all_constraints(Search& search, const double* z, std::span<double> c,
                      std::span<double> jacobian) {
   Program& program = search.program;
   const auto n = static_cast<std::size_t>(program.size());
+  // AGS evaluates the objective only where all constraints hold, perhaps never.
+  if (!search.stop) heed_limits(search);
   const bool valid = !search.stop && program.evaluate({z, n}, search.method.with_gradients);
   if (!valid && (program.epigraph() || search.stop)) {
     std::ranges::fill(c, search.no_value());
@@ -221,6 +223,9 @@ Outcome run_nlopt(const NloptMethod& method, Program& program, const NloptLimits
   search.handle = handle.get();
   nlopt_set_min_objective(handle.get(), objective, &search);
   if (limits.evaluations > 0) nlopt_set_maxeval(handle.get(), limits.evaluations);
+  if (std::isfinite(options.time_limit)) {
+    nlopt_set_maxtime(handle.get(), std::max(options.time_limit, 1e-6));
+  }
   std::vector<Single> singles;
   const bool one_by_one = method.constraints == Known::few_inequalities;
   if (one_by_one && knows_constraints(search)) {

@@ -249,6 +249,10 @@ TEST(MotionLeastSquares, SaysWhatCannotBeKept) {
     EXPECT_TRUE(std::ranges::any_of(design.constraints,
                                     [](const ConstraintCheck& check) { return !check.satisfied; }));
   }
+  ASSERT_FALSE(result.notes.empty());
+  for (const char* key : {"pivot_region = [[", "bounds.frame = ["}) {
+    EXPECT_NE(result.notes.back().find(key), std::string::npos) << result.notes.back();
+  }
 }
 
 TEST(MotionLeastSquares, OtherSolversFinishAtTheSameLinkage) {
@@ -286,14 +290,16 @@ TEST(MotionLeastSquares, StopsAtItsTimeLimit) {
 }
 
 TEST(MotionLeastSquares, SaysThatAMotionIsSpecial) {
-  MotionProblem turned, shifted, still;
+  MotionProblem turned, shifted, still, pinned;
   for (int k = 0; k < 7; ++k) {
     const double angle = 0.2 * k;
     turned.poses.push_back({{1 + 2 * std::cos(angle), 2 * std::sin(angle)}, angle});
     shifted.poses.push_back({{0.1 * k * k, 1.0 * k}, 0.5});
     still.poses.push_back({{1, 2}, 0.5});
+    pinned.poses.push_back({{5, 3}, angle});
   }
   for (const auto& [problem, word] : {std::pair{turned, "turns about one point"},
+                                      {pinned, "turns about one point"},
                                       {shifted, "no pose is turned"},
                                       {still, "All poses are one"}}) {
     MotionProblem asked = problem;

@@ -57,6 +57,39 @@ TEST(Loss, IsThatOfCeres) {
   }
 }
 
+/// One residual, x itself.
+class Identity final : public synthesis::Model {
+ public:
+  std::span<const synthesis::Variable> variables() const override { return {&x_, 1}; }
+  int residual_count() const override { return 1; }
+  bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
+                 std::span<double>) const override {
+    r[0] = x[0];
+    if (!jacobian.empty()) jacobian[0] = 1;
+    return true;
+  }
+
+ private:
+  synthesis::Variable x_{"x", -1e200, 1e200, 1};
+};
+
+/// Far below the scale all losses are least squares, far beyond they have finite slopes.
+TEST(RobustModel, IsFiniteAtAnyScale) {
+  const Identity model;
+  for (const Loss loss : kAll) {
+    for (const double scale : {1e-150, 1e-80, 1e80, 1e150}) {
+      const synthesis::RobustModel robust(model, loss, scale, 1);
+      const double x = 2;
+      double r = 0, slope = 0;
+      ASSERT_TRUE(robust.residuals({&x, 1}, {&r, 1}, {&slope, 1}, {}));
+      EXPECT_TRUE(std::isfinite(r) && std::isfinite(slope)) << scale;
+      if (scale < 1) continue;
+      EXPECT_EQ(r, x);
+      EXPECT_NEAR(slope, 1, 1e-15);
+    }
+  }
+}
+
 TEST(RobustModel, HasRightDerivatives) {
   for (const synthesis::testing::Problem& problem : synthesis::testing::local_problems()) {
     for (const Loss loss : kAll) {

@@ -5,8 +5,8 @@
 /// Every solver is started again and again, from starts of each strategy, until its seconds are
 /// spent; `auto` is the program's own search with 1, 2, 4, … starts. All run on one thread. Prints
 /// a Markdown table, and writes every improvement as comma-separated values: seconds and the excess
-/// of the best design's error over the least known (over nothing, in the target's unit, where that
-/// is 0). plot_work_precision.py draws them.
+/// of the best design's error over the least known (of the target's squared size, where that is 0).
+/// plot_work_precision.py draws them.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
