@@ -51,7 +51,7 @@ std::string domain_text(const Constraints& constraints, const Given& given, doub
                      given.assembly ? fmt::format(", assembly {}", to_string(*given.assembly))
                                     : ", both assemblies",
                      ratio, ratio_given ? "" : " (a limit of the certificate; the file has none)") +
-         (apart ? ", change points apart" : "");
+         (apart ? ", those exactly at a change point left out" : "");
 }
 
 synthesis::LengthLimits certified_lengths(const std::array<Range, 4>& limits) {
@@ -151,6 +151,9 @@ synthesis::BranchOptions CertificateRun::options(double scale) const {
 
 Certificate CertificateRun::state(const synthesis::BranchResult& result, double scale,
                                   std::string domain) const {
+  if (!std::isfinite(result.lower)) {  // no box holds a design, not even the one found
+    return {0, upper_, 1, false, result.boxes, domain + ", where no design lies"};
+  }
   // A product of rounded numbers is not to exceed what was proved.
   const double lower = std::min(target_, result.lower * scale * (1 - 1e-14));
   return {lower,           upper_,       (upper_ - lower) / upper_,

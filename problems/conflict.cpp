@@ -5,13 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "problems/degrees.hpp"
 
 namespace cognate::problems {
 namespace {
+
+/// Seconds after which an explanation is given up.
+constexpr double kMostSeconds = 30;
 
 struct Limits {
   Constraints constraints;
@@ -39,8 +44,18 @@ Range widened(const Range& range, const Range& most, double share) {
   return {moved(range.min, most.min, share), moved(range.max, most.max, share)};
 }
 
+/// `value` rounded up to a thousandth or so of `width`, or down where `sense` is −1: what is told
+/// is no tighter than what was tried.
+double rounded(double value, double width, int sense) {
+  if (!std::isfinite(value) || !std::isfinite(width) || !(width > 0)) return value;
+  const double step = std::pow(10, std::floor(std::log10(width)) - 3);
+  return sense * std::ceil(sense * value / step) * step;
+}
+
 std::string text(const Range& range) {
-  return fmt::format("[{:.4g}, {:.4g}]", range.min, range.max);
+  const double width = range.max - range.min;
+  return fmt::format("[{:.10g}, {:.10g}]", rounded(range.min, width, -1),
+                     rounded(range.max, width, 1));
 }
 
 Relaxation switched(std::string key, bool Constraints::*flag) {
@@ -76,8 +91,10 @@ Box grown(const Box& box, double share) {
 }
 
 std::string text(const Box& box) {
-  return fmt::format("[[{:.4g}, {:.4g}], [{:.4g}, {:.4g}]]", box.min.x, box.min.y, box.max.x,
-                     box.max.y);
+  const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
+  return fmt::format("[[{:.10g}, {:.10g}], [{:.10g}, {:.10g}]]", rounded(box.min.x, width, -1),
+                     rounded(box.min.y, height, -1), rounded(box.max.x, width, 1),
+                     rounded(box.max.y, height, 1));
 }
 
 Relaxation of_box(std::string key, std::optional<Box> Bounds::*bound) {
@@ -119,7 +136,8 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                      }
                    },
                    [](const Limits& limits) {
-                     return fmt::format("{:.4g}", *limits.constraints.link_ratio_max);
+                     const double ratio = *limits.constraints.link_ratio_max;
+                     return fmt::format("{:.10g}", rounded(ratio, ratio, 1));
                    }});
   }
   if (constraints.time_ratio) {
@@ -176,12 +194,18 @@ class Conflict {
   }
 
   std::vector<std::string> explain() {
+    if (all_.empty()) return {};
+    if (is_enough({}, 0)) {
+      return {
+          "Another search from as many starts did find a design that meets every constraint: "
+          "more of solve.starts find it."};
+    }
     std::vector<std::string> ways;
     for (const Relaxation& one : all_) {
       if (!is_enough({&one}, 1)) continue;
       ways.push_back(way({&one}));
     }
-    if (deadline_.reached()) return {};
+    if (time_is_up()) return {};
     if (!ways.empty()) {
       return {
           fmt::format("No design meets all constraints at once. Any one of these changes makes "
@@ -189,7 +213,7 @@ class Conflict {
                       fmt::join(ways, "; "))};
     }
     const auto together = fewest();
-    if (deadline_.reached() || together.empty()) return {};
+    if (time_is_up() || together.empty()) return {};
     return {
         fmt::format("No design meets all constraints at once, and none alone stands in the way. "
                     "These changes together make a design possible, by as little as was found: "
@@ -200,6 +224,10 @@ class Conflict {
  private:
   using Some = std::vector<const Relaxation*>;
 
+  bool time_is_up() const {
+    return deadline_.reached() || deadline_.spent() > begin_ + kMostSeconds;
+  }
+
   Limits relaxed(const Some& some, double share) const {
     Limits limits = given_;
     for (const Relaxation* one : some) one->relax(limits, share);
@@ -207,7 +235,7 @@ class Conflict {
   }
 
   bool is_enough(const Some& some, double share) const {
-    if (deadline_.reached()) return false;
+    if (time_is_up()) return false;
     const Limits limits = relaxed(some, share);
     return feasible_(limits.constraints, limits.bounds);
   }
@@ -246,6 +274,7 @@ class Conflict {
   const Limits& given_;
   const Feasibility& feasible_;
   const Deadline& deadline_;
+  const double begin_ = deadline_.spent();
   std::vector<Relaxation> all_;
 };
 

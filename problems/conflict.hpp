@@ -17,9 +17,10 @@ using Feasibility = std::function<bool(const Constraints& constraints, const Bou
 /// Sentences for the user: the constraints each of which stands alone in the way, with the least
 /// change of its limits that makes a design possible, to about a hundredth of the way to no limit;
 /// else the fewest that must give way together. Empty if there is no constraint, if nothing helps,
-/// or when the deadline is reached before that is known.
+/// or when half a minute or the deadline is over before that is known.
 ///
-/// It asks `feasible` some dozen times, and is as sure as its answers.
+/// It asks `feasible` some dozen times, first without any change, and is as sure as its answers.
+/// Bounds of angles are not looked at.
 std::vector<std::string> explain_conflict(const Constraints& constraints, const Bounds& bounds,
                                           const Feasibility& feasible, const Deadline& deadline);
 

@@ -40,6 +40,17 @@ bool bounds_all_links(const FunctionProblem& problem) {
          bounded(given.rocker, bounds.rocker) && bounded(given.frame, bounds.frame);
 }
 
+/// The lengths between which the search, and so its certificate, looks where the file has no
+/// bounds.
+std::string lengths_text(const std::array<Range, 4>& limits) {
+  constexpr const char* kNames[] = {"crank", "coupler", "rocker", "frame"};
+  std::string text;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    text += fmt::format(", {} {:g} to {:g}", kNames[i], limits[i].min, limits[i].max);
+  }
+  return text;
+}
+
 }  // namespace
 
 FunctionDomain function_domain(const FunctionProblem& problem, const FunctionSamples& wanted) {
@@ -56,7 +67,8 @@ FunctionDomain function_domain(const FunctionProblem& problem, const FunctionSam
   const bool ratio_given = problem.constraints.link_ratio_max || bounds_all_links(problem);
   return {FunctionBound(std::move(function), proportion_limits(problem.constraints, ratio)),
           proportion_roots(problem.constraints, problem.given, limits, ratio, phase_range(problem)),
-          domain_text(problem.constraints, problem.given, ratio, ratio_given)};
+          domain_text(problem.constraints, problem.given, ratio, ratio_given) +
+              (ratio_given ? "" : lengths_text(limits))};
 }
 
 Certificate certify(const FunctionProblem& problem, const FunctionSamples& wanted, double upper,

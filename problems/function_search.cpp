@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "analysis/mobility.hpp"
@@ -108,6 +109,7 @@ class Search {
               int iterations) const;
   void explore(std::vector<Refined>& all) const;
   void fit_in_lanes(std::span<Refined> all) const;
+  void reassess(Refined& design) const;
   bool is_nearly_folded(const FunctionGenerator& generator) const;
   void exchange(Refined& design, Backend backend) const;
   void keep_best(std::vector<Refined>& all, int reserve, Work& work) const;
@@ -189,6 +191,21 @@ void Search::explore(std::vector<Refined>& all) const {
     along.iterations += all[i].iterations;
     all[i] = along;
   });
+}
+
+/// Puts the error and the violated limits themselves in place of what a fit in lanes made of them.
+void Search::reassess(Refined& design) const {
+  const FunctionModel model(*design.problem, wanted_, design.generator.assembly,
+                            Objective::sum_of_squares, design.limited);
+  const std::vector<double> x = model.variables_of(design.generator);
+  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  design.generator = model.generator(x);
+  design.valid = model.residuals(x, residuals, {}, {});
+  if (!design.valid) return;
+  design.objective = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+  model.constraints(x, limits, {});
+  design.violation = 0;
+  for (const double c : limits) design.violation = std::max(design.violation, -c);
 }
 
 /// Whether coupler and rocker are within half a degree of one line at a sample.
@@ -312,6 +329,8 @@ std::vector<Refined> Search::minima(Work& work) {
   }
   const auto backend = finisher_of(problem);
   keep_best(all, minimax ? kFinished : kDeepened, work);
+  const bool plain = problem.solve.loss == synthesis::Loss::none;
+  if (!minimax && plain) std::ranges::for_each(all, [this](Refined& d) { reassess(d); });
   refine_all(all, objective(), Backend::gauss_newton,
              minimax ? kMinimaxIterations : kDeepeningIterations, {0.7, 0.9});
   if (backend != Backend::gauss_newton) {

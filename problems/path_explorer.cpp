@@ -52,6 +52,11 @@ PathFound placed(const PathProblem& problem, const PathStart& start) {
 
 /// The point where a fit in lanes has ended, as `model` sees it.
 void take_over(const PathModel& model, const synthesis::PathFitState& state, PathFound& found) {
+  if (state.iterations == 0) {  // the time was up before its turn
+    found.valid = found.fitted;
+    return;
+  }
+  found.fitted = true;
   Solution& solution = found.minimum.solution;
   solution.x = model.variables_of(state, solution.x);
   found.cost = state.cost;
@@ -116,11 +121,10 @@ class Explorer {
       done += count;
       if (!exploration_.starts && knows_enough()) break;
     }
-    if (!exploration_.starts) add_exact();
     thoroughness.starts = done;
-    thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
     const auto seen_once = std::ranges::count(pool_, 1, &PathFound::hits);
     thoroughness.unseen = done > 0 ? double(seen_once) / done : 1;
+    if (!exploration_.starts) add_exact();
     return std::move(pool_);
   }
 
@@ -152,6 +156,7 @@ class Explorer {
     for (const PathStart& start : exact_starts(problem_, exploration_.run, deadline_)) {
       fresh.push_back(placed(problem_, start));
       fresh.back().minimum.from_exact = true;
+      fresh.back().hits = 0;  // no start of the search
     }
     add(std::move(fresh));
   }
@@ -190,7 +195,12 @@ class Explorer {
   void fit_by_loss(std::span<PathFound> some) {
     parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
       PathFound& found = some[index];
-      if (!found.valid || deadline_.reached()) return;
+      if (!found.valid) return;
+      if (deadline_.reached()) {
+        found.valid = found.fitted;
+        return;
+      }
+      found.fitted = true;
       Solution& solution = found.minimum.solution;
       solution = minimise(problem_, found, synthesis::Backend::gauss_newton,
                           {.tolerance = fit_.tolerance,

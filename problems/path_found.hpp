@@ -17,6 +17,7 @@ inline constexpr double kPathFeasibility = 1e-9;
 struct PathFound {
   PathMinimum minimum;
   bool valid = false;
+  bool fitted = false;    ///< not as it was drawn
   bool deepened = false;  ///< fitted to its end
   double cost = 0;        ///< of a fit in lanes: objective and penalties
   int hits = 1;           ///< how many starts have come here

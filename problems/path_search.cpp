@@ -42,7 +42,7 @@ void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFoun
   Solution& solution = found.minimum.solution;
   const FourBar linkage = coarse.linkage(solution.x);
   solution.x = fine.variables_of(linkage, thinning.interpolated(coarse.crank_angles(solution.x)));
-  solution.objective = std::numeric_limits<double>::infinity();
+  solution.objective = solution.violation = std::numeric_limits<double>::infinity();
 }
 
 /// Goes on from `found` and keeps what is reached unless it is worse.
@@ -132,6 +132,7 @@ void PathSearch::finish(synthesis::Backend backend) {
 }
 
 PathSearchResult PathSearch::take() {
+  thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
   PathSearchResult result{{}, thoroughness_};
   for (PathFound& found : all_) result.minima.push_back(std::move(found.minimum));
   return result;

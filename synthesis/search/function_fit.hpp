@@ -35,7 +35,7 @@ struct FunctionFitState {
 struct FunctionFit {
   std::vector<AnglePair> wanted;     ///< counted from the start angles
   std::vector<int> free;             ///< of FunctionUnknown, ascending
-  std::vector<double> lower, upper;  ///< of each; those of angles are not kept
+  std::vector<double> lower, upper;  ///< of each, finite for lengths; those of angles are not kept
   std::vector<LinkLimit> limits;
   /// Least and greatest cosine of the transmission angle at the samples.
   std::optional<std::array<double, 2>> transmission_cosine;

@@ -214,7 +214,7 @@ class LaneFit {
     if (gained > 1e-4 * predicted && gained > 0) {
       const double excess = 2 * gained / predicted - 1;
       const double factor = 1 - excess * excess * excess;
-      damping *= factor > 1.0 / 3 ? factor : 1.0 / 3;
+      damping *= factor < 1.0 / 3 ? 1.0 / 3 : factor > 2 ? 2 : factor;
       if (damping < 1e-15) damping = 1e-15;
       lane.growth = 2;
       lane.cost = after;

@@ -202,8 +202,9 @@ void BoxDirections::enclose(const Place& p, double sense, DirectionRange& range)
   slope[0] = p.sine * per_square;
   slope[3] = crank * (crank - k_ * (Interval(1) - p.versine)) * per_square;
   Slopes both = slope;
-  double doubt = 4;  // what β's slopes leave open
-  if (p.sin_a.low > 0 && p.sin_b.low > 0) {
+  double doubt = 4;                                      // what β's slopes leave open
+  const bool apart = (Interval(1) + p.a * p.b).low > 0;  // else the angle is near half a turn
+  if (apart && p.sin_a.low > 0 && p.sin_b.low > 0) {
     const Slopes beta = angle_slopes(p, per_square);
     doubt = 0;
     for (int i = 0; i < kBoxSides; ++i) {

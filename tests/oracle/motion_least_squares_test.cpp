@@ -307,7 +307,7 @@ TEST(MotionLeastSquares, SaysThatAMotionIsSpecial) {
     asked.dyads = {DyadKind::rr};
     asked.solve.starts = 10;
     const Result result = solve(asked, {.seed = 1});
-    ASSERT_EQ(result.notes.size(), 1U) << word;
+    ASSERT_FALSE(result.notes.empty()) << word;
     EXPECT_NE(result.notes.front().find(word), std::string::npos) << result.notes.front();
     for (const Design& design : result.designs) {
       EXPECT_TRUE(std::isfinite(design.error.sum_of_squares));

@@ -72,6 +72,9 @@ TEST(Conflict, SaysNothingWhereNothingHelpsOrTimeIsUp) {
   constraints.link_ratio_max = 3;
   EXPECT_EQ(explained(constraints, {}, [](const auto&, const auto&) { return false; }), "");
   EXPECT_EQ(explained(loose(), {}, [](const auto&, const auto&) { return true; }), "");
+  EXPECT_NE(explained(constraints, {}, [](const auto&, const auto&) { return true; })
+                .find("more of solve.starts"),
+            std::string::npos);
   EXPECT_EQ(explained(
                 constraints, {}, [](const auto&, const auto&) { return true; }, 0),
             "");
