@@ -278,14 +278,14 @@ TEST(RefinedFunction, GivesTheSameDesignsOnAnyNumberOfThreads) {
 
 /// The tighter an active limit, the greater the least error; each design keeps to it.
 TEST(RefinedFunction, KeepsToAnActiveTransmissionLimit) {
-  for (const char* target : {"log10(x)\"\ndomain = [1, 2]\ninput_range_deg = 60",
-                             "sin(x)\"\ndomain = [0, 1.5]\ninput_range_deg = 90"}) {
+  for (const char* target : {"log10(x)\"\ndomain = [1, 2]\noutput_range_deg = 90",
+                             "1/x\"\ndomain = [1, 2]\noutput_range_deg = -90"}) {
     double looser = 0;
-    for (const int limit : {38, 40, 42}) {
+    for (const int limit : {48, 50, 52}) {
       const std::string off = std::to_string(limit);
       const auto problem = std::get<FunctionProblem>(*parse_problem(
           std::string("kind = \"function-generation\"\n[target]\nfunction = \"") + target +
-          "\noutput_range_deg = 90\nsamples = 21\n[mechanism]\nframe = 1\n[constraints]\n"
+          "\ninput_range_deg = 90\nsamples = 21\n[mechanism]\nframe = 1\n[constraints]\n"
           "transmission_angle_deg = [" +
           off + ", " + std::to_string(180 - limit) + "]\n"));
       const Result result = solve(problem, {});
