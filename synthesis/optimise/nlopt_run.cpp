@@ -108,12 +108,12 @@ void all_constraints(Search& search, const double* z, std::span<double> c,
 }
 
 /// Rows [first, first + m) of the constraints.
-template <bool equalities>
+template <bool Equalities>
 void constraints(unsigned m, double* out, unsigned n, const double* z, double* jacobian,
                  void* data) {
   auto& search = *static_cast<Search*>(data);
   const auto all = static_cast<std::size_t>(search.program.constraint_count());
-  const std::size_t first = equalities ? 0 : search.program.equality_count();
+  const std::size_t first = Equalities ? 0 : search.program.equality_count();
   std::vector<double> c(all), slopes(jacobian ? all * n : 0);
   all_constraints(search, z, c, slopes);
   std::copy_n(c.begin() + first, m, out);
