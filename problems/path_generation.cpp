@@ -93,13 +93,13 @@ class Designs {
   }
 
   bool add_one(const FourBar& linkage, const std::vector<double>& crank_angles) {
-    Design design = verified(linkage, crank_angles);
-    if (!std::isfinite(design.error.sum_of_squares)) return false;
-    return insert(std::move(design));
+    return insert(verified(linkage, crank_angles));
   }
 
-  /// Keeps the design in its list unless an equal one is there.
+  /// Keeps the design in its list unless an equal one is there, or it does not close at a point: so
+  /// may a cognate near a dead point, where rounding decides.
   bool insert(Design design) {
+    if (!std::isfinite(design.error.sum_of_squares)) return false;
     auto& list = all_satisfied(design.constraints) ? feasible_ : violating_;
     for (const Design& known : list) {
       if (same_design(four_bar(known), four_bar(design), kSameWithin)) return false;
