@@ -24,8 +24,19 @@ ordered_json pairs_deg(const problems::AnglePairs& all) {
   return rows;
 }
 
+ordered_json crank_angles(const problems::PathProblem& problem) {
+  ordered_json all = ordered_json::array();
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    if (problem.is_timed(j)) {
+      all.push_back(degrees(problem.crank_angles[j]));
+    } else {
+      all.push_back(problems::kFreeAngle);
+    }
+  }
+  return all;
+}
+
 ordered_json target(const problems::PathProblem& problem) {
-  const bool prescribed = problem.timing == problems::Timing::prescribed;
   ordered_json table = ordered_json::object();
   const std::size_t poses = problem.pose_angles.size();
   for (std::size_t i = 0; i < poses; ++i) {
@@ -38,12 +49,11 @@ ordered_json target(const problems::PathProblem& problem) {
   }
   if (problem.method == problems::PathMethod::exact) table["method"] = to_string(problem.method);
   table["timing"] = to_string(problem.timing);
-  if (prescribed) {
-    table["crank_deg"] = ordered_json::array();
-    for (const double angle : problem.crank_angles) table["crank_deg"].push_back(degrees(angle));
-    table["crank_reference"] = to_string(problem.crank_reference);
-  } else {
+  if (problem.timing == problems::Timing::free) {
     table["order"] = to_string(problem.order);
+  } else {
+    table["crank_deg"] = crank_angles(problem);
+    table["crank_reference"] = to_string(problem.crank_reference);
   }
   table["crank_sense"] = to_string(problem.crank_sense);
   if (problem.method == problems::PathMethod::least_squares) table["weights"] = problem.weights;

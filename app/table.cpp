@@ -11,6 +11,7 @@
 #include "app/messages.hpp"
 #include "app/paint.hpp"
 #include "app/text_table.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -31,10 +32,9 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string description(const PathProblem& problem) {
-  const bool prescribed = problem.timing == problems::Timing::prescribed;
   return fmt::format("path generation{}, {} points, {} timing",
                      problem.method == problems::PathMethod::exact ? " exactly" : "",
-                     problem.points.size(), prescribed ? "prescribed" : "free");
+                     problem.points.size(), problems::to_string(problem.timing));
 }
 
 std::string description(const FunctionProblem& problem) {

@@ -27,7 +27,8 @@ constexpr Named<SolverChoice> kSolvers[] = {
     {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
     {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
     {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
-constexpr Named<Timing> kTimings[] = {{"free", Timing::free}, {"prescribed", Timing::prescribed}};
+constexpr Named<Timing> kTimings[] = {
+    {"free", Timing::free}, {"prescribed", Timing::prescribed}, {"mixed", Timing::mixed}};
 constexpr Named<CrankReference> kCrankReferences[] = {{"first", CrankReference::first},
                                                       {"frame", CrankReference::frame},
                                                       {"global", CrankReference::global}};

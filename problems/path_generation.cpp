@@ -82,10 +82,7 @@ class Designs {
                                     {problem_.order, problem_.timing == Timing::prescribed});
     design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
                                            linkage, design.metrics);
-    const bool sense_limited =
-        problem_.crank_sense != CrankSense::either &&
-        (problem_.timing == Timing::free || problem_.crank_reference == CrankReference::first);
-    if (sense_limited && problem_.timing == Timing::free) {
+    if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {
       design.constraints.push_back(check_sense(problem_.crank_sense, crank_angles));
     }
     design.origin = origin_;

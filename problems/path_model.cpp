@@ -61,16 +61,10 @@ PathModel::PathModel(const PathProblem& problem, Assembly assembly, bool clockwi
       anchor_is_d_(problem.given.pivot_d && !problem.given.pivot_a),
       linkage_constraints_(problem.constraints, 1.0) {
   problem_.given = with_frame_from_pivots(problem.given);
+  while (first_timed_ < problem.points.size() && !problem.is_timed(first_timed_)) ++first_timed_;
   list_variables();
-  if (timed()) {
-    list_increments(clockwise);
-  } else {
-    for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-      const double turn = 2 * std::numbers::pi;
-      variables_.push_back({"crank angle " + std::to_string(j), -1e3 * turn, 1e3 * turn, 1});
-      local_of_residual_.insert(local_of_residual_.end(), 2, static_cast<int>(j));
-    }
-  }
+  list_increments(clockwise);
+  list_local_angles();
   for (const double weight : problem_.weights) root_weight_.push_back(std::sqrt(weight));
   root_weight_.resize(problem_.points.size(), 1.0);
 }
@@ -110,17 +104,31 @@ void PathModel::list_variables() {
   const double turn = 2 * std::numbers::pi;
   add_variable(angle, given.frame_angle, intersect({-4 * turn, 4 * turn}, bounds.frame_angle),
                "frame angle");
-  const bool has_phase = timed() && problem_.crank_reference == CrankReference::first;
+  const bool any_timed = first_timed_ < problem_.points.size();
+  const bool has_phase = any_timed && problem_.crank_reference == CrankReference::first;
   add_variable(phase, has_phase ? std::nullopt : std::optional(0.0), {-4 * turn, 4 * turn},
                "phase");
 }
 
 void PathModel::list_increments(bool clockwise) {
   const bool relative = problem_.crank_reference == CrankReference::first;
-  for (const double angle : problem_.crank_angles) {
-    const double increment = relative ? angle - problem_.crank_angles.front() : angle;
+  const std::size_t n = problem_.points.size();
+  const double origin = relative && first_timed_ < n ? problem_.crank_angles[first_timed_] : 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double increment = problem_.is_timed(j) ? problem_.crank_angles[j] - origin : 0;
     increment_.push_back(relative && clockwise ? -increment : increment);
     increment_half_.push_back(unit(0.5 * increment_.back()));
+  }
+}
+
+void PathModel::list_local_angles() {
+  const double turns = 1e3 * 2 * std::numbers::pi;
+  for (std::size_t j = 0; j < problem_.points.size(); ++j) {
+    local_.push_back(problem_.is_timed(j) ? -1 : local_count_++);
+    local_of_residual_.insert(local_of_residual_.end(), 2, local_.back());
+    if (!is_timed(j)) {
+      variables_.push_back({"crank angle " + std::to_string(j), -turns, turns, 1});
+    }
   }
 }
 
@@ -140,16 +148,16 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
   const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = timed() ? unit(0.5 * timing_offset(v)) : Vec2d{1, 0};
+  const Vec2d offset_half = unit(0.5 * timing_offset(v));
   const Vec2d anchor{v[anchor_x], v[anchor_y]};
   // From the anchor to the crank pivot A, in the frame's axes.
   const Vec2d to_a{anchor_is_d_ ? -v[frame] : 0.0, 0.0};
-  const bool global = timed() && problem_.crank_reference == CrankReference::global;
+  const bool global = problem_.crank_reference == CrankReference::global;
   const std::size_t n = free_.size();
 
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const auto direction =
-        timed() ? crank_direction(increment_half_[j] * offset_half) : crank_direction(x[n + j]);
+    const auto direction = is_timed(j) ? crank_direction(increment_half_[j] * offset_half)
+                                       : crank_direction(local_angle(x, j));
     const auto at = closure.at(direction, assembly_);
     if (!(at.discriminant > 0)) return false;
     const Vec2d e1{direction.cos, direction.sin};
@@ -173,18 +181,17 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
         perp(at.coupler),
         conj(turn),
         perp(conj(turn)),
-        perp(to_a + arm) - (global ? 1.0 : 0.0) * by_theta,
-        by_theta};
+        perp(to_a + arm) - (is_timed(j) && global ? 1.0 : 0.0) * by_theta,
+        (is_timed(j) ? 1.0 : 0.0) * by_theta};
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2d derivative = w * (turn * in_frame[free_[i]]);
       jacobian[2 * j * n + i] = derivative.x;
       jacobian[(2 * j + 1) * n + i] = derivative.y;
     }
-    if (!timed()) {
-      const Vec2d derivative = w * (turn * by_theta);
-      local[2 * j] = derivative.x;
-      local[2 * j + 1] = derivative.y;
-    }
+    if (local.empty()) continue;
+    const Vec2d derivative = (is_timed(j) ? 0.0 : w) * (turn * by_theta);
+    local[2 * j] = derivative.x;
+    local[2 * j + 1] = derivative.y;
   }
   return true;
 }
@@ -255,7 +262,7 @@ std::vector<double> PathModel::crank_angles(std::span<const double> x) const {
   const Full v = full(x);
   std::vector<double> angles;
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const double from_frame = timed() ? increment_[j] + timing_offset(v) : x[free_.size() + j];
+    const double from_frame = is_timed(j) ? increment_[j] + timing_offset(v) : local_angle(x, j);
     angles.push_back(from_frame + v[angle]);
   }
   return angles;
@@ -266,16 +273,16 @@ std::vector<double> PathModel::variables_of(const FourBar& linkage,
   const Vec2d anchor = anchor_is_d_ ? linkage.pivot_d : linkage.pivot_a;
   const Vec2d point = linkage.coupler_point.value_or(Vec2d{});
   const double direction = frame_angle(linkage);
-  const double first = crank_angles.front() - direction;
-  const Full v{linkage.crank,  linkage.coupler,
-               linkage.rocker, lengths(linkage).frame,
-               point.x,        point.y,
-               anchor.x,       anchor.y,
-               direction,      timed() ? first - increment_.front() : 0};
+  const bool any_timed = first_timed_ < crank_angles.size();
+  const double offset =
+      any_timed ? crank_angles[first_timed_] - direction - increment_[first_timed_] : 0;
+  const Full v{linkage.crank, linkage.coupler, linkage.rocker, lengths(linkage).frame,
+               point.x,       point.y,         anchor.x,       anchor.y,
+               direction,     offset};
   std::vector<double> x;
   for (const int dimension : free_) x.push_back(v[dimension]);
-  if (!timed()) {
-    for (const double angle : crank_angles) x.push_back(angle - direction);
+  for (std::size_t j = 0; j < crank_angles.size(); ++j) {
+    if (!is_timed(j)) x.push_back(crank_angles[j] - direction);
   }
   return x;
 }

@@ -71,8 +71,8 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
   const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = timed() ? unit(0.5 * timing_offset(v)) : Vec2d{1, 0};
-  const bool global = timed() && problem_.crank_reference == CrankReference::global;
+  const Vec2d offset_half = unit(0.5 * timing_offset(v));
+  const bool global = problem_.crank_reference == CrankReference::global;
   const PointCurvature curvature{links, v[point_u], v[point_v], anchor_is_d_ ? -1.0 : 0.0};
 
   // How the parameters of a point follow from the dimensions.
@@ -80,9 +80,12 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
     int parameter, dimension;
     double slope;
   };
-  std::vector<Term> terms{{kCrankAngle, timed() ? int{phase} : kLocal, 1}, {kTurn, angle, 1}};
-  if (global) terms.push_back({kCrankAngle, angle, -1});
-  for (int i = crank; i <= point_v; ++i) terms.push_back({i, i, 1});
+  std::vector<Term> of_free{{kCrankAngle, kLocal, 1}, {kTurn, angle, 1}};
+  std::vector<Term> of_timed{{kCrankAngle, phase, 1}, {kTurn, angle, 1}};
+  if (global) of_timed.push_back({kCrankAngle, angle, -1});
+  for (std::vector<Term>* terms : {&of_free, &of_timed}) {
+    for (int i = crank; i <= point_v; ++i) terms->push_back({i, i, 1});
+  }
 
   std::vector<int> column(dimensions + 1, -1);
   for (std::size_t i = 0; i < free_.size(); ++i) column[free_[i]] = static_cast<int>(i);
@@ -93,13 +96,14 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   };
 
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const auto direction = timed() ? crank_direction(increment_half_[j] * offset_half)
-                                   : crank_direction(x[free_.size() + j]);
+    const auto direction = is_timed(j) ? crank_direction(increment_half_[j] * offset_half)
+                                       : crank_direction(local_angle(x, j));
     const auto at = closure.at(direction, assembly_);
     if (!(at.discriminant > 0)) return false;
     const Vec2d weight = root_weight_[j] * Vec2d{of_residuals[2 * j], of_residuals[2 * j + 1]};
     const PointHessian hessian = curvature.at(direction, at, conj(turn) * weight);
-    if (!timed()) column[kLocal] = static_cast<int>(free_.size() + j);
+    if (!is_timed(j)) column[kLocal] = static_cast<int>(free_.size()) + local_[j];
+    const std::vector<Term>& terms = is_timed(j) ? of_timed : of_free;
     for (const Term& a : terms) {
       for (const Term& b : terms) {
         add(a.dimension, b.dimension, a.slope * b.slope * hessian[a.parameter][b.parameter]);
