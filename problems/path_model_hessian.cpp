@@ -10,8 +10,8 @@ namespace {
 
 /// What the coupler point depends on: the six dimensions of the linkage, named as those of the
 /// model, the crank's angle from the frame and the frame's own.
-enum Parameter { kCrankAngle = 6, kTurn, kParameters };
-using PointHessian = std::array<std::array<double, kParameters>, kParameters>;
+enum Parameter { crank_angle = 6, frame_turn, parameter_count };
+using PointHessian = std::array<std::array<double, parameter_count>, parameter_count>;
 
 Vec2d unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -31,13 +31,13 @@ struct PathModel::PointCurvature {
     const Vec2d e1{direction.cos, direction.sin}, e2 = closure.coupler;
     const auto slope = closure_gradient(links, e1, closure).coupler;
     const auto second = synthesis::closure_hessian(links, e1, closure).coupler;
-    const std::array<int, 5> of_angle{crank, coupler, rocker, frame, kCrankAngle};
+    const std::array<int, 5> of_angle{crank, coupler, rocker, frame, crank_angle};
     const std::array<double, 5> phi{slope.crank, slope.coupler, slope.rocker, slope.frame,
                                     slope.crank_angle};
     const Vec2d q = e2 * Vec2d{u, v};
 
     PointHessian out{};
-    std::array<Vec2d, kTurn> first{};
+    std::array<Vec2d, frame_turn> first{};
     for (int i = 0; i < 5; ++i) {
       first[of_angle[i]] = phi[i] * perp(q);
       for (int j = 0; j < 5; ++j) {
@@ -47,18 +47,19 @@ struct PathModel::PointCurvature {
       out[of_angle[i]][point_u] = out[point_u][of_angle[i]] = by_u;
       out[of_angle[i]][point_v] = out[point_v][of_angle[i]] = by_v;
     }
-    out[crank][kCrankAngle] += dot(gamma, perp(e1));
-    out[kCrankAngle][crank] += dot(gamma, perp(e1));
-    out[kCrankAngle][kCrankAngle] -= dot(gamma, links.crank * e1);
+    out[crank][crank_angle] += dot(gamma, perp(e1));
+    out[crank_angle][crank] += dot(gamma, perp(e1));
+    out[crank_angle][crank_angle] -= dot(gamma, links.crank * e1);
 
     first[crank] = first[crank] + e1;
     first[frame].x += along_frame;
-    first[kCrankAngle] = first[kCrankAngle] + links.crank * perp(e1);
+    first[crank_angle] = first[crank_angle] + links.crank * perp(e1);
     first[point_u] = e2;
     first[point_v] = perp(e2);
-    for (int i = 0; i < kTurn; ++i) out[i][kTurn] = out[kTurn][i] = dot(gamma, perp(first[i]));
+    for (int i = 0; i < frame_turn; ++i)
+      out[i][frame_turn] = out[frame_turn][i] = dot(gamma, perp(first[i]));
     const Vec2d arm = Vec2d{along_frame * links.frame, 0} + links.crank * e1 + q;
-    out[kTurn][kTurn] = -dot(gamma, arm);
+    out[frame_turn][frame_turn] = -dot(gamma, arm);
     return out;
   }
 };
@@ -80,9 +81,9 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
     int parameter, dimension;
     double slope;
   };
-  std::vector<Term> of_free{{kCrankAngle, kLocal, 1}, {kTurn, angle, 1}};
-  std::vector<Term> of_timed{{kCrankAngle, phase, 1}, {kTurn, angle, 1}};
-  if (global) of_timed.push_back({kCrankAngle, angle, -1});
+  std::vector<Term> of_free{{crank_angle, kLocal, 1}, {frame_turn, angle, 1}};
+  std::vector<Term> of_timed{{crank_angle, phase, 1}, {frame_turn, angle, 1}};
+  if (global) of_timed.push_back({crank_angle, angle, -1});
   for (std::vector<Term>* terms : {&of_free, &of_timed}) {
     for (int i = crank; i <= point_v; ++i) terms->push_back({i, i, 1});
   }
