@@ -96,6 +96,18 @@ struct Screen {
     return {g, sum / static_cast<double>(wanted.size())};
   }
 
+  /// The assembly in which the linkage is the better one of two that were screened.
+  void take_better(const synthesis::FunctionCandidates& candidates, std::size_t i,
+                   const FunctionGenerator& generator, FunctionStartPoint& best) const {
+    for (const Assembly assembly : assemblies()) {
+      const double error = assembly == Assembly::open ? candidates.open[i] : candidates.crossed[i];
+      if (!(error < best.error)) continue;
+      best.error = error;
+      best.generator = generator;
+      best.generator.assembly = assembly;
+    }
+  }
+
   /// The better assembly of a linkage.
   FunctionStartPoint best_assembly(FunctionGenerator g) const {
     FunctionStartPoint best{g, kInfinite};
@@ -108,44 +120,58 @@ struct Screen {
   }
 };
 
-/// Weights that turn the residual of Freudenstein's equation into an output angle: 1/(∂F/∂θ₃)²,
-/// bounded where the slope vanishes.
-std::vector<double> slope_weights(std::span<const AnglePair> pairs,
-                                  const std::array<double, 3>& p) {
-  std::vector<double> squares;
-  double mean = 0;
-  for (const AnglePair& pair : pairs) {
-    const double slope = p[0] * std::sin(pair.output) + p[1] * std::sin(pair.output - pair.input);
-    squares.push_back(slope * slope);
-    mean += squares.back() / static_cast<double>(pairs.size());
-  }
-  for (double& value : squares) value = mean / (value + 1e-3 * mean);
-  return squares;
+void set_candidate(synthesis::FunctionCandidates& candidates, std::size_t i,
+                   const FunctionGenerator& g) {
+  candidates.crank[i] = g.links.crank;
+  candidates.coupler[i] = g.links.coupler;
+  candidates.rocker[i] = g.links.rocker;
+  candidates.frame[i] = g.links.frame;
+  candidates.half_start_x[i] = std::cos(0.5 * g.input_start);
+  candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
 }
 
-/// The linkage whose structural error with these start angles is about least.
-FunctionStartPoint fitted(const Screen& screen, double input_start, double output_start) {
-  FunctionStartPoint nothing{{}, kInfinite};
-  std::vector<AnglePair> pairs = screen.wanted;
-  for (AnglePair& pair : pairs) {
-    pair.input += input_start;
-    pair.output += output_start;
-  }
-  auto ratios = synthesis::freudenstein_fit(pairs);
-  for (int i = 0; ratios && i < kReweightings; ++i) {
-    ratios = synthesis::freudenstein_fit(pairs, slope_weights(pairs, ratios->p));
-  }
-  if (!ratios) return nothing;
-  const auto linkage = synthesis::freudenstein_linkage(ratios->p);
-  if (linkage.outcome != synthesis::FreudensteinOutcome::linkage) return nothing;
-  if (screen.problem.input_start && linkage.input_turn != 0) return nothing;
+/// The generator that some ratios of Freudenstein's equation stand for.
+std::optional<FunctionGenerator> generator_of(const Screen& screen, const std::array<double, 3>& p,
+                                              double input_start) {
+  const auto linkage = synthesis::freudenstein_linkage(p);
+  if (linkage.outcome != synthesis::FreudensteinOutcome::linkage) return std::nullopt;
+  if (screen.problem.input_start && linkage.input_turn != 0) return std::nullopt;
   FunctionGenerator g;
   g.links = screen.scaled(linkage.links);
-  g.input_start = input_start + linkage.input_turn;
-  g.output_start = output_start + linkage.output_turn;
-  FunctionStartPoint point = screen.best_assembly(g);
-  point.origin = StartOrigin::overlay;
-  return point;
+  g.input_start =
+      screen.clamped_start(input_start + linkage.input_turn, screen.problem.input_start_bounds);
+  return g;
+}
+
+/// For one start angle of the input and each of the output the linkage whose structural error is
+/// about least; its output start angle is not yet set.
+std::vector<FunctionStartPoint> fitted(const Screen& screen, double input_start,
+                                       const std::vector<double>& output_starts) {
+  const std::size_t count = output_starts.size(), lanes = synthesis::StartAngles::lanes;
+  const std::size_t padded = (count + lanes - 1) / lanes * lanes;
+  synthesis::StartAngles starts(padded);
+  for (std::size_t i = 0; i < padded; ++i) {
+    const double output_start = output_starts[std::min(i, count - 1)];
+    starts.input_x[i] = std::cos(input_start);
+    starts.input_y[i] = std::sin(input_start);
+    starts.output_x[i] = std::cos(output_start);
+    starts.output_y[i] = std::sin(output_start);
+  }
+  synthesis::fit_freudenstein(screen.wanted, kReweightings, starts);
+
+  synthesis::FunctionCandidates candidates(padded);
+  std::vector<std::optional<FunctionGenerator>> generators;
+  for (std::size_t i = 0; i < padded; ++i) {
+    const auto& [p0, p1, p2] = starts.ratios;
+    generators.push_back(generator_of(screen, {p0[i], p1[i], p2[i]}, input_start));
+    set_candidate(candidates, i, generators[i].value_or(FunctionGenerator{{1, 1, 1, 1}}));
+  }
+  synthesis::screen(screen.wanted, screen.problem.output_start, candidates);
+  std::vector<FunctionStartPoint> points(count, {{}, kInfinite, StartOrigin::overlay});
+  for (std::size_t i = 0; i < count; ++i) {
+    if (generators[i]) screen.take_better(candidates, i, *generators[i], points[i]);
+  }
+  return points;
 }
 
 /// The angles at which a start angle is looked at: one where the file gives it, else steps over
@@ -196,10 +222,16 @@ std::vector<FunctionStartPoint> freudenstein_starts(const Screen& screen, const 
                                        FunctionStartPoint{{}, kInfinite});
   parallel_for(rows, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
-    for (int j = 0; j < columns; ++j) grid[i * columns + j] = fitted(screen, inputs[i], outputs[j]);
+    std::ranges::move(fitted(screen, inputs[i], outputs), grid.begin() + i * columns);
   });
   candidates += grid.size();
-  return grid_minima(grid, rows, columns);
+  std::vector<FunctionStartPoint> starts;
+  for (const FunctionStartPoint& minimum : grid_minima(grid, rows, columns)) {
+    starts.push_back(screen.scored(minimum.generator));
+    starts.back().origin = minimum.origin;
+  }
+  std::erase_if(starts, [](const auto& start) { return !std::isfinite(start.error); });
+  return starts;
 }
 
 /// The linkages through five samples about where Chebyshev's points lie, where no start is given.
@@ -275,26 +307,14 @@ FunctionStartPoint drawn(const Screen& screen, std::uint64_t seed) {
   for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
     FunctionGenerator g = draws.next();
     g.input_start = screen.clamped_start(g.input_start, screen.problem.input_start_bounds);
-    candidates.crank[i] = g.links.crank;
-    candidates.coupler[i] = g.links.coupler;
-    candidates.rocker[i] = g.links.rocker;
-    candidates.frame[i] = g.links.frame;
-    candidates.half_start_x[i] = std::cos(0.5 * g.input_start);
-    candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
+    set_candidate(candidates, i, g);
     generators.push_back(g);
   }
   synthesis::screen(screen.wanted, screen.problem.output_start, candidates);
-  double least = kInfinite;
   for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
-    for (const Assembly assembly : screen.assemblies()) {
-      const double error = assembly == Assembly::open ? candidates.open[i] : candidates.crossed[i];
-      if (!(error < least)) continue;
-      least = error;
-      best.generator = generators[i];
-      best.generator.assembly = assembly;
-    }
+    screen.take_better(candidates, i, generators[i], best);
   }
-  return std::isfinite(least) ? screen.scored(best.generator) : best;
+  return std::isfinite(best.error) ? screen.scored(best.generator) : best;
 }
 
 std::vector<FunctionStartPoint> random_starts(const Screen& screen, const StartSearch& search,

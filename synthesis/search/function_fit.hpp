@@ -56,6 +56,25 @@ struct FunctionFitOptions {
 void fit_functions(const FunctionFit& problem, std::span<FunctionFitState> states,
                    const FunctionFitOptions& options);
 
+/// Start angles of input and output, as a structure of arrays; the size is a multiple of `lanes`.
+struct StartAngles {
+  static constexpr std::size_t lanes = 8;
+  explicit StartAngles(std::size_t count)
+      : input_x(count),
+        input_y(count),
+        output_x(count),
+        output_y(count),
+        ratios{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)} {
+  }
+  std::vector<double> input_x, input_y, output_x, output_y;  ///< their directions
+  std::array<std::vector<double>, 3> ratios;  ///< out: P₀, P₁, P₂; not finite where there are none
+};
+
+/// The ratios of Freudenstein's equation whose residuals over the wanted pairs are least for each
+/// of `starts`: first as they stand, then so many times over their slopes in the output angle,
+/// which makes them errors in that angle to first order.
+void fit_freudenstein(std::span<const AnglePair> wanted, int reweightings, StartAngles& starts);
+
 /// Linkages to be screened, as a structure of arrays; the size is a multiple of `lanes`.
 struct FunctionCandidates {
   static constexpr std::size_t lanes = 8;

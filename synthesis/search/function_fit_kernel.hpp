@@ -39,6 +39,14 @@ struct FunctionScreenTask {
   double *open, *crossed;  ///< out: mean square of the errors' chords; NaN if it does not close
 };
 
+struct FreudensteinTask {
+  FunctionTargets targets;
+  int reweightings;
+  long count;                                             ///< a multiple of eight
+  const double *input_x, *input_y, *output_x, *output_y;  ///< directions of the start angles
+  double* ratio[3];                                       ///< out: P₀, P₁, P₂
+};
+
 struct FunctionFitTask {
   FunctionTargets targets;
   int unknowns;                 ///< that are free
@@ -59,6 +67,7 @@ struct FunctionFitTask {
 
 #define COGNATE_DECLARE_FUNCTION_KERNELS(name)           \
   namespace name {                                       \
+  void fit_freudenstein(const FreudensteinTask& task);   \
   void screen_functions(const FunctionScreenTask& task); \
   void fit_functions(const FunctionFitTask& task);       \
   }
