@@ -142,14 +142,10 @@ void fit_freudenstein(std::span<const AnglePair> wanted, int reweightings, Start
   kernels_of(instruction_sets().back()).freudenstein(task);
 }
 
-void screen(std::span<const AnglePair> wanted, const std::optional<double>& output_start,
-            FunctionCandidates& candidates) {
+void screen(std::span<const AnglePair> wanted, OutputStart start, FunctionCandidates& candidates) {
   const Directions directions(wanted);
   FunctionScreenTask task{};
   task.targets = directions.targets();
-  task.output_given = output_start.has_value();
-  task.output_x = std::cos(output_start.value_or(0));
-  task.output_y = std::sin(output_start.value_or(0));
   task.count = static_cast<long>(candidates.crank.size());
   task.crank = candidates.crank.data();
   task.coupler = candidates.coupler.data();
@@ -157,6 +153,10 @@ void screen(std::span<const AnglePair> wanted, const std::optional<double>& outp
   task.frame = candidates.frame.data();
   task.half_start_x = candidates.half_start_x.data();
   task.half_start_y = candidates.half_start_y.data();
+  if (start == OutputStart::given) {
+    task.output_start_x = candidates.output_start_x.data();
+    task.output_start_y = candidates.output_start_y.data();
+  }
   task.open = candidates.open.data();
   task.crossed = candidates.crossed.data();
   kernels_of(instruction_sets().back()).screen(task);

@@ -85,16 +85,21 @@ struct FunctionCandidates {
         frame(count),
         half_start_x(count),
         half_start_y(count),
+        output_start_x(count),
+        output_start_y(count),
         open(count),
         crossed(count) {}
   std::vector<double> crank, coupler, rocker, frame;
-  std::vector<double> half_start_x, half_start_y;  ///< direction of half the input start angle
-  /// Out, of each assembly: mean square of 2 sin(e/2), e being the error with the output start
-  /// angle given or else the best; not a number where the linkage does not close.
+  std::vector<double> half_start_x, half_start_y;      ///< direction of half the input start angle
+  std::vector<double> output_start_x, output_start_y;  ///< that of the output's, where it is given
+  /// Out, of each assembly: mean square of 2 sin(e/2), e being the error; not a number where the
+  /// linkage does not close.
   std::vector<double> open, crossed;
 };
 
-void screen(std::span<const AnglePair> wanted, const std::optional<double>& output_start,
-            FunctionCandidates& candidates);
+/// What the output's start angle is: as given, or the best for each candidate.
+enum class OutputStart { given, best };
+
+void screen(std::span<const AnglePair> wanted, OutputStart start, FunctionCandidates& candidates);
 
 }  // namespace cognate::synthesis

@@ -32,10 +32,9 @@ struct FunctionTargets {
 
 struct FunctionScreenTask {
   FunctionTargets targets;
-  bool output_given;  ///< the output start angle has the direction (output_x, output_y)
-  double output_x, output_y;
   long count;  ///< a multiple of eight
   const double *crank, *coupler, *rocker, *frame, *half_start_x, *half_start_y;
+  const double *output_start_x, *output_start_y;  ///< null: the best for each
   double *open, *crossed;  ///< out: mean square of the errors' chords; NaN if it does not close
 };
 

@@ -214,7 +214,7 @@ TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
     candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
     all.push_back(g);
   }
-  screen(samples.samples, std::nullopt, candidates);
+  screen(samples.samples, synthesis::OutputStart::best, candidates);
   int closing = 0;
   for (std::size_t i = 0; i < 400; ++i) {
     for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
