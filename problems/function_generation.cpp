@@ -42,10 +42,11 @@ std::string origin(StartOrigin start, synthesis::Backend finisher) {
 Result solve_by_search(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
   Result result;
   const FunctionSamples wanted = function_samples(problem);
-  const auto minima = search_functions(problem, wanted, run, deadline, result.work);
+  const auto found = search_functions(problem, wanted, run, deadline, result.work);
+  result.facts = found.thoroughness.facts();
   const bool ended_early = deadline.reached();
   std::vector<Design> designs;
-  for (const auto& [minimum, from] : minima) {
+  for (const auto& [minimum, from] : found.minima) {
     Design design = function_design(problem, wanted, minimum, positions_of(minimum, wanted.samples),
                                     origin(from, finisher_of(problem)));
     if (std::isfinite(design.error.sum_of_squares)) designs.push_back(std::move(design));

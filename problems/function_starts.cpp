@@ -218,7 +218,7 @@ std::vector<FunctionStartPoint> random_starts(const FunctionScreen& screen,
   std::vector<FunctionStartPoint> starts(search.count, FunctionStartPoint{{}, kInfinite});
   parallel_for(search.count, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
-    starts[i] = drawn(screen, mixed(search.seed, i));
+    starts[i] = drawn(screen, mixed(search.seed, search.first + i));
   });
   candidates += static_cast<std::uint64_t>(search.count) * kDrawsPerStart;
   std::erase_if(starts, [](const auto& start) { return !std::isfinite(start.error); });
@@ -231,10 +231,13 @@ FoundStarts find_starts(const FunctionProblem& problem, const FunctionSamples& w
                         const StartSearch& search) {
   const FunctionScreen screen(problem, thinned(wanted.samples));
   FoundStarts found;
-  auto fits = freudenstein_starts(screen, search, found.candidates);
-  auto exact = five_point_starts(screen);
-  found.candidates += exact.size();
-  fits.insert(fits.end(), exact.begin(), exact.end());
+  std::vector<FunctionStartPoint> fits;
+  if (search.first == 0) {
+    fits = freudenstein_starts(screen, search, found.candidates);
+    const auto exact = five_point_starts(screen);
+    found.candidates += exact.size();
+    fits.insert(fits.end(), exact.begin(), exact.end());
+  }
   auto draws = random_starts(screen, search, found.candidates);
   for (auto* kind : {&fits, &draws}) {
     std::ranges::stable_sort(*kind, {}, &FunctionStartPoint::error);

@@ -136,9 +136,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   }
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();
-  result.facts = {{"starts", double(found.thoroughness.starts)},
-                  {"best_hits", double(found.thoroughness.best_hits)},
-                  {"chance_of_unseen_minimum", found.thoroughness.unseen}};
+  result.facts = found.thoroughness.facts();
   if (problem.solve.certify && result.status == Status::solved) {
     double best = std::numeric_limits<double>::infinity();
     for (const Design& design : result.designs) {
