@@ -47,12 +47,12 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
   std::erase_if(all, [](const FunctionFound& found) { return !found.valid; });
   std::ranges::stable_sort(all, is_better);
   std::vector<FunctionFound> kept;
-  for (FunctionFound& found : all) {
+  for (const FunctionFound& found : all) {
     const auto known = std::ranges::find_if(kept, [&](const FunctionFound& other) {
       return is_same(other.generator, found.generator, tolerance);
     });
     if (known == kept.end()) {
-      kept.push_back(std::move(found));
+      kept.push_back(found);
       continue;
     }
     known->hits += found.hits;

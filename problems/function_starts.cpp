@@ -132,7 +132,8 @@ std::vector<FunctionStartPoint> freudenstein_starts(const FunctionScreen& screen
                                        FunctionStartPoint{{}, kInfinite});
   parallel_for(rows, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
-    std::ranges::move(fitted(screen, inputs[i], outputs), grid.begin() + i * columns);
+    std::ranges::move(fitted(screen, inputs[i], outputs),
+                      grid.begin() + static_cast<std::ptrdiff_t>(i) * columns);
   });
   candidates += grid.size();
   std::vector<FunctionStartPoint> starts;
