@@ -4,6 +4,7 @@
 
 #include "app/json_values.hpp"
 #include "app/problem_tables.hpp"
+#include "app/turn_tables.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -144,6 +145,7 @@ ordered_json tables_of(const problems::PathProblem& problem) {
   tables["mechanism"] = mechanism_table(problem.given);
   tables["bounds"] = bounds_table(problem.bounds);
   tables["constraints"] = constraints_table(problem.constraints);
+  add_operation(problem.constraints, tables);
   tables["solve"] = solve_table(problem.solve);
   return tables;
 }
@@ -154,6 +156,7 @@ ordered_json tables_of(const problems::FunctionProblem& problem) {
   tables["mechanism"] = mechanism(problem);
   tables["bounds"] = bounds(problem);
   tables["constraints"] = constraints_table(problem.constraints);
+  add_operation(problem.constraints, tables);
   tables["solve"] = solve_table(problem.solve);
   if (problem.best_by) tables["solve"]["best_by"] = to_string(*problem.best_by);
   return tables;

@@ -1,5 +1,6 @@
 #include "app/problem_tables.hpp"
 
+#include "app/turn_tables.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -53,6 +54,7 @@ ordered_json constraints_table(const problems::Constraints& given) {
   set(table, "link_ratio_max", given.link_ratio_max);
   set_json(table, "time_ratio", given.time_ratio);
   set_json(table, "pivot_region", given.pivot_region);
+  add_turn_limits(given, table);
   table["no_branch_defect"] = given.no_branch_defect;
   table["no_order_defect"] = given.no_order_defect;
   table["no_circuit_defect"] = given.no_circuit_defect;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "analysis/four_bar.hpp"
+#include "problems/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
 namespace cognate::problems {
@@ -45,6 +47,14 @@ enum class RequiredClass {
   non_grashof
 };
 
+/// `[[constraints.clearance]]`: over the full turn of the crank a point stays inside a box (its
+/// working envelope) or outside (an obstacle). Sides may be infinite.
+struct Clearance {
+  MovingPoint point = MovingPoint::coupler_point;
+  bool inside = true;
+  Box box;
+};
+
 /// `[constraints]` common to linkages. The transmission angle is the angle BCD in [0, π].
 struct Constraints {
   std::optional<RequiredClass> required_class;
@@ -52,10 +62,21 @@ struct Constraints {
   std::optional<double> link_ratio_max;
   std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
   std::optional<Box> pivot_region;
+  /// Over the full turn of a crank of class crank_rocker or double_crank; see turn_limits.hpp.
+  std::vector<Clearance> clearances;
+  std::optional<double> peak_acceleration_max;  ///< of the coupler point (length/s²) or the rocker
+  std::optional<double> torque_ripple_max;      ///< greatest less least driving torque
+  Operation operation;                          ///< under which those two are meant
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;
 };
+
+/// Whether a limit over the full turn of the crank is among them.
+inline bool limits_turn(const Constraints& constraints) {
+  return !constraints.clearances.empty() || constraints.peak_acceleration_max ||
+         constraints.torque_ripple_max;
+}
 
 /// `solve.solver`.
 enum class SolverChoice {

@@ -53,7 +53,7 @@ MotionProblem MotionScale::into(MotionProblem problem) const {
   similarity_.shrink(problem.rocker);
   similarity_.move(problem.bounds);
   for (auto& box : problem.moving_bounds) similarity_.shrink(box);
-  similarity_.move(problem.constraints.pivot_region);
+  similarity_.move(problem.constraints);
   problem.angle_weight /= size();
   return problem;
 }

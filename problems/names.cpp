@@ -19,6 +19,10 @@ constexpr Named<RequiredClass> kRequiredClasses[] = {
     {"triple-rocker", RequiredClass::triple_rocker},
     {"grashof", RequiredClass::grashof},
     {"non-grashof", RequiredClass::non_grashof}};
+constexpr Named<MovingPoint> kMovingPoints[] = {
+    {"coupler-point", MovingPoint::coupler_point}, {"B", MovingPoint::b}, {"C", MovingPoint::c}};
+constexpr Named<MovingLink> kMovingLinks[] = {
+    {"crank", MovingLink::crank}, {"coupler", MovingLink::coupler}, {"rocker", MovingLink::rocker}};
 constexpr Named<SolverChoice> kSolvers[] = {
     {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
     {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
@@ -106,6 +110,16 @@ std::span<const Named<MobilityClass>> names<MobilityClass>() {
 template <>
 std::span<const Named<RequiredClass>> names<RequiredClass>() {
   return kRequiredClasses;
+}
+
+template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>() {
+  return kMovingPoints;
+}
+
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>() {
+  return kMovingLinks;
 }
 
 template <>

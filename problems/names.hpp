@@ -32,6 +32,10 @@ std::span<const Named<MobilityClass>> names<MobilityClass>();
 template <>
 std::span<const Named<RequiredClass>> names<RequiredClass>();
 template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>();
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>();
+template <>
 std::span<const Named<SolverChoice>> names<SolverChoice>();
 template <>
 std::span<const Named<Timing>> names<Timing>();

@@ -15,6 +15,7 @@
 #include "problems/path_search.hpp"
 #include "problems/result.hpp"
 #include "problems/same_design.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -80,6 +81,7 @@ class Designs {
     design.error = path_error(linkage, problem_.points, crank_angles);
     design.metrics = design_metrics(linkage, crank_angles,
                                     {problem_.order, problem_.timing == Timing::prescribed});
+    add_turn_metrics(problem_.constraints, linkage, Accelerated::coupler_point, design.metrics);
     design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
                                            linkage, design.metrics);
     if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {

@@ -59,7 +59,8 @@ PathModel::PathModel(const PathProblem& problem, Assembly assembly, bool clockwi
     : problem_(problem),
       assembly_(sign(assembly)),
       anchor_is_d_(problem.given.pivot_d && !problem.given.pivot_a),
-      linkage_constraints_(problem.constraints, 1.0) {
+      linkage_constraints_(problem.constraints, 1.0),
+      turn_limits_(problem.constraints, Accelerated::coupler_point) {
   problem_.given = with_frame_from_pivots(problem.given);
   while (first_timed_ < problem.points.size() && !problem.is_timed(first_timed_)) ++first_timed_;
   list_variables();
@@ -197,7 +198,7 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
 }
 
 int PathModel::constraint_count() const {
-  return linkage_constraints_.count() + pivot_limits();
+  return linkage_constraints_.count() + pivot_limits() + turn_limits_.count();
 }
 
 /// The other pivot's box has four sides, of which only finite ones are constraints.
@@ -221,12 +222,22 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
     const Lengths<double>& g = gradient[k];
     set(k, {g.crank, g.coupler, g.rocker, g.frame});
   }
-  if (pivot_limits() == 0) return;
+  const auto rest = [&](std::size_t row) {
+    return jacobian.empty() ? jacobian : jacobian.subspan(row * n);
+  };
+  limit_pivot(v, c.subspan(links), rest(links));
+  const auto before_turn = links + static_cast<std::size_t>(pivot_limits());
+  limit_turn(v, c.subspan(before_turn), rest(before_turn));
+}
 
+/// The rows of the pivot that is not the anchor.
+void PathModel::limit_pivot(const Full& v, std::span<double> c, std::span<double> jacobian) const {
+  if (pivot_limits() == 0) return;
+  const std::size_t n = free_.size();
   const double away = anchor_is_d_ ? -1 : 1;
   const Vec2d turn = unit(v[angle]);
   const Vec2d pivot = Vec2d{v[anchor_x], v[anchor_y]} + (away * v[frame]) * turn;
-  std::size_t row = links;
+  std::size_t row = 0;
   const auto limit = [&](double distance, double toward, double Vec2d::*axis, Dimension anchor) {
     if (!std::isfinite(distance)) return;
     c[row] = distance;
@@ -235,7 +246,7 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
       slopes[anchor] = toward;
       slopes[frame] = toward * away * turn.*axis;
       slopes[angle] = toward * away * v[frame] * perp(turn).*axis;
-      set(row, slopes);
+      for (std::size_t i = 0; i < n; ++i) jacobian[row * n + i] = slopes[free_[i]];
     }
     ++row;
   };
@@ -243,6 +254,32 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
   limit(other_pivot_box_.max.x - pivot.x, -1, &Vec2d::x, anchor_x);
   limit(pivot.y - other_pivot_box_.min.y, 1, &Vec2d::y, anchor_y);
   limit(other_pivot_box_.max.y - pivot.y, -1, &Vec2d::y, anchor_y);
+}
+
+/// The rows of the limits over the turn, whose dimensions are the model's up to the anchor.
+void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
+  if (turn_limits_.count() == 0) return;
+  const std::size_t n = free_.size();
+  const Vec2d turn = unit(v[angle]), anchor{v[anchor_x], v[anchor_y]};
+  const Vec2d pivot_a = anchor_is_d_ ? anchor - v[frame] * turn : anchor;
+  std::vector<TurnSlopes> all(jacobian.empty() ? 0
+                                               : static_cast<std::size_t>(turn_limits_.count()));
+  turn_limits_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]},
+                         {v[point_u], v[point_v]},
+                         pivot_a,
+                         v[angle],
+                         assembly_ > 0 ? Assembly::open : Assembly::crossed},
+                        c, all);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    Full slopes{};
+    std::ranges::copy(all[row], slopes.begin());
+    if (anchor_is_d_) {
+      const Vec2d by_a{slopes[anchor_x], slopes[anchor_y]};
+      slopes[frame] -= dot(by_a, turn);
+      slopes[angle] -= v[frame] * dot(by_a, perp(turn));
+    }
+    for (std::size_t i = 0; i < n; ++i) jacobian[row * n + i] = slopes[free_[i]];
+  }
 }
 
 FourBar PathModel::linkage(std::span<const double> x) const {

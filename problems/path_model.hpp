@@ -8,6 +8,7 @@
 #include "analysis/closure.hpp"
 #include "problems/linkage_constraints.hpp"
 #include "problems/problem.hpp"
+#include "problems/turn_limits.hpp"
 #include "synthesis/optimise/model.hpp"
 #include "synthesis/search/path_fit.hpp"
 
@@ -49,7 +50,8 @@ class PathModel final : public synthesis::Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
-  bool has_hessian() const override { return true; }
+  /// Not with limits over the full turn.
+  bool has_hessian() const override { return turn_limits_.count() == 0; }
   bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
                           std::span<const double> of_constraints,
                           std::span<double> out) const override;
@@ -86,6 +88,8 @@ class PathModel final : public synthesis::Model {
   Full full(std::span<const double> x) const;
   double timing_offset(const Full& v) const;
   int pivot_limits() const;
+  void limit_pivot(const Full& v, std::span<double> c, std::span<double> jacobian) const;
+  void limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   Vec2d pivot_pull(std::span<const double> of_constraints) const;
 
   PathProblem problem_;
@@ -102,6 +106,7 @@ class PathModel final : public synthesis::Model {
   std::vector<double> increment_;      ///< of timed points: crank angle before phase or angle
   std::vector<Vec2d> increment_half_;  ///< unit vectors of their halves
   LinkageConstraints linkage_constraints_;
+  TurnLimits turn_limits_;
   Box other_pivot_box_;  ///< limits of the pivot that is not the anchor; sides may be infinite
 };
 

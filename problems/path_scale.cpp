@@ -33,7 +33,7 @@ PathProblem PathScale::into(PathProblem problem) const {
   for (Vec2d& p : problem.points) p = similarity.point(p);
   similarity.move(problem.given);
   similarity.move(problem.bounds);
-  similarity.move(problem.constraints.pivot_region);
+  similarity.move(problem.constraints);
   problem.solve.loss_scale /= size;
   return problem;
 }

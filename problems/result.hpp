@@ -50,6 +50,9 @@ struct Metrics {
   double transmission_acute_min = 0;  ///< min(μ, π − μ) over the same motion, at its least
   std::optional<double> time_ratio;   ///< K; empty where the crank does not turn fully
   std::vector<Defect> defects;
+  /// Over the full turn, where the file limits them: of the coupler point (length/s²) or, of a
+  /// function, the rocker (rad/s²); greatest less least driving torque.
+  std::optional<double> peak_acceleration, torque_ripple;
   std::optional<double> input_start, output_start;      ///< function generation: α₀, φ₀
   std::optional<double> precision_residual, condition;  ///< exact synthesis: of what it solved
   std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds

@@ -12,6 +12,7 @@
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
 #include "problems/reading/path_exact.hpp"
+#include "problems/reading/turn_tables.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -173,6 +174,10 @@ std::string_view certificate_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
     return "is true with method = \"exact\", whose designs meet the points; leave it out";
   }
+  if (limits_turn(problem.constraints)) {
+    return "is true with limits over the full turn of the crank, of which a certificate knows "
+           "nothing; leave it out";
+  }
   if (problem.timing != Timing::prescribed) {
     return "is true where crank angles are free; only paths with timing = \"prescribed\" can be "
            "certified";
@@ -206,6 +211,11 @@ PathProblem read_path_problem(TableReader& document) {
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
+  read_turn_limits(document, constraints,
+                   {.refusal = exact ? "is given with method = \"exact\", whose designs meet the "
+                                       "points whatever they do between; leave it out"
+                                     : ""},
+                   problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
