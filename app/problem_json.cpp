@@ -24,7 +24,23 @@ ordered_json pairs_deg(const problems::AnglePairs& all) {
   return rows;
 }
 
+/// `[target]` of a closed curve; of a drawing the path data that it held.
+ordered_json target_curve(const problems::PathProblem& problem) {
+  const problems::TargetCurve& curve = *problem.curve;
+  ordered_json table = ordered_json::object();
+  if (curve.svg_path.empty()) {
+    for (const Vec2d& vertex : curve.curve.vertices()) table["curve"].push_back(to_json(vertex));
+  } else {
+    table["svg_path"] = curve.svg_path;
+  }
+  table["samples"] = problem.points.size();
+  table["place"] = to_string(curve.place);
+  table["crank_sense"] = to_string(problem.crank_sense);
+  return table;
+}
+
 ordered_json target(const problems::PathProblem& problem) {
+  if (problem.curve) return target_curve(problem);
   const bool prescribed = problem.timing == problems::Timing::prescribed;
   ordered_json table = ordered_json::object();
   const std::size_t poses = problem.pose_angles.size();

@@ -2,6 +2,7 @@
 /// radians, lengths in the file's unit.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "analysis/four_bar.hpp"
@@ -52,6 +53,10 @@ struct Constraints {
   std::optional<double> link_ratio_max;
   std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
   std::optional<Box> pivot_region;
+  bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
+  /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
+  /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
+  std::optional<std::array<Range, 4>> proportions;
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;

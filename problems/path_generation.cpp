@@ -9,12 +9,15 @@
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
 #include "problems/crank_sense.hpp"
+#include "problems/curve_following.hpp"
+#include "problems/degrees.hpp"
 #include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
 #include "problems/path_search.hpp"
 #include "problems/result.hpp"
 #include "problems/same_design.hpp"
+#include "problems/shape_placement.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -73,11 +76,32 @@ class Designs {
   }
 
  private:
+  /// `linkage` as it was found, where the curve is.
   Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    if (!is_movable(problem_)) return verified(linkage, problem_.points, crank_angles);
+    const CurvePlacement placement = placement_of(problem_, linkage);
+    std::vector<Vec2d> targets;
+    for (const Vec2d& point : problem_.points) targets.push_back(placement.point(point));
+    std::vector<double> angles = crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle + placement.turn);
+    Design design = verified(placed(problem_, linkage, placement), targets, angles);
+    design.error.sum_of_squares /= placement.scale * placement.scale;
+    design.error.rms /= placement.scale;
+    design.error.max /= placement.scale;
+    design.placement = placement;
+    design.metrics.facts = {{"target_scale", placement.scale},
+                            {"target_turn_deg", degrees(placement.turn)},
+                            {"target_shift_x", placement.shift.x},
+                            {"target_shift_y", placement.shift.y}};
+    return design;
+  }
+
+  Design verified(const FourBar& linkage, std::span<const Vec2d> targets,
+                  const std::vector<double>& crank_angles) const {
     Design design;
     design.mechanism = named(linkage);
     design.crank_angles = crank_angles;
-    design.error = path_error(linkage, problem_.points, crank_angles);
+    design.error = path_error(linkage, targets, crank_angles);
     design.metrics = design_metrics(linkage, crank_angles,
                                     {problem_.order, problem_.timing == Timing::prescribed});
     design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
@@ -121,8 +145,9 @@ Status status(const Deadline& deadline, bool ended_early, const Designs& designs
 }
 
 Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
-  const PathScale scale(problem);
-  const PathProblem scaled = scale.into(problem);
+  const PathProblem searched = searched_problem(problem);
+  const PathScale scale(searched);
+  const PathProblem scaled = scale.into(searched);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   Result result;
   const PathSearchResult found =
@@ -168,6 +193,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   tell_conflict(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
+  tell_following(problem, result);
   result.work.skipped = {"velocities", "accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
