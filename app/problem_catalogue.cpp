@@ -131,7 +131,11 @@ constexpr Entry kConstraints[] = {
     {"link_ratio_max", "longest over shortest link"},
     {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
     {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
-    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"}};
+    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
+    {"no_extra_loop",
+     "of a closed target curve, true (default) or false: the whole coupler curve stays within "
+     "three "
+     "times the largest error, or 0.5 % of the target's length"}};
 
 constexpr KeyedEntry kCommon[] = {{"[bounds]", "of what is sought", kBounds},
                                   {"[constraints]", "on the designs", kConstraints}};

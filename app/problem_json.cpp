@@ -150,6 +150,7 @@ ordered_json tables_of(const problems::PathProblem& problem) {
   tables["mechanism"] = mechanism_table(problem.given);
   tables["bounds"] = bounds_table(problem.bounds);
   tables["constraints"] = constraints_table(problem.constraints);
+  if (problem.curve) tables["constraints"]["no_extra_loop"] = problem.constraints.no_extra_loop;
   tables["solve"] = solve_table(problem.solve);
   return tables;
 }

@@ -76,9 +76,16 @@ class Designs {
   }
 
  private:
-  /// `linkage` as it was found, where the curve is.
+  /// `linkage` as it was found, where the target is.
   Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
-    if (!is_movable(problem_)) return verified(linkage, problem_.points, crank_angles);
+    Design design = is_movable(problem_) ? moved(linkage, crank_angles)
+                                         : verified(linkage, problem_.points, crank_angles);
+    if (problem_.curve) judge_following(design);
+    return design;
+  }
+
+  /// With the target moved to where the file's lengths and pivots want it.
+  Design moved(const FourBar& linkage, const std::vector<double>& crank_angles) const {
     const CurvePlacement placement = placement_of(problem_, linkage);
     std::vector<Vec2d> targets;
     for (const Vec2d& point : problem_.points) targets.push_back(placement.point(point));
@@ -94,6 +101,15 @@ class Designs {
                             {"target_shift_x", placement.shift.x},
                             {"target_shift_y", placement.shift.y}};
     return design;
+  }
+
+  void judge_following(Design& design) const {
+    const ClosedCurve& curve = problem_.curve->curve;
+    const double deviation =
+        curve_deviation(curve, four_bar(design), design.placement.value_or(CurvePlacement{}));
+    design.metrics.facts.push_back({"curve_deviation_max", deviation});
+    if (!problem_.constraints.no_extra_loop) return;
+    design.constraints.push_back(check_extra_loop(curve, deviation, design.error.max));
   }
 
   Design verified(const FourBar& linkage, std::span<const Vec2d> targets,
@@ -193,7 +209,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   tell_conflict(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
-  tell_following(problem, result);
+  if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = {"velocities", "accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

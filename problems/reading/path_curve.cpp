@@ -151,8 +151,9 @@ void read_curve(TableReader& target, const std::filesystem::path& folder, PathPr
   problem.curve = *std::move(curve);
 }
 
-void check_curve(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
-                 const PathProblem& problem) {
+void finish_curve(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
+                  PathProblem& problem) {
+  problem.constraints.no_extra_loop = constraints.boolean("no_extra_loop").value_or(true);
   if (!problem.curve) return;
   check_class(mechanism, constraints, problem);
   if (problem.curve->place == CurvePlace::given) return;

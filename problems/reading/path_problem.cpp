@@ -184,7 +184,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
-  check_curve(mechanism, bounds, constraints, problem);
+  if (closed) finish_curve(mechanism, bounds, constraints, problem);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
