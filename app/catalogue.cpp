@@ -7,7 +7,8 @@ constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
     {"motion-generation", "a body is to be carried through poses"},
-    {"path-generation", "a point of the coupler is to pass through given points"},
+    {"path-generation",
+     "a point of the coupler is to pass through given points or follow a closed curve"},
     {"quick-return", "the return is to take less time than the advance, by a given ratio"},
     {"straight-line", "a point of the coupler is to move along a straight line"}};
 
@@ -62,6 +63,12 @@ constexpr Metric kMetrics[] = {
      "of the distances of the body's origin alone (motions, least squares)"},
     {"body_angle_in_link_deg", "deg", "of the body's first axis in its link's axes (motions)"},
     {"slide_1, slide_2, ...", "length", "a driving slider's place at each pose (motions)"},
+    {"curve_deviation_max", "length",
+     "greatest distance of the coupler curve from a closed target, over the full turn (paths)"},
+    {"target_scale", "1", "place = \"similar\": what the closed target was enlarged by (paths)"},
+    {"target_turn_deg", "deg", "what it was then turned by, counter-clockwise, about the origin"},
+    {"target_shift_x, target_shift_y", "length",
+     "what it was then moved by; errors are before all"},
     {"contact_points", "1", "of path and line, 9 for one straight to 8th order (straight lines)"},
     {"straight_length_at_0_001, _at_0_01", "length",
      "longest stretch with deviation/length at most 0.1 %, 1 %"},
@@ -89,6 +96,7 @@ constexpr Metric kFacts[] = {
     {"free_parameters", "1", "dimensions that the positions leave free"},
     {"family_members_solved", "1", "choices of these that were solved for"},
     {"starts", "1", "local searches of a global one"},
+    {"target_length", "length", "of a closed target curve (paths)"},
     {"best_hits", "1", "how many of them led to the best minimum"},
     {"chance_of_unseen_minimum", "1",
      "that one more would lead to a minimum not seen, as good as those kept (Good 1953)"}};

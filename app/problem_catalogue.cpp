@@ -49,6 +49,18 @@ constexpr Entry kMotion[] = {
 
 constexpr Entry kPath[] = {
     {"target.points", "[[x, y], ...]; 3 to 10000, or 2 to 9 for exact synthesis"},
+    {"target.curve",
+     "or: [[x, y], ...], a closed polyline, which a full turn of the crank follows"},
+    {"target.svg_path",
+     "or: a closed curve as SVG path data, \"M 0 0 C ...\", its y turned upwards"},
+    {"target.svg", "or: an SVG file beside this one, its only path; transforms are refused"},
+    {"target.svg_id", "of several paths the one of this id"},
+    {"target.samples",
+     "of a closed curve: points in equal steps along it (12 to 1000, default 80)"},
+    {"target.place",
+     "of a closed curve: \"given\" (default), or \"similar\": it may be moved, turned and "
+     "enlarged, "
+     "not mirrored; errors are in its own unit"},
     {"target.poses", "exact: [[x, y, angle_deg], ...] among the positions"},
     {"target.method", "\"least-squares\" (default) or \"exact\": every four-bar through them"},
     {"target.weights", "of the points (default 1)"},
@@ -126,7 +138,11 @@ constexpr Entry kConstraints[] = {
      "over the full turn, at [drive] speed: of the coupler point, or of a function's rocker"},
     {"torque_ripple_max",
      "greatest less least driving torque over the full turn, with [[link]], [[load]], gravity"},
-    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"}};
+    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
+    {"no_extra_loop",
+     "of a closed target curve, true (default) or false: the whole coupler curve stays within "
+     "three "
+     "times the largest error, or 0.5 % of the target's length"}};
 
 constexpr Entry kOperation[] = {
     {"[drive] speed", "of the crank, constant, rad/s (default 1: per unit of speed squared)"},

@@ -37,7 +37,23 @@ ordered_json crank_angles(const problems::PathProblem& problem) {
   return all;
 }
 
+/// `[target]` of a closed curve; of a drawing the path data that it held.
+ordered_json target_curve(const problems::PathProblem& problem) {
+  const problems::TargetCurve& curve = *problem.curve;
+  ordered_json table = ordered_json::object();
+  if (curve.svg_path.empty()) {
+    for (const Vec2d& vertex : curve.curve.vertices()) table["curve"].push_back(to_json(vertex));
+  } else {
+    table["svg_path"] = curve.svg_path;
+  }
+  table["samples"] = problem.points.size();
+  table["place"] = to_string(curve.place);
+  table["crank_sense"] = to_string(problem.crank_sense);
+  return table;
+}
+
 ordered_json target(const problems::PathProblem& problem) {
+  if (problem.curve) return target_curve(problem);
   ordered_json table = ordered_json::object();
   const std::size_t poses = problem.pose_angles.size();
   for (std::size_t i = 0; i < poses; ++i) {
@@ -146,6 +162,7 @@ ordered_json tables_of(const problems::PathProblem& problem) {
   tables["bounds"] = bounds_table(problem.bounds);
   tables["constraints"] = constraints_table(problem.constraints);
   add_operation(problem.constraints, tables);
+  if (problem.curve) tables["constraints"]["no_extra_loop"] = problem.constraints.no_extra_loop;
   tables["solve"] = solve_table(problem.solve);
   return tables;
 }

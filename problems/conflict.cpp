@@ -200,6 +200,9 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
   if (constraints.no_branch_defect) {
     all.push_back(switched("no_branch_defect", &Constraints::no_branch_defect));
   }
+  if (constraints.no_extra_loop) {
+    all.push_back(switched("no_extra_loop", &Constraints::no_extra_loop));
+  }
   if (constraints.no_order_defect) {
     all.push_back(switched("no_order_defect", &Constraints::no_order_defect));
   }

@@ -73,6 +73,12 @@ class Checks {
         has_class(required, metrics));
   }
 
+  void check_full_turn(const Metrics& metrics) {
+    add("full_turn", std::string(to_string(metrics.mobility.value())), "crank-rocker, double-crank",
+        has_class(RequiredClass::crank_rocker, metrics) ||
+            has_class(RequiredClass::double_crank, metrics));
+  }
+
   void check_transmission(const Range& limits, const Metrics& metrics) {
     const double above = metrics.transmission_min - limits.min;
     const double below = limits.max - metrics.transmission_max;
@@ -235,6 +241,7 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   checks.check_given(given);
   checks.check_bounds(bounds);
   if (constraints.required_class) checks.check_class(*constraints.required_class, metrics);
+  if (constraints.full_turn) checks.check_full_turn(metrics);
   if (constraints.transmission_angle) {
     checks.check_transmission(*constraints.transmission_angle, metrics);
   }

@@ -42,10 +42,13 @@ LinkLimit half_space(const std::array<double, 4>& weights, double margin) {
 std::optional<RequiredClass> confining_class(const Constraints& constraints, const L& start) {
   const auto& required = constraints.required_class;
   const bool is_open = !required || *required == RequiredClass::grashof;
-  if (!is_open || !constraints.transmission_angle) return required;
+  if (!is_open || !(constraints.transmission_angle || constraints.full_turn)) return required;
   const MobilityClass mobility = mobility_class(start);
   if (mobility == MobilityClass::crank_rocker) return RequiredClass::crank_rocker;
   if (mobility == MobilityClass::double_crank) return RequiredClass::double_crank;
+  if (constraints.full_turn) {
+    return start.crank < start.frame ? RequiredClass::crank_rocker : RequiredClass::double_crank;
+  }
   return required;
 }
 
@@ -60,6 +63,7 @@ LinkageConstraints::LinkageConstraints(const Constraints& constraints, double sc
     limits_.push_back({LinkLimit::Kind::transmission_max, {}, std::cos(angle.max), 0});
   }
   if (constraints.link_ratio_max) add_link_ratio(*constraints.link_ratio_max, scale);
+  if (constraints.proportions) add_proportions(*constraints.proportions, scale);
   const bool is_crank_rocker = constraints.required_class == RequiredClass::crank_rocker;
   if (constraints.time_ratio && is_crank_rocker) add_time_ratio(*constraints.time_ratio);
 }
@@ -102,6 +106,23 @@ void LinkageConstraints::add_link_ratio(double ratio, double scale) {
       std::array<double, 4> weights{};
       weights[shorter] = 1 / scale;
       weights[longer] = -1 / (ratio * scale);
+      limits_.push_back(half_space(weights, 0));
+    }
+  }
+}
+
+void LinkageConstraints::add_proportions(const std::array<Range, 4>& ranges, double scale) {
+  const auto is_given = [](const Range& range) { return range.min == range.max; };
+  const auto given = std::ranges::find_if(ranges, is_given) - ranges.begin();
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const double min = ranges[i].min, max = ranges[j].max;
+      if (i == j || min == 0 || !std::isfinite(max)) continue;
+      if (given < 4 && i != given && j != given) continue;
+      const double larger = std::max(min, max) * scale;
+      std::array<double, 4> weights{};
+      weights[i] = max / larger;
+      weights[j] = -min / larger;
       limits_.push_back(half_space(weights, 0));
     }
   }

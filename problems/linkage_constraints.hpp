@@ -1,6 +1,7 @@
 /// @file The constraints that depend on the four link lengths alone, as smooth functions c ≥ 0.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,16 +14,19 @@ namespace cognate::problems {
 
 /// The class to which a refinement from `start` is to keep: the one asked for, or, where the
 /// transmission angle is limited and the crank of `start` turns fully, that of `start`, so that the
-/// limits are those of the full turn. Empty: any.
+/// limits are those of the full turn; where the crank must turn fully, the nearest such class.
+/// Empty: any.
 std::optional<RequiredClass> confining_class(const Constraints& constraints,
                                              const Lengths<double>& start);
 
-/// Class, transmission angle over the full turn, largest link ratio and time ratio, as functions
-/// c(l) ≥ 0.
+/// Class, transmission angle over the full turn, largest link ratio, proportions and time ratio, as
+/// functions c(l) ≥ 0.
 ///
 /// Class: with s the link that must be the shortest, s + k ≤ sum of the other two for each other
 /// link k. These three half spaces imply that s is the shortest, and together are Grashof's
 /// criterion. `grashof` and `non_grashof` use shortest + longest − the other two as it stands.
+/// Proportions: some s has minᵢ ≤ s lᵢ ≤ maxᵢ for all i if and only if minᵢ lⱼ ≤ maxⱼ lᵢ for all
+/// pairs; where one of the lengths is given, the pairs with that one imply the others.
 /// Transmission: cos μ at crank and frame collinear, d = |l₄ ∓ l₁|, against the limits' cosines.
 class LinkageConstraints {
  public:
@@ -48,6 +52,7 @@ class LinkageConstraints {
   void add_shortest(int shortest, double scale);
   void add_class(RequiredClass required, double scale);
   void add_link_ratio(double ratio, double scale);
+  void add_proportions(const std::array<Range, 4>& ranges, double scale);
   void add_time_ratio(const Range& ratio);
 
   std::vector<synthesis::LinkLimit> limits_;

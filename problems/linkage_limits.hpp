@@ -2,6 +2,7 @@
 /// radians, lengths in the file's unit.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -67,9 +68,14 @@ struct Constraints {
   std::optional<double> peak_acceleration_max;  ///< of the coupler point (length/s²) or the rocker
   std::optional<double> torque_ripple_max;      ///< greatest less least driving torque
   Operation operation;                          ///< under which those two are meant
+  bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
+  /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
+  /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
+  std::optional<std::array<Range, 4>> proportions;
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;
+  bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve keeps to it
 };
 
 /// Whether a limit over the full turn of the crank is among them.

@@ -40,6 +40,8 @@ constexpr Named<CrankSense> kCrankSenses[] = {
     {"either", CrankSense::either}, {"ccw", CrankSense::ccw}, {"cw", CrankSense::cw}};
 constexpr Named<PointOrder> kPointOrders[] = {{"cyclic", PointOrder::cyclic},
                                               {"any", PointOrder::any}};
+constexpr Named<CurvePlace> kCurvePlaces[] = {{"given", CurvePlace::given},
+                                              {"similar", CurvePlace::similar}};
 constexpr Named<PathMethod> kPathMethods[] = {{"least-squares", PathMethod::least_squares},
                                               {"exact", PathMethod::exact}};
 constexpr Named<MotionMethod> kMotionMethods[] = {{"exact", MotionMethod::exact},
@@ -145,6 +147,11 @@ std::span<const Named<CrankSense>> names<CrankSense>() {
 template <>
 std::span<const Named<PointOrder>> names<PointOrder>() {
   return kPointOrders;
+}
+
+template <>
+std::span<const Named<CurvePlace>> names<CurvePlace>() {
+  return kCurvePlaces;
 }
 
 template <>

@@ -46,6 +46,8 @@ std::span<const Named<CrankSense>> names<CrankSense>();
 template <>
 std::span<const Named<PointOrder>> names<PointOrder>();
 template <>
+std::span<const Named<CurvePlace>> names<CurvePlace>();
+template <>
 std::span<const Named<PathMethod>> names<PathMethod>();
 template <>
 std::span<const Named<MotionMethod>> names<MotionMethod>();

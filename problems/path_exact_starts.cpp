@@ -57,8 +57,9 @@ bool has_exact_starts(const PathProblem& problem) {
   const auto limited = [](const std::optional<Range>& range) {
     return range && std::isfinite(range->max);
   };
-  return problem.timing == Timing::free && problem.order == PointOrder::cyclic && all_free &&
-         !limited(b.crank) && !limited(b.coupler) && !limited(b.rocker) && !limited(b.frame) &&
+  return !problem.constraints.proportions && problem.timing == Timing::free &&
+         problem.order == PointOrder::cyclic && all_free && !limited(b.crank) &&
+         !limited(b.coupler) && !limited(b.rocker) && !limited(b.frame) &&
          different(problem.points).size() >= kExact;
 }
 

@@ -9,12 +9,15 @@
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
 #include "problems/crank_sense.hpp"
+#include "problems/curve_following.hpp"
+#include "problems/degrees.hpp"
 #include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
 #include "problems/path_search.hpp"
 #include "problems/result.hpp"
 #include "problems/same_design.hpp"
+#include "problems/shape_placement.hpp"
 #include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
@@ -74,11 +77,48 @@ class Designs {
   }
 
  private:
+  /// `linkage` as it was found, where the target is.
   Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    Design design = is_movable(problem_) ? moved(linkage, crank_angles)
+                                         : verified(linkage, problem_.points, crank_angles);
+    if (problem_.curve) judge_following(design);
+    return design;
+  }
+
+  /// With the target moved to where the file's lengths and pivots want it.
+  Design moved(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    const CurvePlacement placement = placement_of(problem_, linkage);
+    std::vector<Vec2d> targets;
+    for (const Vec2d& point : problem_.points) targets.push_back(placement.point(point));
+    std::vector<double> angles = crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle + placement.turn);
+    Design design = verified(placed(problem_, linkage, placement), targets, angles);
+    design.error.sum_of_squares /= placement.scale * placement.scale;
+    design.error.rms /= placement.scale;
+    design.error.max /= placement.scale;
+    design.placement = placement;
+    design.metrics.facts = {{"target_scale", placement.scale},
+                            {"target_turn_deg", degrees(placement.turn)},
+                            {"target_shift_x", placement.shift.x},
+                            {"target_shift_y", placement.shift.y}};
+    return design;
+  }
+
+  void judge_following(Design& design) const {
+    const ClosedCurve& curve = problem_.curve->curve;
+    const double deviation =
+        curve_deviation(curve, four_bar(design), design.placement.value_or(CurvePlacement{}));
+    design.metrics.facts.push_back({"curve_deviation_max", deviation});
+    if (!problem_.constraints.no_extra_loop) return;
+    design.constraints.push_back(check_extra_loop(curve, deviation, design.error.max));
+  }
+
+  Design verified(const FourBar& linkage, std::span<const Vec2d> targets,
+                  const std::vector<double>& crank_angles) const {
     Design design;
     design.mechanism = named(linkage);
     design.crank_angles = crank_angles;
-    design.error = path_error(linkage, problem_.points, crank_angles);
+    design.error = path_error(linkage, targets, crank_angles);
     design.metrics = design_metrics(linkage, crank_angles,
                                     {problem_.order, problem_.timing == Timing::prescribed});
     add_turn_metrics(problem_.constraints, linkage, Accelerated::coupler_point, design.metrics);
@@ -120,8 +160,9 @@ Status status(const Deadline& deadline, bool ended_early, const Designs& designs
 }
 
 Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
-  const PathScale scale(problem);
-  const PathProblem scaled = scale.into(problem);
+  const PathProblem searched = searched_problem(problem);
+  const PathScale scale(searched);
+  const PathProblem scaled = scale.into(searched);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   Result result;
   const PathSearchResult found =
@@ -165,6 +206,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   tell_conflict(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
+  if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = {"velocities", "accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

@@ -1,6 +1,7 @@
 #include "problems/path_starts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,6 +18,8 @@ using synthesis::PathCandidates;
 using synthesis::SeparableTarget;
 
 constexpr double kTurn = 2 * std::numbers::pi;
+/// Of a closed curve: the greatest amplitude of the logarithm of its speed.
+constexpr double kMostVariation = 2;
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -41,6 +44,26 @@ double largest_ratio(const Given& given, const Bounds& bounds) {
       std::max({greatest(given.crank, bounds.crank), greatest(given.coupler, bounds.coupler),
                 greatest(given.rocker, bounds.rocker), greatest(given.frame, bounds.frame)});
   return std::min(300.0, high / low);
+}
+
+/// `drawn` enlarged by what suits most of its lengths and each brought into its range, then
+/// enlarged again to crank = 1.
+Lengths<double> proportioned(std::mt19937_64& random, const Lengths<double>& drawn,
+                             const std::array<Range, 4>& ranges) {
+  std::array<double, 4> links{drawn.crank, drawn.coupler, drawn.rocker, drawn.frame};
+  double least = 0, greatest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    least = std::max(least, ranges[i].min / links[i]);
+    greatest = std::min(greatest, ranges[i].max / links[i]);
+  }
+  // Where a side is open there is nothing to be found between.
+  if (least == 0) least = greatest;
+  if (std::isinf(greatest)) greatest = least;
+  const double scale = least * std::pow(greatest / least, uniform(random, 0, 1));
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    links[i] = std::clamp(scale * links[i], ranges[i].min, ranges[i].max);
+  }
+  return {1, links[1] / links[0], links[2] / links[0], links[3] / links[0]};
 }
 
 }  // namespace
@@ -166,13 +189,42 @@ std::vector<double> PathStarts::random_between(std::mt19937_64& random) const {
 std::vector<double> PathStarts::random_angles(std::mt19937_64& random) const {
   switch (problem_.timing) {
     case Timing::free:
-      return random_increments(random);
+      return problem_.constraints.full_turn ? closed_increments(random) : random_increments(random);
     case Timing::mixed:
       return random_between(random);
     case Timing::prescribed:
       break;
   }
   return problem_.crank_angles;
+}
+
+/// Over a closed curve the crank turns once, and the path's speed changes smoothly, several times
+/// at most: its logarithm is a short Fourier series of random phases, in the share of the way.
+std::vector<double> PathStarts::closed_increments(std::mt19937_64& random) const {
+  constexpr int kHarmonics = 3;
+  double amplitude[kHarmonics], phase[kHarmonics];
+  const double variation = uniform(random, 0, kMostVariation);
+  for (int k = 0; k < kHarmonics; ++k) {
+    amplitude[k] = uniform(random, 0, variation) / (k + 1);
+    phase[k] = uniform(random, 0, kTurn);
+  }
+  const std::size_t n = problem_.points.size();
+  std::vector<double> angles(n);
+  double way = 0, at = 0, angle = 0;
+  for (std::size_t j = 0; j < n; ++j) way += gap(j, (j + 1) % n);
+  for (std::size_t j = 0; j < n; ++j) {
+    angles[j] = angle;
+    const double step = gap(j, (j + 1) % n);
+    const double share = (at + 0.5 * step) / way;
+    double slowness = 0;
+    for (int k = 0; k < kHarmonics; ++k) {
+      slowness += amplitude[k] * std::cos((k + 1) * kTurn * share + phase[k]);
+    }
+    angle += step * std::exp(slowness);
+    at += step;
+  }
+  for (double& each : angles) each *= kTurn / angle;
+  return angles;
 }
 
 PathStarts::CrankTiming PathStarts::random_timing(std::mt19937_64& random) const {
@@ -226,11 +278,21 @@ std::optional<double> PathStarts::fixed_phase() const {
   return std::nullopt;
 }
 
+/// Lengths with crank = 1.
+Lengths<double> PathStarts::random_links(std::mt19937_64& random) const {
+  const Constraints& constraints = problem_.constraints;
+  auto required = constraints.required_class;
+  if (constraints.full_turn && (!required || *required == RequiredClass::grashof)) {
+    required = random() % 2 ? RequiredClass::crank_rocker : RequiredClass::double_crank;
+  }
+  const Lengths<double> drawn = random_ratios(random, required, largest_ratio_);
+  return constraints.proportions ? proportioned(random, drawn, *constraints.proportions) : drawn;
+}
+
 void PathStarts::fill(std::mt19937_64& random, PathCandidates& candidates) const {
   const auto phase = fixed_phase();
   for (std::size_t i = 0; i < candidates.coupler.size(); ++i) {
-    const Lengths<double> ratios =
-        random_ratios(random, problem_.constraints.required_class, largest_ratio_);
+    const Lengths<double> ratios = random_links(random);
     candidates.coupler[i] = ratios.coupler;
     candidates.rocker[i] = ratios.rocker;
     candidates.frame[i] = ratios.frame;

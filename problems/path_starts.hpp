@@ -41,9 +41,11 @@ class PathStarts {
   std::vector<double> random_increments(std::mt19937_64& random) const;
   std::vector<double> random_between(std::mt19937_64& random) const;
   std::vector<double> random_angles(std::mt19937_64& random) const;
+  std::vector<double> closed_increments(std::mt19937_64& random) const;
   double gap(std::size_t from, std::size_t to) const;
   void set_limits(synthesis::SeparableTarget& target) const;
   void set_direction(synthesis::SeparableTarget& target) const;
+  Lengths<double> random_links(std::mt19937_64& random) const;
   void fill(std::mt19937_64& random, synthesis::PathCandidates& candidates) const;
   std::optional<double> fixed_phase() const;
   PathStart start(const synthesis::SeparableTarget& target, const CrankTiming& timing,

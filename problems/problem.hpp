@@ -13,6 +13,7 @@
 #include "problems/motion_problem.hpp"
 #include "problems/quick_return_problem.hpp"
 #include "problems/straight_line_problem.hpp"
+#include "problems/target_curve.hpp"
 
 namespace cognate::problems {
 
@@ -33,6 +34,8 @@ struct PathProblem {
   /// At least 3, neighbours distinct (the last may repeat the first); `exact`: 2 to 9, all
   /// distinct.
   std::vector<Vec2d> points;
+  /// Where a closed curve is given instead: `points` are then its samples, in equal steps.
+  std::optional<TargetCurve> curve;
   /// `exact`: orientations of the coupler at the first of the points, which are `target.poses`.
   std::vector<double> pose_angles;
   Timing timing = Timing::free;

@@ -25,6 +25,9 @@ using reading::TableReader;
 
 using Faults = std::vector<Fault>;
 
+// Where files beside the problem file are; empty where there is no such file.
+using Folder = std::filesystem::path;
+
 constexpr std::size_t kMostBytes = 8U << 20U;
 
 // The kinds of design problems, then the other ones.
@@ -76,15 +79,15 @@ std::optional<std::string_view> read_kind(TableReader& document) {
   return std::nullopt;
 }
 
-Problem read_design_problem(std::string_view kind, TableReader& document) {
-  if (kind == "path-generation") return reading::read_path_problem(document);
+Problem read_design_problem(std::string_view kind, TableReader& document, const Folder& folder) {
+  if (kind == "path-generation") return reading::read_path_problem(document, folder);
   if (kind == "motion-generation") return reading::read_motion_problem(document);
   if (kind == "quick-return") return reading::read_quick_return_problem(document);
   if (kind == "straight-line") return reading::read_straight_line_problem(document);
   return reading::read_function_problem(document);
 }
 
-std::optional<Reading> read_document(TableReader& document) {
+std::optional<Reading> read_document(TableReader& document, const Folder& folder) {
   const auto kind = read_kind(document);
   const std::string title = document.text("title").value_or("");
   if (!kind) return std::nullopt;
@@ -94,7 +97,7 @@ std::optional<Reading> read_document(TableReader& document) {
     problem.title = title;
     read.task = std::move(problem);
   } else {
-    Problem problem = read_design_problem(*kind, document);
+    Problem problem = read_design_problem(*kind, document, folder);
     std::visit([&](auto& any) { any.title = title; }, problem);
     read.task = std::move(problem);
   }
@@ -102,7 +105,7 @@ std::optional<Reading> read_document(TableReader& document) {
   return read;
 }
 
-tl::expected<Reading, Faults> parse(std::string_view text) {
+tl::expected<Reading, Faults> parse(std::string_view text, const Folder& folder = {}) {
   if (text.size() > kMostBytes) {
     return refusal(fmt::format("the text has {} bytes; at most 8 MiB are allowed", text.size()));
   }
@@ -117,7 +120,7 @@ tl::expected<Reading, Faults> parse(std::string_view text) {
 
   FaultList faults;
   TableReader document(*table, faults);
-  auto read = read_document(document);
+  auto read = read_document(document, folder);
   if (!faults.empty() || !read) return tl::unexpected(std::move(faults).sorted());
   return *std::move(read);
 }
@@ -165,6 +168,12 @@ tl::expected<std::string, Faults> text_of(const std::filesystem::path& file) {
   return text;
 }
 
+tl::expected<Reading, Faults> read(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(file, error).parent_path();
+  return text_of(file).and_then([&](const std::string& text) { return parse(text, folder); });
+}
+
 }  // namespace
 
 tl::expected<Task, Faults> parse_task(std::string_view text) {
@@ -180,15 +189,15 @@ tl::expected<AnalysisProblem, Faults> parse_analysis(std::string_view text) {
 }
 
 tl::expected<Task, Faults> read_task(const std::filesystem::path& file) {
-  return text_of(file).and_then(parse_task);
+  return read(file).and_then(any_task);
 }
 
 tl::expected<Problem, Faults> read_problem(const std::filesystem::path& file) {
-  return text_of(file).and_then(parse_problem);
+  return read(file).and_then(only_problem);
 }
 
 tl::expected<AnalysisProblem, Faults> read_analysis(const std::filesystem::path& file) {
-  return text_of(file).and_then(parse_analysis);
+  return read(file).and_then(only_analysis);
 }
 
 }  // namespace cognate::problems

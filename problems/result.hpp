@@ -14,6 +14,7 @@
 #include "analysis/mobility.hpp"
 #include "problems/analysis/named_mechanism.hpp"
 #include "problems/certificate.hpp"
+#include "problems/curve_placement.hpp"
 #include "problems/fact.hpp"
 #include "problems/problem.hpp"
 
@@ -67,7 +68,9 @@ struct Design {
   /// `exact:<method>`, `algebraic`, `search` or `given`, then " + <solver>".
   std::string origin;
   std::optional<int> cognate_of;  ///< index of the better design that traces the same curve
-  std::optional<int> mirror_of;   ///< index of the design of which this is the mirror image
+  /// Where the target came, if it may be moved; `error` is in the target's own unit all the same.
+  std::optional<CurvePlacement> placement;
+  std::optional<int> mirror_of;  ///< index of the design of which this is the mirror image
 };
 
 /// The four-bar that `design` is. Only where its type is four_bar.

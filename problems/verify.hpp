@@ -41,12 +41,12 @@ inline constexpr double kCheckTolerance = 1e-9;
 inline constexpr double kLeastLinkRatio = 1e-6;
 
 /// Everything the file demands of a linkage, one check for each number it limits, in the order of
-/// the file's tables: "mechanism.crank" (a fixed dimension), "bounds.crank", "bounds.pivot_a.x",
-/// "bounds.frame_angle_deg", and of `[constraints]` "class", "transmission_angle_deg" (the extreme
-/// with the lesser margin), "link_ratio_max", "pivot_region.pivot_a.x", "no_branch_defect", …
-/// Values are in the file's unit, degrees where the key ends in _deg; defects read "none" or their
-/// name. A length without bounds is checked against `kLeastLinkRatio` and named only where it
-/// fails.
+/// the file's tables ("full_turn" is what a closed curve demands): "mechanism.crank" (a fixed
+/// dimension), "bounds.crank", "bounds.pivot_a.x", "bounds.frame_angle_deg", and of `[constraints]`
+/// "class", "transmission_angle_deg" (the extreme with the lesser margin), "link_ratio_max",
+/// "pivot_region.pivot_a.x", "no_branch_defect", … Values are in the file's unit, degrees where the
+/// key ends in _deg; defects read "none" or their name. A length without bounds is checked against
+/// `kLeastLinkRatio` and named only where it fails.
 ///
 /// A class holds as `metrics` has it, Grashof's criterion with no allowance beyond rounding: a
 /// crank that stops short of a full turn by any amount does not turn. Where lengths tie, either

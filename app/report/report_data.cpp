@@ -46,11 +46,27 @@ ordered_json poses_json(const std::vector<synthesis::Pose>& poses) {
   return list;
 }
 
+/// Vertices of a closed curve, of very many some.
+ordered_json drawn_curve(const problems::ClosedCurve& curve) {
+  constexpr std::size_t kMostDrawn = 1000;
+  const auto& all = curve.vertices();
+  const std::size_t count = std::min(all.size(), kMostDrawn);
+  ordered_json vertices = ordered_json::array();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2d& vertex = all[k * all.size() / count];
+    vertices.push_back(point_json(
+        {round_to_digits(vertex.x, kDrawnDigits), round_to_digits(vertex.y, kDrawnDigits)}));
+  }
+  return vertices;
+}
+
 struct TargetJson {
   ordered_json operator()(const problems::PathProblem& problem) const {
     ordered_json points = ordered_json::array();
     for (const Vec2d& point : problem.points) points.push_back(point_json(point));
-    return {{"kind", "path"}, {"points", points}};
+    ordered_json target = {{"kind", "path"}, {"points", points}};
+    if (problem.curve) target["curve"] = drawn_curve(problem.curve->curve);
+    return target;
   }
   ordered_json operator()(const problems::FunctionProblem&) const { return {{"kind", "function"}}; }
   ordered_json operator()(const problems::MotionProblem& problem) const {
@@ -81,6 +97,13 @@ struct ReachedJson {
   }
 };
 
+/// Where the target of a design came: p → [x, y] + scale·R(deg) p.
+ordered_json placement_json(const problems::CurvePlacement& placement) {
+  return {{"scale", placement.scale},
+          {"deg", kDegrees * placement.turn},
+          {"shift", point_json(placement.shift)}};
+}
+
 ordered_json transmission_limits(const problems::Problem& problem) {
   const auto& limits = std::visit(
       [](const auto& p) -> const auto& { return p.constraints.transmission_angle; }, problem);
@@ -107,6 +130,7 @@ ordered_json report_data(const problems::Problem& problem, const problems::Resul
   for (const problems::Design& design : result.designs) {
     ordered_json entry = motion_of(design, finely);
     entry.update(std::visit(ReachedJson{design}, problem));
+    if (design.placement) entry["placement"] = placement_json(*design.placement);
     designs.push_back(entry);
   }
   return {{"target", std::visit(TargetJson{}, problem)},

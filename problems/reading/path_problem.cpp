@@ -11,6 +11,7 @@
 #include "problems/names.hpp"
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/path_curve.hpp"
 #include "problems/reading/path_exact.hpp"
 #include "problems/reading/turn_tables.hpp"
 
@@ -20,7 +21,10 @@ namespace {
 void read_points(TableReader& target, PathProblem& problem) {
   constexpr std::string_view kKey = "points";
   if (!target.has(kKey)) {
-    target.fault(kKey, "is missing; an array of 3 to 10000 points [x, y] is wanted");
+    target.fault(
+        kKey,
+        "is missing; an array of 3 to 10000 points [x, y] is wanted, or a closed curve as curve, "
+        "svg_path or svg");
     return;
   }
   const auto points = target.each_two(kKey, kNumber, "[x, y]", {.min = 3, .of = "points"});
@@ -187,7 +191,7 @@ std::string_view certificate_refusal(const PathProblem& problem) {
 
 }  // namespace
 
-PathProblem read_path_problem(TableReader& document) {
+PathProblem read_path_problem(TableReader& document, const std::filesystem::path& folder) {
   PathProblem problem;
   TableReader target = document.table("target");
   TableReader mechanism = document.table("mechanism");
@@ -198,10 +202,22 @@ PathProblem read_path_problem(TableReader& document) {
   problem.method = holder("method", target, solve)
                        .choice<PathMethod>("method")
                        .value_or(PathMethod::least_squares);
+  const bool closed = has_curve(target);
+  if (closed && problem.method == PathMethod::exact) {
+    holder("method", target, solve)
+        .fault("method",
+               "is \"exact\" for a closed curve, which no four-bar need meet; leave it out");
+    problem.method = PathMethod::least_squares;
+  }
   const bool exact = problem.method == PathMethod::exact;
-  read_positions(target, problem);
-  read_timing(target, problem);
-  read_weights(target, problem);
+  if (closed) {
+    read_curve(target, folder, problem);
+    problem.crank_sense = target.choice<CrankSense>("crank_sense").value_or(problem.crank_sense);
+  } else {
+    read_positions(target, problem);
+    read_timing(target, problem);
+    read_weights(target, problem);
+  }
   read_mechanism_type(mechanism);
   read_given_links(mechanism, problem.given);
   read_given_places(mechanism, problem.given);
@@ -216,6 +232,7 @@ PathProblem read_path_problem(TableReader& document) {
                                        "points whatever they do between; leave it out"
                                      : ""},
                    problem.constraints);
+  if (closed) finish_curve(mechanism, bounds, constraints, problem);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -55,6 +57,64 @@ TEST(LinkageConstraints, HalfSpacesAreTheCrankRocker) {
     crank_rockers += is_crank_rocker(links);
   }
   EXPECT_GT(crank_rockers, 500);
+}
+
+/// A common factor brings all lengths within their ranges, looked for on a grid with all the
+/// factors at which one of them comes to an end of its range.
+bool fits_by_some_factor(const std::array<Range, 4>& ranges, const L& links) {
+  const std::array<double, 4> lengths{links.crank, links.coupler, links.rocker, links.frame};
+  std::vector<double> factors{1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (ranges[i].min > 0) factors.push_back(ranges[i].min / lengths[i]);
+    if (std::isfinite(ranges[i].max)) factors.push_back(ranges[i].max / lengths[i]);
+  }
+  return std::ranges::any_of(factors, [&](double factor) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double length = factor * lengths[i];
+      if (length < ranges[i].min * (1 - 1e-12) || length > ranges[i].max * (1 + 1e-12))
+        return false;
+    }
+    return true;
+  });
+}
+
+TEST(LinkageConstraints, ProportionsAreMetWhereSomeFactorBringsAllLengthsIntoTheirRanges) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> length(1, 4);
+  int fitting = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::array<Range, 4> ranges;
+    for (Range& range : ranges) {
+      const double end = length(random), other = length(random);
+      range = {std::min(end, other), std::max(end, other)};
+      if (random() % 5 == 0) range.min = 0;
+      if (random() % 5 == 0) range.max = std::numeric_limits<double>::infinity();
+    }
+    if (random() % 2 == 0) ranges[random() % 4] = {2, 2};
+    const LinkageConstraints constraints({.proportions = ranges}, 1.0);
+    const L links = random_links(random);
+    const bool fits = fits_by_some_factor(ranges, links);
+    EXPECT_EQ(all_met(constraints, links), fits);
+    fitting += fits;
+  }
+  EXPECT_GT(fitting, 1000);
+  EXPECT_LT(fitting, 19000);
+}
+
+TEST(LinkageConstraints, TwoGivenLengthsFixTheirRatio) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  const std::array<Range, 4> ranges{Range{2, 2}, {6, 6}, {0, kOpen}, {0, kOpen}};
+  const LinkageConstraints constraints({.proportions = ranges}, 1.0);
+  EXPECT_TRUE(all_met(constraints, {1, 3, 5, 0.1}));
+  EXPECT_FALSE(all_met(constraints, {1, 3.001, 5, 0.1}));
+  EXPECT_FALSE(all_met(constraints, {1, 2.999, 5, 0.1}));
+}
+
+TEST(ConfiningClass, IsTheNearestWhereTheCrankMustTurn) {
+  const Constraints constraints{.full_turn = true};
+  EXPECT_EQ(confining_class(constraints, {1, 3, 3, 3.5}), RequiredClass::crank_rocker);
+  EXPECT_EQ(confining_class(constraints, {3, 3, 3.5, 1}), RequiredClass::double_crank);
+  EXPECT_EQ(confining_class(constraints, {2, 1, 2.2, 3.9}), RequiredClass::crank_rocker);
 }
 
 TEST(LinkageConstraints, GrashofAndItsOppositePartAllLinkages) {

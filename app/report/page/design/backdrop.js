@@ -74,13 +74,20 @@ function stretchMarks(view, stretch) {
   return [svg("path", { class: "straight", d: pathThrough([points[0], points.at(-1)]) }), svg("path", { class: "stretch", d: pathThrough(points) })];
 }
 
+// A closed curve that is to be followed.
+function outlineMark(view, outline) {
+  if (outline.length === 0) return [];
+  return [svg("path", { class: "outline", d: `${pathThrough(outline.map((p) => view.screen(p)))}Z` })];
+}
+
 // All that stands behind a design, and all that stands before it.
 function backdropOf(view, design, options) {
-  return [...locusShapes(view, options.loci, options.shownLoci), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch)];
+  return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch)];
 }
 function targetsOf(view, design, options) {
   const marks = design.poses.length ? poseMarks(view, design.poses) : [];
-  return [...pointMarks(view, design.targets.slice(design.poses.length)), ...marks, ...errorMarks(view, design.targets, design.reached, options.magnify)];
+  const points = design.outline.length ? [] : design.targets.slice(design.poses.length);
+  return [...pointMarks(view, points), ...marks, ...errorMarks(view, design.targets, design.reached, options.magnify)];
 }
 
 // The axes of the guided body, which move with it; nothing where no body is guided.

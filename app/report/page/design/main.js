@@ -68,6 +68,7 @@ function showLegend(magnification) {
   const own = isFunction && design.trace ? [legendItem("target", "dashed", `Wanted output, error ${magnification}`)] : [];
   if (design.boxes.curve) own.push(legendItem("curve", "line", "Coupler curve"));
   if (design.poses.length) own.push(legendItem("target", "line", "Pose wanted"), legendItem("coupler", "line", "Body reached"));
+  else if (design.outline.length) own.push(legendItem("target", "line", "Target"));
   else if (design.targets.length) own.push(legendItem("target", "dot", "Target"));
   if (design.targets.length) own.push(legendItem("error", "line", `Error ${magnification}`));
   if (design.stretch.length) own.push(legendItem("error", "line", "Straight stretch"));

@@ -5,10 +5,21 @@ const turnInto = (deg, [from, to]) => {
   return deg - 360 * Math.round((deg - middle) / 360);
 };
 
+// p → shift + scale·R(deg) p.
+function placing(placement) {
+  if (!placement) return (p) => p;
+  const { scale, deg, shift } = placement;
+  const [c, s] = [scale * Math.cos(deg * RADIANS), scale * Math.sin(deg * RADIANS)];
+  return ([x, y]) => [shift[0] + c * x - s * y, shift[1] + s * x + c * y];
+}
+
 // The targets of a design as points (of poses the origins), the poses, and what is reached of them.
+// A closed curve may have been moved to where the design traces it.
 function takeTargets(design, drawn, target) {
   const poses = target.poses ?? [];
-  Object.assign(design, { poses, targets: [...poses.map(([x, y]) => [x, y]), ...(target.points ?? [])],
+  const place = placing(drawn.placement);
+  Object.assign(design, { poses, targets: [...poses.map(([x, y]) => [x, y]), ...(target.points ?? []).map(place)],
+    outline: (target.curve ?? []).map(place),
     reached: drawn.reached ?? [], guided: drawn.guided ?? null });
 }
 

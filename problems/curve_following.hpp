@@ -1,0 +1,21 @@
+/// @file How a whole coupler curve follows a closed curve.
+#pragma once
+
+#include "analysis/four_bar.hpp"
+#include "problems/closed_curve.hpp"
+#include "problems/curve_placement.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// The greatest distance of the coupler curve of `linkage`, over the full turn, from `curve` at
+/// `placement`, in the curve's own unit. Errors at samples of the curve bound the distance of the
+/// curve from the coupler curve; this is the other half of Hausdorff's distance.
+double curve_deviation(const ClosedCurve& curve, const FourBar& linkage,
+                       const CurvePlacement& placement);
+
+/// Whether a coupler curve with this deviation keeps to a curve whose samples it meets within
+/// `error_max`: else it runs through a loop of its own between two of them.
+ConstraintCheck check_extra_loop(const ClosedCurve& curve, double deviation, double error_max);
+
+}  // namespace cognate::problems

@@ -1,0 +1,111 @@
+#include "problems/reading/svg_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <pugixml.hpp>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "problems/reading/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 8U << 20U;
+/// How many ids a message names.
+constexpr std::size_t kMostNamed = 8;
+
+/// The name of an element without its namespace: "svg:path" is a path.
+std::string_view local_name(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  return name.substr(name.find(':') + 1);
+}
+
+bool is_drawn(pugi::xml_node node) {
+  constexpr std::string_view kUndrawn[] = {"defs", "symbol", "clipPath",
+                                           "mask", "marker", "pattern"};
+  for (; node; node = node.parent()) {
+    if (std::ranges::find(kUndrawn, local_name(node)) != std::end(kUndrawn)) return false;
+  }
+  return true;
+}
+
+bool is_transformed(pugi::xml_node node) {
+  for (; node; node = node.parent()) {
+    if (node.attribute("transform")) return true;
+  }
+  return false;
+}
+
+/// Every path of a document; pugixml walks without recursion.
+class Paths final : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node& node) override {
+    if (local_name(node) == "path") all.push_back(node);
+    return true;
+  }
+  std::vector<pugi::xml_node> all;
+};
+
+std::string ids_of(const std::vector<pugi::xml_node>& paths) {
+  std::vector<std::string_view> ids;
+  for (const pugi::xml_node& path : paths) {
+    if (path.attribute("id") && ids.size() < kMostNamed)
+      ids.push_back(path.attribute("id").value());
+  }
+  return ids.empty() ? "none of them has an id" : "ids are " + quoted_list(ids);
+}
+
+tl::expected<pugi::xml_node, std::string> chosen(const std::vector<pugi::xml_node>& all,
+                                                 const std::optional<std::string>& id) {
+  std::vector<pugi::xml_node> fitting;
+  for (const pugi::xml_node& path : all) {
+    const bool fits = id ? path.attribute("id").value() == *id : is_drawn(path);
+    if (fits) fitting.push_back(path);
+  }
+  if (fitting.size() == 1) return fitting.front();
+  if (fitting.empty()) {
+    return tl::unexpected(
+        all.empty() ? "has no <path>; one that is drawn in it is wanted"
+                    : fmt::format("has no such <path> among {}; {}", all.size(), ids_of(all)));
+  }
+  return tl::unexpected(fmt::format("has {} paths{}; svg_id = \"...\" chooses by id, and {}",
+                                    fitting.size(), id ? " of this id" : "", ids_of(fitting)));
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> path_data_of(const std::filesystem::path& file,
+                                                    const std::optional<std::string>& id) {
+  std::error_code error;
+  // What is no regular file might never end.
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return tl::unexpected<std::string>("is no file; an SVG file beside the problem file is wanted");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > kMostBytes) {
+    return tl::unexpected<std::string>("is larger than 8 MiB; at most 8 MiB are allowed");
+  }
+  pugi::xml_document document;
+  const pugi::xml_parse_result read = document.load_file(file.c_str());
+  if (!read) {
+    return tl::unexpected(fmt::format("is no XML at byte {} ({}); an SVG file is wanted",
+                                      read.offset, read.description()));
+  }
+  Paths paths;
+  document.traverse(paths);
+  return chosen(paths.all, id)
+      .and_then([](const pugi::xml_node& path) -> tl::expected<std::string, std::string> {
+        if (is_transformed(path)) {
+          return tl::unexpected<std::string>(
+              "has a transform on this path or around it, which is not applied; a path without any "
+              "is wanted (drawing programs apply them when shapes are ungrouped or made paths)");
+        }
+        return std::string(path.attribute("d").value());
+      });
+}
+
+}  // namespace cognate::problems::reading
