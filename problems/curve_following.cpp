@@ -8,8 +8,6 @@
 namespace cognate::problems {
 namespace {
 
-/// Positions of the crank at which coupler curves are looked at.
-constexpr int kPositions = 720;
 /// What a coupler curve may leave the target by: so many times what samples of the target are off,
 /// or so much of the target's length. Between samples that are a hundredth of the length apart,
 /// corners of the target are cut by no more.
@@ -18,12 +16,12 @@ constexpr double kTimesTheError = 3, kShareOfLength = 5e-3;
 }  // namespace
 
 double curve_deviation(const ClosedCurve& curve, const FourBar& linkage,
-                       const CurvePlacement& placement) {
+                       const CurvePlacement& placement, int positions) {
   const Motion motion(linkage);
   double greatest = 0;
-  for (int k = 0; k < kPositions; ++k) {
+  for (int k = 0; k < positions; ++k) {
     // Where rounding denies a position at a change point, its neighbours tell as much.
-    const auto pose = motion.at(2 * std::numbers::pi * k / kPositions);
+    const auto pose = motion.at(2 * std::numbers::pi * k / positions);
     if (!pose || !pose->coupler_point) continue;
     greatest = std::max(greatest, curve.distance(placement.point_back(*pose->coupler_point)));
   }

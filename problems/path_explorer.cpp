@@ -8,6 +8,7 @@
 #include "analysis/parallel.hpp"
 #include "problems/path_exact_starts.hpp"
 #include "problems/path_starts.hpp"
+#include "problems/path_straying.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -106,6 +107,7 @@ class Explorer {
            Work& work)
       : problem_(problem),
         source_(problem),
+        straying_(problem),
         exploration_(exploration),
         deadline_(deadline),
         work_(work) {
@@ -190,6 +192,17 @@ class Explorer {
       fit_by_loss(some);
     }
     count_work(some, problem_.points.size(), work_);
+    if (problem_.constraints.full_turn) mark_strays(some);
+  }
+
+  void mark_strays(std::span<PathFound> some) const {
+    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
+      PathFound& found = some[index];
+      if (!found.valid) return;
+      const PathModel model = model_of(problem_, found.minimum);
+      const auto& x = found.minimum.solution.x;
+      found.strays = straying_.strays(model.linkage(x), model.crank_angles(x));
+    });
   }
 
   /// One by one: the lanes know no loss.
@@ -223,6 +236,7 @@ class Explorer {
 
   const PathProblem& problem_;
   PathStarts source_;
+  PathStraying straying_;
   const PathExploration& exploration_;
   const Deadline& deadline_;
   Work& work_;

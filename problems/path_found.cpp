@@ -22,6 +22,7 @@ bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
 }  // namespace
 
 bool is_better(const PathFound& found, const PathFound& other) {
+  if (found.strays != other.strays) return other.strays;
   const synthesis::Solution &a = found.minimum.solution, &b = other.minimum.solution;
   const bool a_feasible = a.violation <= kPathFeasibility;
   const bool b_feasible = b.violation <= kPathFeasibility;
@@ -30,6 +31,7 @@ bool is_better(const PathFound& found, const PathFound& other) {
 }
 
 bool costs_less(const PathFound& a, const PathFound& b) {
+  if (a.strays != b.strays) return b.strays;
   return a.cost < b.cost;
 }
 

@@ -19,16 +19,17 @@ struct PathFound {
   bool valid = false;
   bool fitted = false;    ///< not as it was drawn
   bool deepened = false;  ///< fitted to its end
+  bool strays = false;    ///< of a closed curve: no use, however low the cost
   double cost = 0;        ///< of a fit in lanes: objective and penalties
   int hits = 1;           ///< how many starts have come here
   /// Work not yet counted, that of refinements which were no better among it.
   std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
 };
 
-/// Feasible ones first, then by objective or violation.
+/// Those that stray last, feasible ones first, then by objective or violation.
 bool is_better(const PathFound& a, const PathFound& b);
 
-/// By the cost of a fit in lanes.
+/// Those that stray last, then by the cost of a fit in lanes.
 bool costs_less(const PathFound& a, const PathFound& b);
 
 /// Sorts by `before`, drops those without a value and counts those that are the same point as an

@@ -17,9 +17,10 @@ bool has_curve(TableReader& target);
 /// for in `folder`; without one they are refused.
 void read_curve(TableReader& target, const std::filesystem::path& folder, PathProblem& problem);
 
-/// Faults what a closed curve excludes: classes and lengths whose crank cannot turn fully, and, of
-/// a curve that may be moved and enlarged, what fixes points of the plane or of the coupler.
-void check_curve(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
-                 const PathProblem& problem);
+/// `constraints.no_extra_loop`, and faults for what a closed curve excludes: classes and lengths
+/// whose crank cannot turn fully, and, of a curve that may be moved and enlarged, what fixes points
+/// of the plane or of the coupler.
+void finish_curve(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
+                  PathProblem& problem);
 
 }  // namespace cognate::problems::reading

@@ -59,7 +59,7 @@ const FaultCase kFaults[] = {
     {"NoCurve", with_target("curve = 3\n"), {{3, 9, "an array of [x, y] is wanted"}}},
     {"NotFinite",
      with_target("curve = [[0, 0], [1, inf], [1, 1]]\n"),
-     {{3, 18, "a number, 0 or of magnitude"}}},
+     {{3, 22, "a number, 0 or of magnitude"}}},
     {"FarAway",
      with_target("curve = [[1e12, 0], [1000000000001.0, 0], [1e12, 1]]\n"),
      {{3, 9, "at a distance of up to"}}},
