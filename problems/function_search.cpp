@@ -105,6 +105,7 @@ class Search {
                                                                    : Objective::sum_of_squares;
   }
 
+  FoundStarts starts() const;
   void refine(Refined& design, const FunctionSamples& wanted, Objective objective, Backend backend,
               int iterations) const;
   void explore(std::vector<Refined>& all) const;
@@ -302,13 +303,31 @@ void Search::keep_best(std::vector<Refined>& all, int reserve, Work& work) const
   all = std::move(kept);
 }
 
+/// Starts of the search's own, after the designs that the run begins with.
+FoundStarts Search::starts() const {
+  const FunctionProblem& problem = confined_.plain;
+  const int count = problem.solve.starts.value_or(kDefaultStarts);
+  FoundStarts found;
+  if (count > 0) {
+    found = find_starts(problem, wanted_,
+                        {.seed = run_.seed,
+                         .threads = thread_count(run_.threads),
+                         .count = count,
+                         .deadline = &deadline_});
+  }
+  std::vector<FunctionStartPoint> known;
+  for (const Design& design : run_.known) {
+    const FourBar& linkage = four_bar(design);
+    known.push_back({{lengths(linkage), linkage.assembly, design.metrics.input_start.value_or(0),
+                      design.metrics.output_start.value_or(0)}});
+  }
+  found.starts.insert(found.starts.begin(), known.begin(), known.end());
+  return found;
+}
+
 std::vector<Refined> Search::minima(Work& work) {
   const FunctionProblem& problem = confined_.plain;
-  const auto found = find_starts(problem, wanted_,
-                                 {.seed = run_.seed,
-                                  .threads = thread_count(run_.threads),
-                                  .count = problem.solve.starts.value_or(kDefaultStarts),
-                                  .deadline = &deadline_});
+  const FoundStarts found = starts();
   work.candidates += found.candidates;
   work.positions += found.candidates * wanted_.samples.size();
   std::vector<Refined> all;

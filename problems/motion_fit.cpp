@@ -126,7 +126,7 @@ class MotionSearch {
         deadline_(deadline),
         work_(work) {}
 
-  void explore_all(int count);
+  void explore_all(const std::vector<DyadPair>& known, int count);
   void finish(Backend backend);
   std::vector<MotionMinimum> take();
 
@@ -182,13 +182,17 @@ void MotionSearch::count_work(const Solution& solution, std::size_t poses) {
   work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
 }
 
-void MotionSearch::explore_all(int count) {
-  const MotionStarts starts(coarse_, kept_, run_.seed, deadline_);
+void MotionSearch::explore_all(const std::vector<DyadPair>& known, int own) {
+  std::optional<MotionStarts> starts;
+  if (own > 0) starts.emplace(coarse_, kept_, run_.seed, deadline_);
+  const int before = static_cast<int>(known.size()), count = before + own;
   all_.resize(static_cast<std::size_t>(count));
   std::atomic<int> done{0};
   parallel_for(count, run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    const auto start = starts.start(index);
+    const auto start = index < before
+                           ? MotionStart{known[static_cast<std::size_t>(index)], "search"}
+                           : starts->start(index - before);
     if (!start) return;
     Found& found = all_[static_cast<std::size_t>(index)];
     found = explored(*start);
@@ -270,11 +274,12 @@ std::vector<MotionMinimum> MotionSearch::take() {
 
 }  // namespace
 
-std::vector<MotionMinimum> search_motions(const MotionProblem& scaled, int starts, Backend backend,
-                                          double tolerance, const Run& run,
+std::vector<MotionMinimum> search_motions(const MotionProblem& scaled,
+                                          const std::vector<DyadPair>& known, int starts,
+                                          Backend backend, double tolerance, const Run& run,
                                           const Deadline& deadline, Work& work) {
   MotionSearch search(scaled, tolerance, run, deadline, work);
-  search.explore_all(starts);
+  search.explore_all(known, starts);
   search.finish(backend);
   return search.take();
 }

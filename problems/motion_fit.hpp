@@ -19,11 +19,12 @@ struct MotionMinimum {
   synthesis::Solution solution;
 };
 
-/// The minima that `starts` starts lead to, best first, feasible ones before others; equal for any
+/// The minima that `known` pairs of the scaled problem and `starts` starts lead to, best first, feasible ones before others; equal for any
 /// number of threads. All starts are explored with few iterations of Gauss–Newton, of long lists of
 /// poses over a part of them; the best different ones are brought to convergence, and the best of
 /// these finished by `backend` where it is another. Counts what was done in `work`.
-std::vector<MotionMinimum> search_motions(const MotionProblem& scaled, int starts,
+std::vector<MotionMinimum> search_motions(const MotionProblem& scaled,
+                                          const std::vector<DyadPair>& known, int starts,
                                           synthesis::Backend backend, double tolerance,
                                           const Run& run, const Deadline& deadline, Work& work);
 

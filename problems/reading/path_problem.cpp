@@ -8,6 +8,7 @@
 
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/path_exact.hpp"
 
 namespace cognate::problems::reading {
@@ -173,6 +174,12 @@ PathProblem read_path_problem(TableReader& document) {
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);
+  read_objectives(constraints, solve,
+                  {.error = ErrorMeasure::rms_length,
+                   .exact = exact ? "is given with method = \"exact\", whose designs meet the "
+                                    "points; leave it out"
+                                  : ""},
+                  problem.constraints, problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);
