@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Fresh searches that halve the levels before the root is closed in on, and how often one looks
-/// beyond the root and by how much of the levels.
-constexpr int kCoarse = 5, kLooks = 3;
-constexpr double kBeyond = 1e-3;
+/// Fresh searches that halve the levels before the root is closed in on, and how often some look
+/// beyond the root, by which shares of the levels.
+constexpr int kCoarse = 5, kLooks = 5;
+constexpr double kBeyond[] = {1e-3, 1e-4, 1e-5, 1e-6};
 constexpr double kRoot = 1e-8;
 /// Where no best value of a measure is known, levels up to this much better are looked at: for
 /// lengths and ratios a factor of a thousand.
@@ -144,10 +144,16 @@ FrontPoint FrontSearch::go_to(double most) {
   };
   const auto is_open = [&] { return high - low > kRoot * way && !deadline_.reached(); };
   for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low + high), true);
+  // Refinement from neighbours may stick where a fresh search, further on or nearer, does not.
+  const auto goes_on = [&] {
+    return std::ranges::any_of(kBeyond, [&](double share) {
+      const double next = low + share * way;
+      return next < ceiling && !deadline_.reached() && probe(next, true);
+    });
+  };
   for (int look = 0; look < kLooks; ++look) {
     while (is_open()) probe(0.5 * (low + high), false);
-    const double next = low + kBeyond * way;
-    if (deadline_.reached() || next >= ceiling || !probe(next, true)) break;
+    if (!goes_on()) break;
     high = std::max(ceiling, low);
   }
   insert(best);
