@@ -47,7 +47,12 @@ class FrontReport {
         measure(first));
   }
 
-  std::string end(const FrontPoint& last) const {
+  std::string end(const std::vector<FrontPoint>& points) const {
+    const FrontPoint& last = points.back();
+    if (points.size() == 1) {
+      return fmt::format("One design is best in both: {} is {:.7g}, the error {:.7g}.", words(),
+                         measure(last), error(last));
+    }
     const std::string at = fmt::format("The front ends where {} is {:.7g} and the error {:.7g}",
                                        words(), measure(last), error(last));
     if (task_.limit) return fmt::format("{}: beyond it the error exceeds {}.", at, limit_words());
@@ -122,8 +127,10 @@ Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const
   if (task.with_error) {
     for (const FrontPoint& point : points) result.designs.push_back(report.design_of(point));
     result.families = {report.family(points)};
-    if (is_met) result.notes.push_back(report.beginning(points.front()));
-    if (result.status == Status::solved) result.notes.push_back(report.end(points.back()));
+    if (result.status == Status::solved) {
+      if (is_met) result.notes.push_back(report.beginning(points.front()));
+      result.notes.push_back(report.end(points));
+    }
   } else {
     result.designs = {report.design_of(last)};
     if (result.status == Status::solved) result.notes.push_back(report.best(last));

@@ -24,7 +24,7 @@ void read_error_limit(TableReader& table, const ObjectiveScope& scope, Constrain
       constraints.error =
           ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
     } else if (table.has(key)) {
-      table.fault(key, fmt::format("is not the error of this problem, which is bounded by {}",
+      table.fault(key, fmt::format("is of another error than this problem's; constraints.{} is wanted",
                                    to_string(scope.error)));
     }
   }
