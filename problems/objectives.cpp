@@ -22,7 +22,7 @@ class FrontReport {
       : problem_(problem), task_(task) {}
 
   Design design_of(const FrontPoint& point) const {
-    Design design = point.design;
+    Design design = point.design();
     const MeasureRule& rule = problem_.rule;
     if (rule.is_fact) {
       design.metrics.facts.push_back({std::string(rule.column), rule.shown(rule.value(design))});
@@ -32,7 +32,7 @@ class FrontReport {
   }
 
   Family family(const std::vector<FrontPoint>& points) const {
-    Family family{"pareto front",
+    Family family{"Pareto front",
                   {{std::string(problem_.rule.column), {}}, {error_column(task_.error), {}}}};
     for (const FrontPoint& point : points) {
       family.columns[0].values.push_back(measure(point));
@@ -67,11 +67,11 @@ class FrontReport {
 
  private:
   double measure(const FrontPoint& point) const {
-    return problem_.rule.shown(problem_.rule.value(point.design));
+    return problem_.rule.shown(problem_.rule.value(point.design()));
   }
 
   double error(const FrontPoint& point) const {
-    return shown_error(task_.error, problem_.error(point.design));
+    return shown_error(task_.error, problem_.error(point.design()));
   }
 
   std::string words() const { return std::string(problem_.rule.words); }
@@ -93,7 +93,9 @@ Status status(const Deadline& deadline) {
 /// The first search, where there is nothing to go on from: as it stands, the bound on the error
 /// being one of the constraints.
 Result without_front(Result first, const FrontReport& report, const ObjectiveTask& task) {
-  for (Design& design : first.designs) design = report.design_of({.design = std::move(design)});
+  for (Design& design : first.designs) design = report.design_of({.minima = {design}});
+  const auto wanted = static_cast<std::size_t>(task.designs);
+  if (first.designs.size() > wanted) first.designs.resize(wanted);
   if (first.status == Status::solved && task.limit) first.status = Status::infeasible;
   return first;
 }

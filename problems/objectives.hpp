@@ -11,6 +11,10 @@
 
 namespace cognate::problems {
 
+/// How many local minima are asked for under each bound: those that are not the best are starts
+/// under others.
+inline constexpr int kMinima = 6;
+
 /// What of several objectives a file asks for besides the error; empty where nothing.
 std::optional<Measure> measure_of(const Solve& solve);
 
@@ -23,7 +27,7 @@ struct ObjectiveTask {
   std::optional<ErrorLimit> limit;
 };
 
-/// A front, best error first, its levels as a family "pareto front"; or the one best design.
+/// A front, best error first, its levels as a family "Pareto front"; or the one best design.
 Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const Run& run,
                    const Deadline& deadline);
 
@@ -36,17 +40,18 @@ Result solve_objectives(const AnyProblem& problem, const Run& run, const Deadlin
   if (!measure) return solve_once(problem, run);
   const auto error = [&](const Design& design) { return error_of(problem, design); };
   const auto solve = [&](const DesignLimits& limits, const std::vector<Design>& known,
-                         bool afresh) {
+                         std::optional<std::uint64_t> seed) {
     AnyProblem other = problem;
     other.constraints = limits.constraints;
     other.constraints.error.reset();
     other.bounds = limits.bounds;
     other.solve.objectives.clear();
-    other.solve.designs = 1;
-    if (!afresh) other.solve.starts = 0;
+    other.solve.designs = kMinima;
+    if (!seed) other.solve.starts = 0;
     Run own = run;
     own.progress = nullptr;
     own.known = known;
+    own.seed = seed.value_or(run.seed);
     return solve_once(other, own);
   };
   const ObjectiveTask task{.measure = *measure,

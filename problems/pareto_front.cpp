@@ -14,7 +14,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Fresh searches that halve the levels before the root is closed in on, and how often some look
 /// beyond the root, by which shares of the levels.
 constexpr int kCoarse = 5, kLooks = 5;
-constexpr double kBeyond[] = {1e-3, 1e-4, 1e-5, 1e-6};
+constexpr double kBeyond[] = {1e-3, 1e-5};
+/// And by which shares of the levels that no search has decided.
+constexpr double kBetween[] = {0.5, 0.1};
+/// How far before the end of a front points are looked at, the last being the end itself.
+constexpr double kBack[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+/// How many local minima of a point are starts of others.
+constexpr std::size_t kStarts = 6;
 constexpr double kRoot = 1e-8;
 /// Where no best value of a measure is known, levels up to this much better are looked at: for
 /// lengths and ratios a factor of a thousand.
@@ -41,6 +47,12 @@ void add_work(const Work& done, Work& work) {
   work.solver_iterations += done.solver_iterations;
 }
 
+void add_minima(const FrontPoint& point, std::vector<Design>& designs) {
+  const std::size_t count = std::min(point.minima.size(), kStarts);
+  designs.insert(designs.end(), point.minima.begin(),
+                 point.minima.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
 }  // namespace
 
 /// Between neighbours; `after` counts from 0.
@@ -59,7 +71,7 @@ void FrontSearch::report() {
 }
 
 Result FrontSearch::begin() {
-  Result first = problem_.solve(problem_.limits, {}, true);
+  Result first = problem_.solve(problem_.limits, {}, run_.seed);
   ++searches_;
   add_work(first.work, work_);
   report();
@@ -67,7 +79,7 @@ Result FrontSearch::begin() {
     const Design& best = first.designs.front();
     const double error = problem_.error(best);
     const double level = problem_.rule.level(problem_.rule.value(best));
-    insert({-kInfinity, level, error <= problem_.met ? 0 : error, best});
+    insert({-kInfinity, level, error <= problem_.met ? 0 : error, first.designs});
   }
   return first;
 }
@@ -78,7 +90,10 @@ std::optional<FrontPoint> FrontSearch::solved(double bound, const std::vector<De
   DesignLimits limits = problem_.limits;
   const bool bounded = std::isfinite(bound);
   if (bounded && !problem_.rule.limit(limits, problem_.rule.value_at(bound))) return std::nullopt;
-  const Result found = problem_.solve(limits, known, afresh);
+  // Each search has draws of its own: what one misses the next may find.
+  const auto seed =
+      afresh ? std::optional(run_.seed + static_cast<std::uint64_t>(searches_)) : std::nullopt;
+  Result found = problem_.solve(limits, known, seed);
   ++searches_;
   add_work(found.work, work_);
   if (afresh) report();
@@ -86,18 +101,15 @@ std::optional<FrontPoint> FrontSearch::solved(double bound, const std::vector<De
   const Design& best = found.designs.front();
   const double error = problem_.error(best);
   const double level = problem_.rule.level(problem_.rule.value(best));
-  return FrontPoint{bound, level, error <= problem_.met ? 0 : error, best};
+  return FrontPoint{bound, level, error <= problem_.met ? 0 : error, std::move(found.designs)};
 }
 
-/// The points next to a level on either side, and one that stands there.
+/// The minima of the points next to a level on either side, and of one that stands there.
 std::vector<Design> FrontSearch::beside(double level) const {
   std::vector<Design> designs;
-  const auto at = std::ranges::lower_bound(points_, level - kSameLevel, {}, &FrontPoint::level);
-  if (at != points_.begin()) designs.push_back(std::prev(at)->design);
-  if (at != points_.end()) designs.push_back(at->design);
-  if (at != points_.end() && std::next(at) != points_.end()) {
-    designs.push_back(std::next(at)->design);
-  }
+  auto at = std::ranges::lower_bound(points_, level - kSameLevel, {}, &FrontPoint::level);
+  if (at != points_.begin()) --at;
+  for (int i = 0; i < 3 && at != points_.end(); ++i, ++at) add_minima(*at, designs);
   return designs;
 }
 
@@ -120,42 +132,98 @@ double FrontSearch::top(double from) const {
   return std::isfinite(best) ? best : from + kReach;
 }
 
-FrontPoint FrontSearch::go_to(double most) {
-  const auto within = [&](const FrontPoint& point) { return point.error <= most; };
-  // Errors grow from point to point.
-  FrontPoint best = *std::prev(std::ranges::partition_point(points_, within));
-  double low = best.level, high = top(low), ceiling = high;
-  const double way = high - low;
-  std::optional<Design> beyond;
-  const auto probe = [&](double level, bool afresh) {
-    std::vector<Design> known{best.design};
-    if (beyond) known.push_back(*beyond);
-    auto point = solved(level, known, afresh);
-    if (point && within(*point)) {
-      low = std::max(level, point->level);
-      best = *std::move(point);
-      if (afresh) insert(best);
+/// The greatest level at which the error is at most so much, closed in on.
+class FrontSearch::Root {
+ public:
+  Root(FrontSearch& front, double most)
+      : front_(front), most_(most), best_(front.last_within(most)), low_(best_.level) {
+    high_ = ceiling_ = front.top(low_);
+    way_ = high_ - low_;
+  }
+
+  void find() {
+    for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low_ + high_), true);
+    for (int look = 0; look < kLooks; ++look) {
+      while (is_open()) probe(0.5 * (low_ + high_), false);
+      if (!goes_on()) break;
+      high_ = std::max(ceiling_, low_);
+    }
+  }
+
+  const FrontPoint& best() const { return best_; }
+  double way() const { return way_; }
+  /// Whether something was found beyond, of too great an error.
+  bool is_crossed() const { return beyond_.has_value(); }
+
+ private:
+  bool is_open() const { return high_ - low_ > kRoot * way_ && !front_.deadline_.reached(); }
+
+  bool probe(double level, bool afresh) {
+    std::vector<Design> known = best_.minima;
+    if (beyond_) add_minima(*beyond_, known);
+    auto point = front_.solved(level, known, afresh);
+    if (point && point->error <= most_) {
+      low_ = std::max(level, point->level);
+      best_ = *std::move(point);
+      if (afresh) front_.insert(best_);
       return true;
     }
-    if (point) beyond = std::move(point->design);
-    high = level;
-    if (afresh) ceiling = level;
+    if (point) beyond_ = *std::move(point);
+    high_ = level;
+    if (afresh) ceiling_ = level;
     return false;
-  };
-  const auto is_open = [&] { return high - low > kRoot * way && !deadline_.reached(); };
-  for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low + high), true);
-  // Refinement from neighbours may stick where a fresh search, further on or nearer, does not.
-  const auto goes_on = [&] {
-    return std::ranges::any_of(kBeyond, [&](double share) {
-      const double next = low + share * way;
-      return next < ceiling && !deadline_.reached() && probe(next, true);
-    });
-  };
-  for (int look = 0; look < kLooks; ++look) {
-    while (is_open()) probe(0.5 * (low + high), false);
-    if (!goes_on()) break;
-    high = std::max(ceiling, low);
   }
+
+  /// Refinement from neighbours may stick where a fresh search, further on or nearer, does not.
+  bool goes_on() {
+    const double open = ceiling_ - low_;
+    const auto looks = [&](double on) {
+      const double next = low_ + on;
+      return next < ceiling_ && !front_.deadline_.reached() && probe(next, true);
+    };
+    return std::ranges::any_of(kBetween, [&](double share) { return looks(share * open); }) ||
+           std::ranges::any_of(kBeyond, [&](double share) { return looks(share * way_); });
+  }
+
+  FrontSearch& front_;
+  double most_;
+  FrontPoint best_;
+  std::optional<FrontPoint> beyond_;
+  double low_, high_ = 0, way_ = 0;
+  double ceiling_ = 0;  ///< the least level at which a fresh search has failed
+};
+
+/// Errors grow from point to point.
+const FrontPoint& FrontSearch::last_within(double most) const {
+  return *std::prev(std::ranges::partition_point(
+      points_, [&](const FrontPoint& point) { return point.error <= most; }));
+}
+
+/// Points of levels ever less before that of `last`, each from the one before; the last of them.
+FrontPoint FrontSearch::stepped_back(const FrontPoint& last, double way) {
+  FrontPoint end = last;
+  std::vector<Design> known = beside(last.level);
+  add_minima(last, known);
+  for (const double share : kBack) {
+    auto point = solved(last.level - share * way, known, false);
+    if (!point) continue;
+    end = *std::move(point);
+    insert(end);
+    known = last.minima;
+    add_minima(end, known);
+  }
+  std::erase_if(points_, [&](const FrontPoint& point) {
+    return point.level > end.level && point.error >= end.error;
+  });
+  insert(end);
+  return points_.back();
+}
+
+FrontPoint FrontSearch::go_to(double most) {
+  Root root(*this, most);
+  root.find();
+  const bool ends = !root.is_crossed() && root.best().level > points_.front().level;
+  const FrontPoint best = ends ? stepped_back(root.best(), root.way()) : root.best();
   insert(best);
   return best;
 }
@@ -186,7 +254,10 @@ void FrontSearch::split(const Gap& gap) {
   const double bound = 0.5 * (before.level + after.bound);
   FrontPoint fallback = after;
   fallback.bound = bound;
-  auto point = solved(bound, {before.design, after.design}, true);
+  std::vector<Design> known;
+  add_minima(before, known);
+  add_minima(after, known);
+  auto point = solved(bound, known, true);
   const bool better = point && !is_as_good(fallback, *point);
   insert(better ? *std::move(point) : std::move(fallback));
 }
@@ -229,7 +300,7 @@ void FrontSearch::thin(std::size_t count) {
 void FrontSearch::look_before_first() {
   const double none = -kInfinity;
   if (points_.front().bound == none || deadline_.reached()) return;
-  auto point = solved(none, {points_.front().design}, true);
+  auto point = solved(none, points_.front().minima, true);
   points_.front().bound = none;
   if (point && !is_as_good(points_.front(), *point)) insert(*std::move(point));
 }

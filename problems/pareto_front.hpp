@@ -3,6 +3,7 @@
 /// bound. A front is thus a row of ordinary problems, each begun from the designs beside it too.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -20,9 +21,10 @@ struct FrontProblem {
   const MeasureRule& rule;
   double met = 0;  ///< errors up to this are rounding
   std::function<double(const Design&)> error;
-  /// The design of least error within limits, from designs that are known and, if `afresh`, from
-  /// starts of its own. The same for the same arguments.
-  std::function<Result(const DesignLimits& limits, const std::vector<Design>& known, bool afresh)>
+  /// Designs of least error within limits, from designs that are known and, unless `seed` is empty,
+  /// from starts of its own. The same for the same arguments.
+  std::function<Result(const DesignLimits& limits, const std::vector<Design>& known,
+                       std::optional<std::uint64_t> seed)>
       solve;
 };
 
@@ -30,7 +32,9 @@ struct FrontPoint {
   double bound = 0;  ///< the level that was asked for, −∞ for none; see MeasureRule::level
   double level = 0;  ///< the level that it has
   double error = 0;  ///< 0 where the target is met
-  Design design;
+  std::vector<Design> minima;  ///< the best found and a few other local minima
+
+  const Design& design() const { return minima.front(); }
 };
 
 /// Points of the front that are known, best error first: none is as good as another in both.
@@ -48,8 +52,9 @@ class FrontSearch {
 
   /// Adds the point of the greatest level whose error is at most `most`, and returns it: a search
   /// for the root of the error, which grows with the level, to 1e-8 of the levels looked at. Fresh
-  /// searches narrow it down, and look beyond it in the end. At least one point is known whose
-  /// error is no greater.
+  /// searches narrow it down, and look beyond it in the end. Where nothing is found beyond at all,
+  /// the front may end upright: the point is then that of a level less by 1e-6 of those looked at.
+  /// At least one point is known whose error is no greater.
   FrontPoint go_to(double most);
 
   /// Adds points between those that are known, in the widest gaps first, until `count` of them
@@ -62,10 +67,14 @@ class FrontSearch {
  private:
   struct Gap;
 
+  class Root;
+
   std::optional<FrontPoint> solved(double bound, const std::vector<Design>& known, bool afresh);
+  FrontPoint stepped_back(const FrontPoint& last, double way);
   std::vector<Design> beside(double level) const;
   void insert(FrontPoint point);
   double top(double from) const;
+  const FrontPoint& last_within(double most) const;
   double distance(const FrontPoint& a, const FrontPoint& b) const;
   std::optional<Gap> widest_gap() const;
   void split(const Gap& gap);
@@ -78,8 +87,8 @@ class FrontSearch {
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
-  int searches_ = 0;   ///< problems solved
-  double share_ = 0;   ///< done, for progress
+  int searches_ = 0;  ///< problems solved
+  double share_ = 0;  ///< done, for progress
   std::vector<FrontPoint> points_;
 };
 
