@@ -130,6 +130,9 @@ constexpr Entry kConstraints[] = {
     {"transmission_angle_deg", "[min, max] over the motion"},
     {"link_ratio_max", "longest over shortest link"},
     {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
+    {"rms_error_max", "paths and motions: the most root mean square of the distances"},
+    {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
+    {"max_error_deg_max", "functions by minimax: the largest error allowed"},
     {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
     {"[[constraints.clearance]]",
      "over the full turn: point = \"coupler-point\", \"B\" or \"C\", inside or outside = [[xmin, "

@@ -66,6 +66,9 @@ std::string description(const problems::StraightLineProblem&) {
   return "approximate straight line";
 }
 
+/// Of problems with several objectives.
+constexpr FactColumn kMeasureFacts[] = {{"link_ratio", "link ratio"},
+                                        {"longest_link", "longest link"}};
 constexpr FactColumn kQuickReturnFacts[] = {
     {"swing_deg", "swing [deg]"}, {"stroke", "stroke"}, {"pressure_angle_deg", "pressure [deg]"}};
 constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
@@ -74,12 +77,16 @@ constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
 
 /// What is told of the designs of each kind of problem.
 struct Choice {
-  ColumnChoice operator()(const PathProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const PathProblem&) const {
+    return {.error_unit = "length", .facts = kMeasureFacts};
+  }
   ColumnChoice operator()(const FunctionProblem& problem) const {
     const bool angles = problem.type == problems::MechanismType::four_bar;
-    return {.error_unit = angles ? "deg" : "length"};
+    return {.error_unit = angles ? "deg" : "length", .facts = kMeasureFacts};
   }
-  ColumnChoice operator()(const problems::MotionProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const problems::MotionProblem&) const {
+    return {.error_unit = "length", .facts = kMeasureFacts};
+  }
   ColumnChoice operator()(const problems::QuickReturnProblem&) const {
     return {.facts = kQuickReturnFacts};
   }

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "problems/degrees.hpp"
+#include "problems/error_limit.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -184,6 +186,18 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                      range = widened(*range, {1, std::numeric_limits<double>::infinity()}, share);
                    },
                    [](const Limits& limits) { return text(*limits.constraints.time_ratio); }});
+  }
+  if (constraints.error) {
+    all.push_back({std::string(to_string(constraints.error->of)),
+                   [](Limits& limits, double share) {
+                     auto& error = limits.constraints.error;
+                     error->max = moved(error->max, std::numeric_limits<double>::infinity(), share);
+                   },
+                   [](const Limits& limits) {
+                     const ErrorLimit& error = *limits.constraints.error;
+                     const double most = shown_error(error.of, error.max);
+                     return fmt::format("{:.10g}", rounded(most, most, 1));
+                   }});
   }
   if (constraints.pivot_region) {
     all.push_back({"pivot_region",

@@ -39,6 +39,7 @@ class Explorer {
     const auto& asked = confined_.plain().solve.starts;
     const int most = asked.value_or(kMostStarts), round = asked.value_or(kRound);
     int done = 0;
+    add_known();
     while (done < most && !deadline_.reached()) {
       add_round(done, round, most);
       done += round;
@@ -64,14 +65,35 @@ class Explorer {
     work_.positions += starts.candidates * wanted_.samples.size();
     std::vector<FunctionFound> fresh;
     for (const FunctionStartPoint& start : starts.starts) {
-      const auto& links = start.generator.links;
-      fresh.push_back(
-          {.generator = start.generator,
-           .origin = start.origin,
-           .problem = &confined_.of(links),
-           .limited = crank_rotates(links) ? LimitedMotion::full_turn : LimitedMotion::sweep});
+      fresh.push_back(placed(start.generator, start.origin));
     }
-    fit(fresh, {0.5 * first / most, 0.5 * (first + count) / most});
+    add(std::move(fresh), {0.5 * first / most, 0.5 * (first + count) / most});
+  }
+
+  /// Designs that the run begins with.
+  void add_known() {
+    std::vector<FunctionFound> fresh;
+    for (const Design& design : run_.known) {
+      const FourBar& linkage = four_bar(design);
+      const Metrics& metrics = design.metrics;
+      fresh.push_back(placed({lengths(linkage), linkage.assembly, metrics.input_start.value_or(0),
+                              metrics.output_start.value_or(0)},
+                             StartOrigin::search));
+      fresh.back().hits = 0;  // no start of the search
+    }
+    if (!fresh.empty()) add(std::move(fresh), {0, 0});
+  }
+
+  FunctionFound placed(const FunctionGenerator& generator, StartOrigin origin) const {
+    const bool turns = crank_rotates(generator.links);
+    return {.generator = generator,
+            .origin = origin,
+            .problem = &confined_.of(generator.links),
+            .limited = turns ? LimitedMotion::full_turn : LimitedMotion::sweep};
+  }
+
+  void add(std::vector<FunctionFound> fresh, Range shares) {
+    fit(fresh, shares);
     count_work(fresh, wanted_.samples.size(), work_);
     std::ranges::move(fresh, std::back_inserter(pool_));
     sort_and_merge(pool_, kSameFit);

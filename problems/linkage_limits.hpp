@@ -56,6 +56,16 @@ struct Clearance {
   Box box;
 };
 
+/// What a bound on the error limits: the root mean square (over the weights of a path, too) of a
+/// distance or of an angle, or the largest angle of a minimax problem.
+enum class ErrorMeasure { rms_length, rms_angle, largest_angle };
+
+/// `constraints.rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`: lengths or radians.
+struct ErrorLimit {
+  ErrorMeasure of = ErrorMeasure::rms_length;
+  double max = 0;
+};
+
 /// `[constraints]` common to linkages. The transmission angle is the angle BCD in [0, π].
 struct Constraints {
   std::optional<RequiredClass> required_class;
@@ -72,6 +82,7 @@ struct Constraints {
   /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
   /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
   std::optional<std::array<Range, 4>> proportions;
+  std::optional<ErrorLimit> error;
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;
@@ -102,11 +113,15 @@ enum class SolverChoice {
   ipopt
 };
 
+/// `solve.objectives`: what of a design is to be best. See measures.hpp.
+enum class Measure { error, transmission_angle, link_ratio, size };
+
 /// `[solve]`.
 struct Solve {
   SolverChoice solver = SolverChoice::automatic;
-  std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
-  int designs = 3;            ///< how many different designs to return, 1…100
+  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;                  ///< how many different designs to return, 1…100
+  std::vector<Measure> objectives;  ///< empty: the error alone
   synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
   double loss_scale = 1;            ///< the error from which the loss differs: length or radians
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops

@@ -347,4 +347,22 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
   return design;
 }
 
+std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design) {
+  if (!design.mechanism.four_bar) return std::nullopt;
+  const FourBar& linkage = *design.mechanism.four_bar;
+  const auto fact =
+      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
+  if (!linkage.coupler_point || fact == design.metrics.facts.end()) return std::nullopt;
+  const double angle = std::get<double>(fact->value) * (std::numbers::pi / 180);
+  const Pose body_in_link{*linkage.coupler_point, angle};
+  const auto link = [&](const Vec2d& in_link, const Vec2d& fixed, double length) {
+    GuidingDyad dyad =
+        synthesis::rr_dyad(problem.poses, synthesis::to_body(body_in_link, in_link), fixed);
+    dyad.length = length;
+    return dyad;
+  };
+  return DyadPair{link({0, 0}, linkage.pivot_a, linkage.crank),
+                  link({linkage.coupler, 0}, linkage.pivot_d, linkage.rocker)};
+}
+
 }  // namespace cognate::problems

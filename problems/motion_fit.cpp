@@ -139,7 +139,7 @@ class MotionSearch {
         deadline_(deadline),
         work_(work) {}
 
-  void explore(std::optional<int> starts);
+  void explore(const std::vector<DyadPair>& known, std::optional<int> starts);
   void finish(Backend backend);
   MotionSearchResult take();
 
@@ -154,7 +154,9 @@ class MotionSearch {
   }
 
   Found explored(const MotionStart& start) const;
+  void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count, int most);
+  void add(std::vector<Found> fresh);
   std::size_t kept(std::size_t reserve) const {
     return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   }
@@ -200,20 +202,34 @@ void MotionSearch::count_work(const Solution& solution, std::size_t poses) {
   work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
 }
 
-void MotionSearch::explore(std::optional<int> starts) {
-  const MotionStarts source(coarse_, kept_poses_, run_.seed, deadline_);
+void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int> starts) {
+  add_known(known);
   const int most = starts.value_or(kMostStarts);
+  std::optional<MotionStarts> source;
+  if (most > 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
   int done = 0;
   while (done < most && !deadline_.reached()) {
     const int count = std::min(kRound, most - done);
-    add_round(source, done, count, most);
+    add_round(*source, done, count, most);
     done += count;
-    const bool known = !all_.empty() && all_.front().hits >= kEnoughHits;
-    if (!starts && done >= kFewestStarts && known) break;
+    const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
+    if (!starts && done >= kFewestStarts && enough) break;
   }
   const auto seen_once = std::ranges::count(all_, 1, &Found::hits);
   thoroughness_.starts = done;
   thoroughness_.unseen = done > 0 ? double(seen_once) / done : 1;
+}
+
+void MotionSearch::add_known(const std::vector<DyadPair>& known) {
+  std::vector<Found> fresh(known.size());
+  parallel_for(static_cast<int>(known.size()), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    const auto i = static_cast<std::size_t>(index);
+    fresh[i] = explored({known[i], "search"});
+    fresh[i].hits = 0;  // no start of the search
+    lower_best(fresh[i]);
+  });
+  add(std::move(fresh));
 }
 
 void MotionSearch::add_round(const MotionStarts& starts, int first, int count, int most) {
@@ -230,6 +246,10 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count, i
     if (thread == 0 && run_.progress) run_.progress(0.8 * (first + done) / most, best_);
   });
   work_.candidates += static_cast<std::uint64_t>(done);
+  add(std::move(fresh));
+}
+
+void MotionSearch::add(std::vector<Found> fresh) {
   for (const Found& found : fresh) count_work(found.minimum.solution, coarse_.poses.size());
   std::ranges::move(fresh, std::back_inserter(all_));
   sort_and_merge(all_, kSameFit);
@@ -306,11 +326,11 @@ MotionSearchResult MotionSearch::take() {
 
 }  // namespace
 
-MotionSearchResult search_motions(const MotionProblem& scaled, std::optional<int> starts,
-                                  Backend backend, double tolerance, const Run& run,
-                                  const Deadline& deadline, Work& work) {
+MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
+                                  std::optional<int> starts, Backend backend, double tolerance,
+                                  const Run& run, const Deadline& deadline, Work& work) {
   MotionSearch search(scaled, tolerance, run, deadline, work);
-  search.explore(starts);
+  search.explore(known, starts);
   search.finish(backend);
   return search.take();
 }

@@ -26,12 +26,14 @@ struct MotionSearchResult {
   SearchThoroughness thoroughness;
 };
 
-/// Minima of a scaled problem; equal for any number of threads. Starts, `starts` of them or until
-/// more promise nothing new, are explored with few iterations of Gauss–Newton, of long lists of
-/// poses over a part of them; the best different ones are brought to convergence, and the best of
-/// these finished by `backend` where it is another. Counts what was done in `work`.
-MotionSearchResult search_motions(const MotionProblem& scaled, std::optional<int> starts,
-                                  synthesis::Backend backend, double tolerance, const Run& run,
-                                  const Deadline& deadline, Work& work);
+/// Minima of a scaled problem; equal for any number of threads. Starts, beside the `known`
+/// pairs `starts` of them or until more promise nothing new, are explored with few iterations of
+/// Gauss–Newton, of long lists of poses over a part of them; the best different ones are brought to
+/// convergence, and the best of these finished by `backend` where it is another. Counts what was
+/// done in `work`.
+MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
+                                  std::optional<int> starts, synthesis::Backend backend,
+                                  double tolerance, const Run& run, const Deadline& deadline,
+                                  Work& work);
 
 }  // namespace cognate::problems

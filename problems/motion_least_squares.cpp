@@ -9,9 +9,11 @@
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
+#include "problems/error_limit.hpp"
 #include "problems/motion_dyads.hpp"
 #include "problems/motion_fit.hpp"
 #include "problems/motion_scale.hpp"
+#include "problems/objectives.hpp"
 #include "problems/verify.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
@@ -100,6 +102,7 @@ class Designs {
                                      const std::string& origin) const {
     auto design = nearest_design(problem_, pair, reached, origin);
     if (!design || !std::isfinite(design->error.sum_of_squares)) return std::nullopt;
+    check_error(problem_, *design);
     const double amount = violation(design->constraints);
     return Candidate{pair, std::move(*design), amount};
   }
@@ -135,7 +138,11 @@ SearchThoroughness add_designs(const MotionProblem& problem, std::optional<int> 
   const MotionProblem scaled = scale.into(problem);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   const double tolerance = problem.solve.tolerance.value_or(kDefaultTolerance);
-  const auto found = search_motions(scaled, starts, solver, tolerance, run, deadline, work);
+  std::vector<DyadPair> known;
+  for (const Design& design : run.known) {
+    if (const auto pair = pair_of(problem, design)) known.push_back(scale.into(*pair));
+  }
+  const auto found = search_motions(scaled, known, starts, solver, tolerance, run, deadline, work);
   for (const MotionMinimum& minimum : found.minima) {
     const MotionModel model(scaled, minimum.form);
     std::vector<Pose> reached = model.reached(minimum.solution.x);
@@ -201,7 +208,9 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
 
 Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
   const Deadline deadline(run);
-  Result result = search(problem, run, deadline);
+  Result result = solve_objectives(
+      problem, run, deadline,
+      [&](const MotionProblem& one, const Run& own) { return search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;
   const auto solve_once = [&](const MotionProblem& other) {

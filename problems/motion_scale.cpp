@@ -58,6 +58,19 @@ MotionProblem MotionScale::into(MotionProblem problem) const {
   return problem;
 }
 
+GuidingDyad MotionScale::into(const GuidingDyad& dyad) const {
+  GuidingDyad moved = dyad;
+  moved.in_body = (1 / size()) * dyad.in_body;
+  moved.moving = similarity_.point(dyad.moving);
+  moved.fixed = similarity_.point(dyad.fixed);
+  moved.length = dyad.length / size();
+  return moved;
+}
+
+DyadPair MotionScale::into(const DyadPair& pair) const {
+  return {into(pair.first), into(pair.second)};
+}
+
 Pose MotionScale::out_of(const Pose& pose) const {
   return {similarity_.point_back(pose.at), pose.angle};
 }

@@ -58,6 +58,14 @@ constexpr Named<PointSpacing> kPointSpacings[] = {{"chebyshev", PointSpacing::ch
                                                   {"equal-peaks", PointSpacing::equal_peaks}};
 constexpr Named<BestBy> kBestBy[] = {{"error", BestBy::error},
                                      {"transmission", BestBy::transmission}};
+constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
+                                        {"transmission_angle", Measure::transmission_angle},
+                                        {"link_ratio", Measure::link_ratio},
+                                        {"size", Measure::size}};
+constexpr Named<ErrorMeasure> kErrorMeasures[] = {
+    {"rms_error_max", ErrorMeasure::rms_length},
+    {"rms_error_deg_max", ErrorMeasure::rms_angle},
+    {"max_error_deg_max", ErrorMeasure::largest_angle}};
 constexpr Named<MechanismType> kMechanismTypes[] = {
     {"four-bar", MechanismType::four_bar},
     {"slider-crank", MechanismType::slider_crank},
@@ -182,6 +190,16 @@ std::span<const Named<PointSpacing>> names<PointSpacing>() {
 template <>
 std::span<const Named<BestBy>> names<BestBy>() {
   return kBestBy;
+}
+
+template <>
+std::span<const Named<Measure>> names<Measure>() {
+  return kMeasures;
+}
+
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>() {
+  return kErrorMeasures;
 }
 
 template <>

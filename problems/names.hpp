@@ -60,6 +60,10 @@ std::span<const Named<BestBy>> names<BestBy>();
 template <>
 std::span<const Named<PointSpacing>> names<PointSpacing>();
 template <>
+std::span<const Named<Measure>> names<Measure>();
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>();
+template <>
 std::span<const Named<MechanismType>> names<MechanismType>();
 template <>
 std::span<const Named<QuickReturnType>> names<QuickReturnType>();

@@ -118,6 +118,7 @@ class Explorer {
   std::vector<PathFound> take(SearchThoroughness& thoroughness) {
     const int most = exploration_.starts.value_or(kMostStarts);
     int done = 0;
+    add_known();
     while (done < most && !deadline_.reached()) {
       const int count = std::min(kRound, most - done);
       add_round(done, count, most);
@@ -162,6 +163,19 @@ class Explorer {
       fresh.back().hits = 0;  // no start of the search
     }
     add(std::move(fresh));
+  }
+
+  /// Designs that the run begins with, by either sense of increments.
+  void add_known() {
+    std::vector<PathFound> fresh;
+    for (const Design& design : exploration_.run.known) {
+      for (const bool clockwise : {false, true}) {
+        if (clockwise && problem_.timing == Timing::free) continue;
+        fresh.push_back(placed(problem_, {four_bar(design), design.crank_angles, clockwise}));
+        fresh.back().hits = 0;
+      }
+    }
+    if (!fresh.empty()) add(std::move(fresh));
   }
 
   void add(std::vector<PathFound> fresh) {

@@ -11,6 +11,8 @@
 #include "problems/crank_sense.hpp"
 #include "problems/curve_following.hpp"
 #include "problems/degrees.hpp"
+#include "problems/error_limit.hpp"
+#include "problems/objectives.hpp"
 #include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
@@ -127,6 +129,7 @@ class Designs {
     if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {
       design.constraints.push_back(check_sense(problem_.crank_sense, crank_angles));
     }
+    check_error(problem_, design);
     design.origin = origin_;
     return design;
   }
@@ -165,8 +168,12 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   const PathProblem scaled = scale.into(searched);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   Result result;
+  Run scaled_run = run;
+  for (Design& design : scaled_run.known) {
+    design.mechanism.four_bar = scale.into(four_bar(design));
+  }
   const PathSearchResult found =
-      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), run,
+      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,
                    deadline, result.work);
   const bool ended_early = deadline.reached();
   Designs designs(problem, scale.size);
@@ -200,7 +207,9 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
 Result solve(const PathProblem& problem, const Run& run) {
   if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
   const Deadline deadline(run);
-  Result result = solve_by_search(problem, run, deadline);
+  Result result = solve_objectives(
+      problem, run, deadline,
+      [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;
   tell_conflict(

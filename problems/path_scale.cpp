@@ -38,6 +38,18 @@ PathProblem PathScale::into(PathProblem problem) const {
   return problem;
 }
 
+FourBar PathScale::into(const FourBar& linkage) const {
+  const Similarity similarity{centre, size};
+  FourBar moved = linkage;
+  moved.pivot_a = similarity.point(linkage.pivot_a);
+  moved.pivot_d = similarity.point(linkage.pivot_d);
+  moved.crank /= size;
+  moved.coupler /= size;
+  moved.rocker /= size;
+  if (moved.coupler_point) moved.coupler_point = (1 / size) * *linkage.coupler_point;
+  return moved;
+}
+
 FourBar PathScale::out_of(const FourBar& linkage) const {
   FourBar moved = linkage;
   moved.pivot_a = centre + size * linkage.pivot_a;

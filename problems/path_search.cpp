@@ -99,7 +99,9 @@ void PathSearch::lower_best(const PathFound& found) {
 }
 
 void PathSearch::explore() {
-  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(kDeepened), run_}, deadline_,
+  Run run = run_;
+  for (Design& design : run.known) design.crank_angles = thinning_.kept(design.crank_angles);
+  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(kDeepened), run}, deadline_,
                        work_, thoroughness_);
   for (const PathFound& found : all_) lower_best(found);
 }

@@ -51,6 +51,10 @@ PathThinning::PathThinning(const PathProblem& problem)
   coarse_.weights = pick(problem.weights, kept_);
 }
 
+std::vector<double> PathThinning::kept(const std::vector<double>& crank_angles) const {
+  return pick(crank_angles, kept_);
+}
+
 std::vector<double> PathThinning::interpolated(std::span<const double> crank_angles) const {
   std::vector<double> all(whole_size_);
   all[kept_.front()] = crank_angles.front();

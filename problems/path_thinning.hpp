@@ -18,6 +18,9 @@ class PathThinning {
   const PathProblem& coarse() const { return coarse_; }
   bool is_whole() const { return kept_.size() == whole_size_; }
 
+  /// Those of the kept points out of crank angles at all points.
+  std::vector<double> kept(const std::vector<double>& crank_angles) const;
+
   /// Crank angles at all points from those at the kept ones, linear in between.
   std::vector<double> interpolated(std::span<const double> crank_angles) const;
 

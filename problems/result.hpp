@@ -129,6 +129,9 @@ struct Run {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   const std::atomic<bool>* interrupted = nullptr;
+  /// Designs that a search by optimisation begins with besides its own starts; with solve.starts =
+  /// 0, which no file can ask for, instead of them.
+  std::vector<Design> known{};
   std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
   /// Called now and then from one thread with the share done (0…1) and the best error so far.
   std::function<void(double share, double best)> progress;

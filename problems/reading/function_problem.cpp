@@ -4,10 +4,12 @@
 
 #include <utility>
 
+#include "problems/error_limit.hpp"
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/function_goal.hpp"
 #include "problems/reading/function_target.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -255,6 +257,16 @@ FunctionProblem read_function_problem(TableReader& document) {
                        : "is true, but only designs of least squares can be certified; "
                          "objective = \"least-squares\" is wanted",
                    problem.solve);
+
+  const bool exact = problem.objective == FunctionObjective::exact;
+  read_objectives(constraints, solve,
+                  {.error = error_measure(problem),
+                   .exact = exact ? "is given with precision points, at which the error is 0; "
+                                      "leave it out"
+                                    : "",
+                   .has_sizes = false,
+                   .needs_full_turn = false},
+                  problem.constraints, problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

@@ -7,6 +7,7 @@
 
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/quantity_rules.hpp"
 
@@ -312,6 +313,17 @@ MotionProblem read_motion_problem(TableReader& document) {
   problem.designs_given = solve.has("designs");
   problem.solve = read_solve(solve, problem.constraints, false);
   check_solver(solve, problem);
+  const bool exact = problem.method == MotionMethod::exact;
+  const bool four_bars = problem.dyads == std::vector{DyadKind::rr};
+  read_objectives(constraints, solve,
+                  {.error = ErrorMeasure::rms_length,
+                   .exact = exact ? "is given, but the poses are met exactly; it goes with method "
+                                    "= \"least-squares\""
+                                  : "",
+                   .refusal = four_bars ? ""
+                                        : "has a measure of four-bars alone; mechanism.dyads = "
+                                          "[\"RR\"] is wanted besides"},
+                  problem.constraints, problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

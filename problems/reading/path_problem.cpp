@@ -11,6 +11,7 @@
 #include "problems/names.hpp"
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/path_curve.hpp"
 #include "problems/reading/path_exact.hpp"
 #include "problems/reading/turn_tables.hpp"
@@ -238,6 +239,12 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);
+  read_objectives(constraints, solve,
+                  {.error = ErrorMeasure::rms_length,
+                   .exact = exact ? "is given with method = \"exact\", whose designs meet the "
+                                    "points; leave it out"
+                                  : ""},
+                  problem.constraints, problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);
