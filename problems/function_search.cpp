@@ -162,11 +162,13 @@ void Search::refine_all(std::vector<Refined>& all, Objective objective, Backend 
   });
 }
 
-/// Brings all starts near their minima: in SIMD lanes, unless start angles follow from the lengths
-/// or errors count by a loss. Those of one problem are fitted together.
+/// Brings all starts near their minima: in SIMD lanes, unless start angles follow from the lengths,
+/// errors count by a loss or something is limited over the full turn. Those of one problem are
+/// fitted together.
 void Search::explore(std::vector<Refined>& all) const {
   const bool plain = confined_.plain.solve.loss == synthesis::Loss::none;
-  if (!plain || confined_.plain.start != FunctionStart::free) {
+  const bool limited = limits_turn(confined_.plain.constraints);
+  if (!plain || limited || confined_.plain.start != FunctionStart::free) {
     refine_all(all, Objective::sum_of_squares, Backend::gauss_newton, kSearchIterations,
                {0.1, 0.5});
     return;
