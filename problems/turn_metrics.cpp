@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
@@ -16,10 +16,34 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// The least value of `function` between two arguments that enclose one minimum, by the golden
+/// section: at a kink as sharp as where it is smooth.
+template <class Function>
+double least_between(const Function& function, double from, double to) {
+  constexpr int kSteps = 64;
+  constexpr double kGolden = 1 / std::numbers::phi;
+  double low = to - kGolden * (to - from), high = from + kGolden * (to - from);
+  double at_low = function(low), at_high = function(high);
+  for (int step = 0; step < kSteps; ++step) {
+    if (at_low < at_high) {
+      to = std::exchange(high, low);
+      at_high = at_low;
+      low = to - kGolden * (to - from);
+      at_low = function(low);
+    } else {
+      from = std::exchange(low, high);
+      at_low = at_high;
+      high = from + kGolden * (to - from);
+      at_high = function(high);
+    }
+  }
+  return std::isfinite(at_low) && std::isfinite(at_high) ? std::min(at_low, at_high) : -kInfinity;
+}
+
 /// The least value of `function` over a turn; −∞ where it has none at some angle.
 template <class Function>
 double least_over_turn(const Function& function) {
-  constexpr int kAngles = 720, kBits = 30;
+  constexpr int kAngles = 720;
   constexpr double kStep = 2 * std::numbers::pi / kAngles;
   std::array<double, kAngles> values{};
   for (int k = 0; k < kAngles; ++k) {
@@ -32,10 +56,8 @@ double least_over_turn(const Function& function) {
   double least = kInfinity;
   for (int k = 0; k < kAngles; ++k) {
     if (value(k) > value(k - 1) || value(k) > value(k + 1)) continue;
-    const auto refined =
-        boost::math::tools::brent_find_minima(function, kStep * (k - 1), kStep * (k + 1), kBits);
-    if (!std::isfinite(refined.second)) return -kInfinity;
-    least = std::min({least, value(k), refined.second});
+    const double refined = least_between(function, kStep * (k - 1), kStep * (k + 1));
+    least = std::min({least, value(k), refined});
   }
   return least;
 }
