@@ -24,6 +24,8 @@ using synthesis::Pose;
 
 /// Every problem of the library and of the tests is solved from each of 100 seeds with fewer.
 constexpr int kDefaultStarts = 400;
+/// With limits over the turn, of whose minima half as many starts were seen to miss the best.
+constexpr int kLimitedStarts = 1600;
 constexpr double kDefaultTolerance = 1e-13;
 /// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
 constexpr double kSameWithin = 1e-3;
@@ -170,7 +172,8 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
   Result result;
   Designs designs(problem, MotionScale(problem).size());
   const auto drives = drives_of(problem);
-  const int starts = problem.solve.starts.value_or(kDefaultStarts);
+  const int starts = problem.solve.starts.value_or(
+      limits_turn(problem.constraints) ? kLimitedStarts : kDefaultStarts);
   for (const MotionProblem& drive : drives) {
     const int share =
         (starts + static_cast<int>(drives.size()) - 1) / static_cast<int>(drives.size());

@@ -40,14 +40,17 @@ double least_between(const Function& function, double from, double to) {
   return std::isfinite(at_low) && std::isfinite(at_high) ? std::min(at_low, at_high) : -kInfinity;
 }
 
-/// The least value of `function` over a turn; −∞ where it has none at some angle.
+/// The least value of `function` over a turn of the crank; −∞ where it has none at some angle. The
+/// table begins where the crank points along the frame: near a change point accelerations and
+/// torques have peaks there that are too narrow to be met by chance.
 template <class Function>
-double least_over_turn(const Function& function) {
+double least_over_turn(const FourBar& linkage, const Function& function) {
   constexpr int kAngles = 720;
   constexpr double kStep = 2 * std::numbers::pi / kAngles;
+  const double begin = frame_angle(linkage);
   std::array<double, kAngles> values{};
   for (int k = 0; k < kAngles; ++k) {
-    values.at(static_cast<std::size_t>(k)) = function(kStep * k);
+    values.at(static_cast<std::size_t>(k)) = function(begin + kStep * k);
     if (!std::isfinite(values.at(static_cast<std::size_t>(k)))) return -kInfinity;
   }
   const auto value = [&](int k) {
@@ -56,7 +59,8 @@ double least_over_turn(const Function& function) {
   double least = kInfinity;
   for (int k = 0; k < kAngles; ++k) {
     if (value(k) > value(k - 1) || value(k) > value(k + 1)) continue;
-    const double refined = least_between(function, kStep * (k - 1), kStep * (k + 1));
+    const double refined =
+        least_between(function, begin + kStep * (k - 1), begin + kStep * (k + 1));
     least = std::min({least, value(k), refined});
   }
   return least;
@@ -127,7 +131,7 @@ class TorqueOfLinkage {
 double clearance_distance(const FourBar& linkage, const Clearance& clearance) {
   MechanismMotion<0> motion(as_mechanism(linkage));
   const Attached<double> point = attached(linkage, clearance.point);
-  return least_over_turn([&](double angle) {
+  return least_over_turn(linkage, [&](double angle) {
     if (!motion.move_to(angle)) return -kInfinity;
     const double inside = distance_inside(clearance.box, motion.point(point)[0]);
     return clearance.inside ? inside : -inside;
@@ -137,7 +141,7 @@ double clearance_distance(const FourBar& linkage, const Clearance& clearance) {
 double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double speed) {
   MechanismMotion<2> motion(as_mechanism(linkage));
   const Attached<double> point = attached(linkage, MovingPoint::coupler_point);
-  const double least = least_over_turn([&](double angle) {
+  const double least = least_over_turn(linkage, [&](double angle) {
     if (!motion.move_to(angle)) return -kInfinity;
     return accelerated == Accelerated::rocker ? -std::abs(motion.bodies()[3].turn[1])
                                               : -norm(motion.point(point)[2]);
@@ -147,8 +151,8 @@ double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double
 
 double torque_ripple(const FourBar& linkage, const Operation& operation) {
   TorqueOfLinkage torque(linkage, operation);
-  const double least = least_over_turn([&](double angle) { return torque.at(angle); });
-  const double most = -least_over_turn([&](double angle) { return -torque.at(angle); });
+  const double least = least_over_turn(linkage, [&](double angle) { return torque.at(angle); });
+  const double most = -least_over_turn(linkage, [&](double angle) { return -torque.at(angle); });
   return most - least;
 }
 
