@@ -142,7 +142,10 @@ Relaxation of_clearance(std::size_t index) {
           },
           [index](const Limits& limits) {
             const Clearance& clearance = limits.constraints.clearances.at(index);
-            return (clearance.inside ? "inside " : "outside ") + text(clearance.box);
+            if (clearance.inside) return "inside " + text(clearance.box);
+            // Rounded as others are it would grow: it is told in full.
+            const auto& [min, max] = clearance.box;
+            return fmt::format("outside [[{}, {}], [{}, {}]]", min.x, min.y, max.x, max.y);
           }};
 }
 

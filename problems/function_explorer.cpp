@@ -100,11 +100,13 @@ class Explorer {
     if (pool_.size() > kept_) pool_.resize(kept_);
   }
 
-  /// In SIMD lanes, unless start angles follow from the lengths or errors count by a loss. Those of
-  /// one problem are fitted together.
+  /// In SIMD lanes, unless start angles follow from the lengths, errors count by a loss or
+  /// something is limited over the full turn. Those of one problem are fitted together.
   void fit(std::vector<FunctionFound>& all, Range shares) const {
-    const bool plain = confined_.plain().solve.loss == synthesis::Loss::none;
-    if (!plain || confined_.plain().start != FunctionStart::free) {
+    const FunctionProblem& problem = confined_.plain();
+    const bool plain = problem.solve.loss == synthesis::Loss::none;
+    const bool limited = limits_turn(problem.constraints);
+    if (!plain || limited || problem.start != FunctionStart::free) {
       refiner_.refine_all(all, wanted_, Objective::sum_of_squares, Backend::gauss_newton,
                           kIterations, shares);
       return;

@@ -12,6 +12,7 @@
 #include "problems/degrees.hpp"
 #include "problems/mechanism_metrics.hpp"
 #include "problems/names.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -276,6 +277,7 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
   Metrics metrics;
   if (const auto* linkage = std::get_if<FourBar>(&guided.type)) {
     metrics = metrics_of(guided, nullptr);
+    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, metrics);
     checks = check_constraints(problem.constraints, problem.bounds, Given{}, *linkage, metrics);
   } else {
     const NamedMechanism mechanism = named_mechanism(guided);
@@ -300,6 +302,9 @@ std::optional<Design> plain_design(const MotionProblem& problem, const DyadPair&
   design.mechanism = named_mechanism(guided);
   design.metrics = metrics_of(guided, &design.mechanism);
   if (!is_number(design.metrics)) return std::nullopt;
+  if (const auto& linkage = design.mechanism.four_bar) {
+    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, design.metrics);
+  }
   design.constraints =
       check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
   add_moving_bounds(problem, pair, design.constraints);

@@ -262,8 +262,8 @@ void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double>
   const std::size_t n = free_.size();
   const Vec2d turn = unit(v[angle]), anchor{v[anchor_x], v[anchor_y]};
   const Vec2d pivot_a = anchor_is_d_ ? anchor - v[frame] * turn : anchor;
-  std::vector<TurnSlopes> all(jacobian.empty() ? 0
-                                               : static_cast<std::size_t>(turn_limits_.count()));
+  std::vector<LimitSlopes> all(jacobian.empty() ? 0
+                                                : static_cast<std::size_t>(turn_limits_.count()));
   turn_limits_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]},
                          {v[point_u], v[point_v]},
                          pivot_a,

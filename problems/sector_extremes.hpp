@@ -18,7 +18,7 @@ namespace cognate::problems {
 /// The least value in a sector; infinite where the linkage does not close in it.
 struct SectorExtreme {
   double value = std::numeric_limits<double>::infinity();
-  TurnSlopes slopes{};
+  LimitSlopes slopes{};
 };
 using SectorExtremes = std::array<SectorExtreme, TurnLimits::kSectors>;
 
@@ -49,7 +49,10 @@ class TurnTable {
   static constexpr int kAngles = kPerSector * TurnLimits::kSectors;
   static constexpr int kDimensions = 9;
   using OneJet = ceres::Jet<double, 1>;
-  using FullJet = ceres::Jet<double, kDimensions + 1>;  ///< by the dimensions and the crank's angle
+  using FullJet = ceres::Jet<double, kDimensions>;
+
+  /// A slope so small beside others counts for nothing.
+  static constexpr double kFlat = 1e-11;
 
   struct Sample {
     TurnState<double> state;
@@ -68,61 +71,57 @@ class TurnTable {
     return (1 / std::sqrt(1 + offset * offset)) * half;
   }
 
-  /// The direction as a function of the crank's angle, dual part `slot`.
-  template <class Jet>
-  static CrankDirection<Jet> turning(const Vec2d& half, int slot) {
+  /// The direction as a function of the crank's angle.
+  static CrankDirection<OneJet> turning(const Vec2d& half) {
     const CrankDirection<double> plain = crank_direction(half);
-    CrankDirection<Jet> out{Jet(plain.cos, slot), Jet(plain.sin, slot), Jet(plain.versine, slot),
-                            plain.side};
-    out.cos.v[slot] = -plain.sin;
-    out.sin.v[slot] = plain.cos;
-    out.versine.v[slot] = plain.side * plain.sin;
+    CrankDirection<OneJet> out{OneJet(plain.cos), OneJet(plain.sin), OneJet(plain.versine),
+                               plain.side};
+    out.cos.v[0] = -plain.sin;
+    out.sin.v[0] = plain.cos;
+    out.versine.v[0] = plain.side * plain.sin;
     return out;
   }
 
   template <class Quantity>
   Sloping sloping(const Quantity& quantity, int k, double offset) const {
-    const auto state = turn_state(one_.links, one_closure_,
-                                  turning<OneJet>(half_direction(k, offset), 0), assembly_);
+    const auto state =
+        turn_state(one_.links, one_closure_, turning(half_direction(k, offset)), assembly_);
     const OneJet value = quantity(one_, state);
     return {offset, value.a, value.v[0]};
   }
 
   /// Narrows [left, right], where the slope changes its sign from − to +, by false position
-  /// (Illinois), at a kink no worse than by halving.
+  /// (Illinois), and by halving where that creeps, as at a kink.
   template <class Quantity>
   void narrow(const Quantity& quantity, int k, Sloping& left, Sloping& right) const {
     constexpr int kMostSteps = 60;
-    constexpr double kFlat = 1e-13, kClose = 1e-16;
+    constexpr double kClose = 1e-16;
     const double flat = kFlat * std::max(-left.slope, right.slope);
     double weight_left = -left.slope, weight_right = right.slope;
     int last = 0;
+    bool creeps = false;
     for (int step = 0; step < kMostSteps; ++step) {
       const double width = right.offset - left.offset;
       if (-left.slope <= flat || right.slope <= flat || width <= kClose) return;
-      // At a kink the secant may creep; every third step halves.
-      const double share = step % 3 == 2 ? 0.5 : weight_left / (weight_left + weight_right);
+      const double share = creeps ? 0.5 : weight_left / (weight_left + weight_right);
       const Sloping middle = sloping(quantity, k, left.offset + share * width);
       if (!std::isfinite(middle.slope)) return;
-      if (middle.slope < 0) {
-        left = middle;
-        weight_left = -middle.slope;
-        if (last < 0) weight_right /= 2;
-        last = -1;
-      } else {
-        right = middle;
-        weight_right = middle.slope;
-        if (last > 0) weight_left /= 2;
-        last = 1;
-      }
+      const int side = middle.slope < 0 ? -1 : 1;
+      Sloping& moved = side < 0 ? left : right;
+      creeps = !creeps && std::abs(middle.slope) > 0.5 * std::abs(moved.slope);
+      moved = middle;
+      (side < 0 ? weight_left : weight_right) = std::abs(middle.slope);
+      if (side == last) (side < 0 ? weight_right : weight_left) /= 2;
+      last = side;
     }
   }
 
   template <class Quantity>
   FullJet full(const Quantity& quantity, int k, double offset) const {
-    const auto state =
-        turn_state(full_.links, full_closure_,
-                   turning<FullJet>(half_direction(k, offset), kDimensions), assembly_);
+    const CrankDirection<double> plain = crank_direction(half_direction(k, offset));
+    const CrankDirection<FullJet> direction{FullJet(plain.cos), FullJet(plain.sin),
+                                            FullJet(plain.versine), plain.side};
+    const auto state = turn_state(full_.links, full_closure_, direction, assembly_);
     return quantity(full_, state);
   }
 
@@ -134,14 +133,15 @@ class TurnTable {
                         bool with_slopes) const {
     SectorExtreme found{std::min(left.value, right.value), {}};
     if (!with_slopes) return found;
-    const FullJet first = full(quantity, k, left.offset);
-    const bool single = left.offset == right.offset;
-    const FullJet second = single ? first : full(quantity, k, right.offset);
     const double rise = right.slope - left.slope;
-    const double share = single || !(rise > 0) ? 1 : right.slope / rise;
-    for (int i = 0; i < kDimensions; ++i) {
-      found.slopes.at(at(i)) = share * first.v[i] + (1 - share) * second.v[i];
-    }
+    const double share = rise > 0 ? right.slope / rise : 1;  // of the left end
+    const auto add = [&](double part, double offset) {
+      if (part <= kFlat) return;
+      const FullJet jet = full(quantity, k, offset);
+      for (int i = 0; i < kDimensions; ++i) found.slopes.at(at(i)) += part * jet.v[i];
+    };
+    add(share, left.offset);
+    add(1 - share, right.offset);
     return found;
   }
 

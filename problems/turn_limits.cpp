@@ -78,7 +78,8 @@ struct Torque {
 /// Writes rows one after the other.
 class Rows {
  public:
-  Rows(std::span<double> values, std::span<TurnSlopes> slopes) : values_(values), slopes_(slopes) {}
+  Rows(std::span<double> values, std::span<LimitSlopes> slopes)
+      : values_(values), slopes_(slopes) {}
 
   bool with_slopes() const { return !slopes_.empty(); }
 
@@ -94,13 +95,13 @@ class Rows {
   }
 
   /// What is left of 1 by `r`, whose slopes are `sign` times those given; infinite: not known.
-  void add_share(double r, double sign, const TurnSlopes& slopes) {
+  void add_share(double r, double sign, const LimitSlopes& slopes) {
     if (!std::isfinite(r)) return add(1, 0, {});
     add((r < 1 ? 1 - r : -std::log(r)) - kMargin, r < 1 ? -sign : -sign / r, slopes);
   }
 
  private:
-  void add(double value, double factor, const TurnSlopes& slopes) {
+  void add(double value, double factor, const LimitSlopes& slopes) {
     values_[row_] = value;
     if (with_slopes()) {
       for (std::size_t i = 0; i < slopes.size(); ++i) slopes_[row_][i] = factor * slopes[i];
@@ -109,7 +110,7 @@ class Rows {
   }
 
   std::span<double> values_;
-  std::span<TurnSlopes> slopes_;
+  std::span<LimitSlopes> slopes_;
   std::size_t row_ = 0;
 };
 
@@ -146,7 +147,7 @@ TurnLimits::TurnLimits(const Constraints& constraints, Accelerated accelerated)
 }
 
 void TurnLimits::evaluate(const TurnDimensions& at, std::span<double> values,
-                          std::span<TurnSlopes> slopes) const {
+                          std::span<LimitSlopes> slopes) const {
   if (count_ == 0) return;
   const TurnTable table(at);
   Rows rows(values, slopes);
@@ -168,7 +169,7 @@ void TurnLimits::evaluate(const TurnDimensions& at, std::span<double> values,
     const SectorExtremes most = table.least(Torque{operation_, -share}, sloped);
     for (const SectorExtreme& high : most) {
       for (const SectorExtreme& low : least) {
-        TurnSlopes by;
+        LimitSlopes by;
         for (std::size_t i = 0; i < by.size(); ++i) by[i] = high.slopes[i] + low.slopes[i];
         rows.add_share(-high.value - low.value, -1, by);
       }

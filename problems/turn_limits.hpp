@@ -17,12 +17,12 @@ enum class Accelerated { coupler_point, rocker };
 /// coupler point u, v, pivot A x, y, and the angle of the frame.
 struct TurnDimensions {
   Lengths<double> links;
-  Vec2d coupler_point;
-  Vec2d pivot_a;
+  Vec2d coupler_point{};
+  Vec2d pivot_a{};
   double frame_angle = 0;
   Assembly assembly = Assembly::open;
 };
-using TurnSlopes = std::array<double, 9>;
+using LimitSlopes = std::array<double, 9>;
 
 /// The turn is divided into sectors of the crank's angle from the frame, and each quantity has one
 /// row for its extreme in each of them: rows that stay continuous and, but where two extremes
@@ -45,7 +45,7 @@ class TurnLimits {
 
   /// Values (size count) and, unless `slopes` is empty, derivatives by the dimensions.
   void evaluate(const TurnDimensions& at, std::span<double> values,
-                std::span<TurnSlopes> slopes) const;
+                std::span<LimitSlopes> slopes) const;
 
  private:
   std::vector<Clearance> clearances_;

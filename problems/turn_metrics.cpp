@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
@@ -16,14 +16,41 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The least value of `function` over a turn; −∞ where it has none at some angle.
+/// The least value of `function` between two arguments that enclose one minimum, by the golden
+/// section: at a kink as sharp as where it is smooth.
 template <class Function>
-double least_over_turn(const Function& function) {
-  constexpr int kAngles = 720, kBits = 30;
+double least_between(const Function& function, double from, double to) {
+  constexpr int kSteps = 64;
+  constexpr double kGolden = 1 / std::numbers::phi;
+  double low = to - kGolden * (to - from), high = from + kGolden * (to - from);
+  double at_low = function(low), at_high = function(high);
+  for (int step = 0; step < kSteps; ++step) {
+    if (at_low < at_high) {
+      to = std::exchange(high, low);
+      at_high = at_low;
+      low = to - kGolden * (to - from);
+      at_low = function(low);
+    } else {
+      from = std::exchange(low, high);
+      at_low = at_high;
+      high = from + kGolden * (to - from);
+      at_high = function(high);
+    }
+  }
+  return std::isfinite(at_low) && std::isfinite(at_high) ? std::min(at_low, at_high) : -kInfinity;
+}
+
+/// The least value of `function` over a turn of the crank; −∞ where it has none at some angle. The
+/// table begins where the crank points along the frame: near a change point accelerations and
+/// torques have peaks there that are too narrow to be met by chance.
+template <class Function>
+double least_over_turn(const FourBar& linkage, const Function& function) {
+  constexpr int kAngles = 720;
   constexpr double kStep = 2 * std::numbers::pi / kAngles;
+  const double begin = frame_angle(linkage);
   std::array<double, kAngles> values{};
   for (int k = 0; k < kAngles; ++k) {
-    values.at(static_cast<std::size_t>(k)) = function(kStep * k);
+    values.at(static_cast<std::size_t>(k)) = function(begin + kStep * k);
     if (!std::isfinite(values.at(static_cast<std::size_t>(k)))) return -kInfinity;
   }
   const auto value = [&](int k) {
@@ -32,10 +59,9 @@ double least_over_turn(const Function& function) {
   double least = kInfinity;
   for (int k = 0; k < kAngles; ++k) {
     if (value(k) > value(k - 1) || value(k) > value(k + 1)) continue;
-    const auto refined =
-        boost::math::tools::brent_find_minima(function, kStep * (k - 1), kStep * (k + 1), kBits);
-    if (!std::isfinite(refined.second)) return -kInfinity;
-    least = std::min({least, value(k), refined.second});
+    const double refined =
+        least_between(function, begin + kStep * (k - 1), begin + kStep * (k + 1));
+    least = std::min({least, value(k), refined});
   }
   return least;
 }
@@ -105,7 +131,7 @@ class TorqueOfLinkage {
 double clearance_distance(const FourBar& linkage, const Clearance& clearance) {
   MechanismMotion<0> motion(as_mechanism(linkage));
   const Attached<double> point = attached(linkage, clearance.point);
-  return least_over_turn([&](double angle) {
+  return least_over_turn(linkage, [&](double angle) {
     if (!motion.move_to(angle)) return -kInfinity;
     const double inside = distance_inside(clearance.box, motion.point(point)[0]);
     return clearance.inside ? inside : -inside;
@@ -115,7 +141,7 @@ double clearance_distance(const FourBar& linkage, const Clearance& clearance) {
 double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double speed) {
   MechanismMotion<2> motion(as_mechanism(linkage));
   const Attached<double> point = attached(linkage, MovingPoint::coupler_point);
-  const double least = least_over_turn([&](double angle) {
+  const double least = least_over_turn(linkage, [&](double angle) {
     if (!motion.move_to(angle)) return -kInfinity;
     return accelerated == Accelerated::rocker ? -std::abs(motion.bodies()[3].turn[1])
                                               : -norm(motion.point(point)[2]);
@@ -125,8 +151,8 @@ double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double
 
 double torque_ripple(const FourBar& linkage, const Operation& operation) {
   TorqueOfLinkage torque(linkage, operation);
-  const double least = least_over_turn([&](double angle) { return torque.at(angle); });
-  const double most = -least_over_turn([&](double angle) { return -torque.at(angle); });
+  const double least = least_over_turn(linkage, [&](double angle) { return torque.at(angle); });
+  const double most = -least_over_turn(linkage, [&](double angle) { return -torque.at(angle); });
   return most - least;
 }
 

@@ -179,10 +179,7 @@ std::string_view certificate_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
     return "is true with method = \"exact\", whose designs meet the points; leave it out";
   }
-  if (limits_turn(problem.constraints)) {
-    return "is true with limits over the full turn of the crank, of which a certificate knows "
-           "nothing; leave it out";
-  }
+  if (limits_turn(problem.constraints)) return kTurnNotCertified;
   if (problem.timing != Timing::prescribed) {
     return "is true where crank angles are free; only paths with timing = \"prescribed\" can be "
            "certified";

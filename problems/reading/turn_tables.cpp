@@ -59,12 +59,6 @@ void check_class(TableReader& constraints, std::string_view key, const Constrain
 
 }  // namespace
 
-std::string_view turn_limit(const Constraints& constraints) {
-  if (!constraints.clearances.empty()) return kClearance;
-  if (constraints.peak_acceleration_max) return kPeak;
-  return constraints.torque_ripple_max ? kRipple : std::string_view{};
-}
-
 void read_turn_limits(TableReader& document, TableReader& constraints, const TurnScope& scope,
                       Constraints& limits) {
   for (const std::string_view key : {kClearance, kPeak, kRipple}) {

@@ -22,7 +22,9 @@ struct TurnScope {
 void read_turn_limits(TableReader& document, TableReader& constraints, const TurnScope& scope,
                       Constraints& limits);
 
-/// The key of a limit over the turn that `constraints` has; empty where it has none.
-std::string_view turn_limit(const Constraints& constraints);
+/// Why `certify` is refused beside such limits.
+inline constexpr std::string_view kTurnNotCertified =
+    "is true with limits over the full turn of the crank, of which a certificate knows nothing; "
+    "leave it out";
 
 }  // namespace cognate::problems::reading
