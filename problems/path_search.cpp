@@ -23,7 +23,7 @@ constexpr std::size_t kDeepened = 64;
 constexpr std::size_t kFinished = 2;
 /// As `kDeepened` with limits over the turn, under which the explored starts have already come near
 /// their minima.
-constexpr std::size_t kLimitedDeepened = 16;
+constexpr std::size_t kLimitedDeepened = 24;
 /// Minima are one up to what an unfinished refinement leaves open.
 constexpr double kSameMinimum = 1e-6;
 
@@ -65,6 +65,7 @@ class PathSearch {
              Work& work)
       : whole_(scaled),
         thinning_(scaled),
+        deepened_(limits_turn(scaled.constraints) ? kLimitedDeepened : kDeepened),
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
@@ -84,6 +85,7 @@ class PathSearch {
 
   const PathProblem& whole_;
   PathThinning thinning_;
+  std::size_t deepened_;
   double tolerance_;
   const Run& run_;
   const Deadline& deadline_;
@@ -104,7 +106,7 @@ void PathSearch::lower_best(const PathFound& found) {
 void PathSearch::explore() {
   Run run = run_;
   for (Design& design : run.known) design.crank_angles = thinning_.kept(design.crank_angles);
-  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(kDeepened), run}, deadline_,
+  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_,
                        work_, thoroughness_);
   for (const PathFound& found : all_) lower_best(found);
 }
@@ -126,9 +128,7 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
 /// Brings the best to convergence at all points, by `backend` in the end.
 void PathSearch::finish(synthesis::Backend backend) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
-  const bool limited = limits_turn(whole_.constraints);
-  refine_best(thinning_.coarse(), limited ? kLimitedDeepened : kDeepened, gauss_newton,
-              kDeepeningIterations, 0.8);
+  refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, 0.8);
   if (!thinning_.is_whole()) {
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
     refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, 0.9);

@@ -51,8 +51,8 @@ class TurnTable {
   using OneJet = ceres::Jet<double, 1>;
   using FullJet = ceres::Jet<double, kDimensions>;
 
-  /// A slope so small beside others counts for nothing.
-  static constexpr double kFlat = 1e-11;
+  /// A slope so small beside others counts for nothing: its square is that of rounding.
+  static constexpr double kFlat = 1e-8;
 
   struct Sample {
     TurnState<double> state;
@@ -95,7 +95,7 @@ class TurnTable {
   template <class Quantity>
   void narrow(const Quantity& quantity, int k, Sloping& left, Sloping& right) const {
     constexpr int kMostSteps = 60;
-    constexpr double kClose = 1e-16;
+    constexpr double kClose = 1e-14;
     const double flat = kFlat * std::max(-left.slope, right.slope);
     double weight_left = -left.slope, weight_right = right.slope;
     int last = 0;

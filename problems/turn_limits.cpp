@@ -204,7 +204,7 @@ TurnTable::TurnTable(const TurnDimensions& dimensions)
 }
 
 const std::array<Vec2d, TurnTable::kAngles + 1>& TurnTable::half_directions() {
-  static const auto kHalves = [] {
+  static const auto all = [] {
     std::array<Vec2d, kAngles + 1> halves;
     for (int k = 0; k <= kAngles; ++k) {
       const double half = std::numbers::pi * k / kAngles;
@@ -212,7 +212,7 @@ const std::array<Vec2d, TurnTable::kAngles + 1>& TurnTable::half_directions() {
     }
     return halves;
   }();
-  return kHalves;
+  return all;
 }
 
 }  // namespace cognate::problems

@@ -430,5 +430,95 @@ TEST(TurnLimits, TheEvenestTorqueIsThatOfAGrid) {
   grid.expect(best, "torque_ripple_max");
 }
 
+/// Coupler and rocker of a function generator are free, all else given.
+TEST(TurnLimits, TheCalmestGeneratorIsThatOfAGrid) {
+  const FourBar planted{{0, 0}, {2.6, 0}, 1, 2.2, 1.9, Assembly::open, std::nullopt};
+  const auto angle = [](const FourBar& linkage, double at) {
+    return Motion(linkage).at(at)->rocker_angle;
+  };
+  FunctionProblem problem;
+  AnglePairs pairs;
+  const double start = 0.4;
+  for (const double input : {0.0, 0.5, 1.1, 1.8, 2.4}) {
+    pairs.emplace_back(input, angle(planted, start + input) - angle(planted, start));
+  }
+  problem.target = pairs;
+  problem.given.crank = planted.crank;
+  problem.given.frame = planted.pivot_d.x;
+  problem.given.assembly = planted.assembly;
+  problem.input_start = start;
+  problem.output_start = angle(planted, start);
+  problem.constraints.required_class = RequiredClass::crank_rocker;
+  const double most = 0.8 * peak_acceleration(planted, Accelerated::rocker, 1);
+  problem.constraints.peak_acceleration_max = most;
+  problem.solve.starts = 40;
+  problem.solve.designs = 1;
+
+  double best = INFINITY;
+  Vec2d middle{planted.coupler, planted.rocker};
+  double reach = 0.8;
+  for (int round = 0; round < 16; ++round, reach *= 0.5) {
+    Vec2d found = middle;
+    for (int i = -12; i <= 12; ++i) {
+      for (int j = -12; j <= 12; ++j) {
+        const Vec2d at = middle + (reach / 12) * Vec2d{double(i), double(j)};
+        FourBar linkage = planted;
+        set_lengths(linkage, at);
+        if (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker) continue;
+        double error = 0;
+        for (const auto& [input, output] : pairs) {
+          const double turned = angle(linkage, start + input) - *problem.output_start;
+          error += std::pow(std::remainder(turned - output, kTurn), 2);
+        }
+        if (error >= best || peak_acceleration(linkage, Accelerated::rocker, 1) > most) continue;
+        best = error;
+        found = at;
+      }
+    }
+    middle = found;
+  }
+  const Result result = solve(problem, {.threads = 2});
+  ASSERT_EQ(result.status, Status::solved) << "of the grid: " << best;
+  const Design& design = result.designs.front();
+  EXPECT_GT(best, 1e-5);
+  EXPECT_LT(design.error.sum_of_squares, best * (1 + 1e-6));
+  EXPECT_GT(design.error.sum_of_squares, best * (1 - 1e-3));
+  EXPECT_NEAR(design.metrics.peak_acceleration.value(), most, 1e-7 * most);
+}
+
+/// Of a body's guidance the crank's length alone is free.
+TEST(TurnLimits, TheCalmestGuidanceIsThatOfAScan) {
+  const FourBar planted{{0, 0}, {2, 0.5}, 0.7, 2.1, 1.8, Assembly::open, Vec2d{1.2, 0.9}};
+  MotionProblem problem;
+  problem.method = MotionMethod::least_squares;
+  problem.dyads = {synthesis::DyadKind::rr};
+  for (const double angle : {0.3, 0.9, 1.6, 2.5, 3.9}) {
+    const Pose pose = *Motion(planted).at(angle);
+    const Vec2d along = pose.c - pose.b;
+    problem.poses.push_back({*pose.coupler_point, std::atan2(along.y, along.x)});
+  }
+  const Vec2d b = -*planted.coupler_point;
+  problem.fixed_pivots = {planted.pivot_a, planted.pivot_d};
+  problem.moving_pivots = {b, b + Vec2d{planted.coupler, 0}};
+  problem.rocker = planted.rocker;
+  problem.constraints.required_class = RequiredClass::crank_rocker;
+  const double most = 0.9 * peak_acceleration(planted, Accelerated::coupler_point, 1);
+  problem.constraints.peak_acceleration_max = most;
+  problem.solve.starts = 40;
+  problem.solve.designs = 1;
+
+  double low = 0.3, high = planted.crank;  // a shorter crank moves the body less
+  for (int step = 0; step < 60; ++step) {
+    FourBar linkage = planted;
+    linkage.crank = 0.5 * (low + high);
+    const bool calm = peak_acceleration(linkage, Accelerated::coupler_point, 1) <= most;
+    (calm ? low : high) = linkage.crank;
+  }
+  const Result result = solve(problem, {.threads = 2});
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_NEAR(four_bar(result.designs.front()).crank, low, 1e-6);
+  EXPECT_NEAR(result.designs.front().metrics.peak_acceleration.value(), most, 1e-7 * most);
+}
+
 }  // namespace
 }  // namespace cognate::problems
