@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kCoarse = 5, kLooks = 5;
 constexpr double kBeyond[] = {1e-3, 1e-5};
 /// And by which shares of the levels that no search has decided.
-constexpr double kBetween[] = {0.5, 0.1};
+constexpr double kBetween[] = {0.5, 0.25, 0.12, 0.06, 0.03};
 /// How far before the end of a front points are looked at, the last being the end itself.
 constexpr double kBack[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
 /// How many local minima of a point are starts of others.
@@ -137,8 +137,9 @@ class FrontSearch::Root {
  public:
   Root(FrontSearch& front, double most)
       : front_(front), most_(most), best_(front.last_within(most)), low_(best_.level) {
-    high_ = ceiling_ = front.top(low_);
+    high_ = front.top(low_);
     way_ = high_ - low_;
+    failed_ = {high_};
   }
 
   void find() {
@@ -146,7 +147,7 @@ class FrontSearch::Root {
     for (int look = 0; look < kLooks; ++look) {
       while (is_open()) probe(0.5 * (low_ + high_), false);
       if (!goes_on()) break;
-      high_ = std::max(ceiling_, low_);
+      high_ = std::max(failed_.back(), low_);
     }
   }
 
@@ -170,19 +171,28 @@ class FrontSearch::Root {
     }
     if (point) beyond_ = *std::move(point);
     high_ = level;
-    if (afresh) ceiling_ = level;
+    if (afresh) failed_.push_back(level);
     return false;
   }
 
-  /// Refinement from neighbours may stick where a fresh search, further on or nearer, does not.
+  /// Refinement from neighbours may stick where a fresh search, further on or nearer, does not, and
+  /// may pass where one failed.
   bool goes_on() {
-    const double open = ceiling_ - low_;
-    const auto looks = [&](double on) {
-      const double next = low_ + on;
-      return next < ceiling_ && !front_.deadline_.reached() && probe(next, true);
+    const auto looks = [&](double level) {
+      return level < failed_.back() && !front_.deadline_.reached() && probe(level, true);
     };
-    return std::ranges::any_of(kBetween, [&](double share) { return looks(share * open); }) ||
-           std::ranges::any_of(kBeyond, [&](double share) { return looks(share * way_); });
+    if (failed_.size() > 1 && probe_failed()) return true;
+    const double open = failed_.back() - low_;
+    return std::ranges::any_of(kBetween,
+                               [&](double share) { return looks(low_ + share * open); }) ||
+           std::ranges::any_of(kBeyond, [&](double share) { return looks(low_ + share * way_); });
+  }
+
+  /// Goes from the best to where a fresh search failed last; what is passed is forgotten.
+  bool probe_failed() {
+    if (front_.deadline_.reached() || !probe(failed_.back(), false)) return false;
+    while (failed_.size() > 1 && failed_.back() <= low_) failed_.pop_back();
+    return true;
   }
 
   FrontSearch& front_;
@@ -190,7 +200,8 @@ class FrontSearch::Root {
   FrontPoint best_;
   std::optional<FrontPoint> beyond_;
   double low_, high_ = 0, way_ = 0;
-  double ceiling_ = 0;  ///< the least level at which a fresh search has failed
+  /// Levels at which fresh searches have failed, below the top, each less than the one before.
+  std::vector<double> failed_;
 };
 
 /// Errors grow from point to point.

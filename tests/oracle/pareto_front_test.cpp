@@ -145,8 +145,9 @@ TEST(ParetoFrontTest, EndsAreTheBestOfEitherObjective) {
   const Result least = solved(parabola(kCrankRocker + kFewStarts));
   ASSERT_FALSE(front.designs.empty() || least.designs.empty());
   EXPECT_NEAR(front.designs.front().error.rms, least.designs.front().error.rms, 1e-9);
-  // Coupler and rocker equal, the limits symmetric: cos μ = 5/13.
-  EXPECT_NEAR(front.designs.back().metrics.transmission_acute_min, std::acos(5.0 / 13), 1e-6);
+  // Coupler and rocker equal, the limits symmetric: cos μ = 5/13. Ends are a millionth of the
+  // levels looked at before that.
+  EXPECT_NEAR(front.designs.back().metrics.transmission_acute_min, std::acos(5.0 / 13), 2e-6);
 }
 
 std::string between(double angle) {
@@ -252,7 +253,7 @@ TEST(ParetoFrontTest, SeedsLeadToOneFront) {
   // The crank and the frame at their bounds, coupler and rocker equal.
   const double s = 5 * 5 + 50 * 50;
   EXPECT_NEAR(first.designs.back().metrics.transmission_acute_min, std::acos((s - 45 * 45) / s),
-              1e-6);
+              2e-6);
   for (const std::uint64_t seed : {2, 3}) {
     problems::Run run;
     run.seed = seed;
