@@ -157,9 +157,12 @@ std::string between(double angle) {
 
 TEST(ParetoFrontTest, PointsAreThoseOfABoundInAFileOfItsOwn) {
   const Result& front = parabola_front();
+  ASSERT_EQ(front.designs.size(), 8u);
   for (std::size_t i = 1; i + 1 < front.designs.size(); ++i) {
     const double angle = front.families.at(0).columns[0].values[i];
-    const Result alone = solved(parabola(kCrankRocker + between(angle) + kFewStarts));
+    std::string limits = kCrankRocker;
+    limits.append(between(angle)).append(kFewStarts);
+    const Result alone = solved(parabola(limits));
     ASSERT_FALSE(alone.designs.empty());
     // Six decimals are written.
     EXPECT_NEAR(alone.designs.front().error.rms, front.designs[i].error.rms, 1e-7) << angle;
