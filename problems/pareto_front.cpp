@@ -11,20 +11,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Fresh searches that halve the levels before the root is closed in on, and how often some look
-/// beyond the root, by which shares of the levels.
-constexpr int kCoarse = 5, kLooks = 5;
-constexpr double kBeyond[] = {1e-3, 1e-5};
-/// And by which shares of the levels that no search has decided.
-constexpr double kBetween[] = {0.5, 0.1};
-/// How far before the end of a front points are looked at, the last being the end itself.
-constexpr double kBack[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
 /// How many local minima of a point are starts of others.
 constexpr std::size_t kStarts = 6;
-constexpr double kRoot = 1e-8;
-/// Where no best value of a measure is known, levels up to this much better are looked at: for
-/// lengths and ratios a factor of a thousand.
-constexpr double kReach = 6.9;
 /// Gaps of levels narrower than this share of the front are not looked into.
 constexpr double kNarrow = 1e-3;
 /// A front counts as evenly filled when no gap is wider than this many times the mean.
@@ -47,13 +35,13 @@ void add_work(const Work& done, Work& work) {
   work.solver_iterations += done.solver_iterations;
 }
 
+}  // namespace
+
 void add_minima(const FrontPoint& point, std::vector<Design>& designs) {
   const std::size_t count = std::min(point.minima.size(), kStarts);
   designs.insert(designs.end(), point.minima.begin(),
                  point.minima.begin() + static_cast<std::ptrdiff_t>(count));
 }
-
-}  // namespace
 
 /// Between neighbours; `after` counts from 0.
 struct FrontSearch::Gap {
@@ -124,108 +112,6 @@ void FrontSearch::insert(FrontPoint point) {
   std::erase_if(points_, [&](const FrontPoint& known) { return is_as_good(point, known); });
   const auto at = std::ranges::lower_bound(points_, point.level, {}, &FrontPoint::level);
   points_.insert(at, std::move(point));
-}
-
-/// A level beyond all that can be, or beyond what is looked at.
-double FrontSearch::top(double from) const {
-  const double best = problem_.rule.level(problem_.rule.best);
-  return std::isfinite(best) ? best : from + kReach;
-}
-
-/// The greatest level at which the error is at most so much, closed in on.
-class FrontSearch::Root {
- public:
-  Root(FrontSearch& front, double most)
-      : front_(front), most_(most), best_(front.last_within(most)), low_(best_.level) {
-    high_ = ceiling_ = front.top(low_);
-    way_ = high_ - low_;
-  }
-
-  void find() {
-    for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low_ + high_), true);
-    for (int look = 0; look < kLooks; ++look) {
-      while (is_open()) probe(0.5 * (low_ + high_), false);
-      if (!goes_on()) break;
-      high_ = std::max(ceiling_, low_);
-    }
-  }
-
-  const FrontPoint& best() const { return best_; }
-  double way() const { return way_; }
-  /// Whether something was found beyond, of too great an error.
-  bool is_crossed() const { return beyond_.has_value(); }
-
- private:
-  bool is_open() const { return high_ - low_ > kRoot * way_ && !front_.deadline_.reached(); }
-
-  bool probe(double level, bool afresh) {
-    std::vector<Design> known = best_.minima;
-    if (beyond_) add_minima(*beyond_, known);
-    auto point = front_.solved(level, known, afresh);
-    if (point && point->error <= most_) {
-      low_ = std::max(level, point->level);
-      best_ = *std::move(point);
-      if (afresh) front_.insert(best_);
-      return true;
-    }
-    if (point) beyond_ = *std::move(point);
-    high_ = level;
-    if (afresh) ceiling_ = level;
-    return false;
-  }
-
-  /// Refinement from neighbours may stick where a fresh search, further on or nearer, does not.
-  bool goes_on() {
-    const double open = ceiling_ - low_;
-    const auto looks = [&](double on) {
-      const double next = low_ + on;
-      return next < ceiling_ && !front_.deadline_.reached() && probe(next, true);
-    };
-    return std::ranges::any_of(kBetween, [&](double share) { return looks(share * open); }) ||
-           std::ranges::any_of(kBeyond, [&](double share) { return looks(share * way_); });
-  }
-
-  FrontSearch& front_;
-  double most_;
-  FrontPoint best_;
-  std::optional<FrontPoint> beyond_;
-  double low_, high_ = 0, way_ = 0;
-  double ceiling_ = 0;  ///< the least level at which a fresh search has failed
-};
-
-/// Errors grow from point to point.
-const FrontPoint& FrontSearch::last_within(double most) const {
-  return *std::prev(std::ranges::partition_point(
-      points_, [&](const FrontPoint& point) { return point.error <= most; }));
-}
-
-/// Points of levels ever less before that of `last`, each from the one before; the last of them.
-FrontPoint FrontSearch::stepped_back(const FrontPoint& last, double way) {
-  FrontPoint end = last;
-  std::vector<Design> known = beside(last.level);
-  add_minima(last, known);
-  for (const double share : kBack) {
-    auto point = solved(last.level - share * way, known, false);
-    if (!point) continue;
-    end = *std::move(point);
-    insert(end);
-    known = last.minima;
-    add_minima(end, known);
-  }
-  std::erase_if(points_, [&](const FrontPoint& point) {
-    return point.level > end.level && point.error >= end.error;
-  });
-  insert(end);
-  return points_.back();
-}
-
-FrontPoint FrontSearch::go_to(double most) {
-  Root root(*this, most);
-  root.find();
-  const bool ends = !root.is_crossed() && root.best().level > points_.front().level;
-  const FrontPoint best = ends ? stepped_back(root.best(), root.way()) : root.best();
-  insert(best);
-  return best;
 }
 
 /// Relative to the whole front in both directions.

@@ -37,6 +37,9 @@ struct FrontPoint {
   const Design& design() const { return minima.front(); }
 };
 
+/// Adds the best and some other minima of a point to `designs`.
+void add_minima(const FrontPoint& point, std::vector<Design>& designs);
+
 /// Points of the front that are known, best error first: none is as good as another in both.
 ///
 /// The front falls or rises monotonically, since what keeps to a bound keeps to every looser one:

@@ -99,14 +99,18 @@ void read_symmetric_cranks(TableReader& mechanism, StraightLineProblem& problem)
     if (!mechanism.has(key)) missing.push_back(key);
   }
   check_missing(mechanism, missing, problem);
-  refuse(mechanism, "rocker", "is given, but symmetric cranks are of one length, that of crank");
-  refuse(mechanism, kCrankAngle, "is given, but the symmetric position follows from the lengths");
+  refuse(mechanism, "rocker",
+         "is given, but symmetric cranks are of one length, that of crank; leave it out");
+  refuse(mechanism, kCrankAngle,
+         "is given, but the symmetric position follows from the lengths; leave it out");
 }
 
 void read_parallel_cranks(TableReader& mechanism, StraightLineProblem& problem) {
   require(mechanism, {"crank", "coupler", "rocker"});
-  refuse(mechanism, "frame", "is given, but that of parallel cranks follows from their position");
-  refuse(mechanism, "assembly", "is given, but that of parallel cranks follows from sides");
+  refuse(mechanism, "frame",
+         "is given, but that of parallel cranks follows from their position; leave it out");
+  refuse(mechanism, "assembly",
+         "is given, but that of parallel cranks follows from sides; leave it out");
   const auto sides = mechanism.choice_of("sides", kCrankSides);
   if (!mechanism.has("sides")) {
     mechanism.fault("sides",
@@ -125,7 +129,7 @@ void read_four_bar(TableReader& mechanism, StraightLineProblem& problem) {
   if (problem.cranks == CrankArrangement::any) read_any_cranks(mechanism, problem);
   if (problem.cranks == CrankArrangement::symmetric) read_symmetric_cranks(mechanism, problem);
   if (problem.cranks == CrankArrangement::parallel) read_parallel_cranks(mechanism, problem);
-  refuse(mechanism, "coupler_point", "is given, but it is what is sought");
+  refuse(mechanism, "coupler_point", "is given, but it is what is sought; leave it out");
   problem.given.coupler_point.reset();
   check_given(mechanism, problem.given, {});
 }
