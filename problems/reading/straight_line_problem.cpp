@@ -105,8 +105,10 @@ void read_symmetric_cranks(TableReader& mechanism, StraightLineProblem& problem)
 
 void read_parallel_cranks(TableReader& mechanism, StraightLineProblem& problem) {
   require(mechanism, {"crank", "coupler", "rocker"});
-  refuse(mechanism, "frame", "is given, but that of parallel cranks follows from their position");
-  refuse(mechanism, "assembly", "is given, but that of parallel cranks follows from sides");
+  refuse(mechanism, "frame",
+         "is given, but that of parallel cranks follows from their position; leave it out");
+  refuse(mechanism, "assembly",
+         "is given, but that of parallel cranks follows from sides; leave it out");
   const auto sides = mechanism.choice_of("sides", kCrankSides);
   if (!mechanism.has("sides")) {
     mechanism.fault("sides",

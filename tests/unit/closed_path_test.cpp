@@ -98,7 +98,8 @@ double fact(const std::vector<Fact>& facts, const std::string& name) {
 
 TEST(ClosedPath, APlantedCurveIsFoundFromEverySeed) {
   for (const FourBar& planted : kPlanted) {
-    const PathProblem problem = problem_of(polyline(planted));
+    const PathProblem problem =
+        problem_of(polyline(planted) + "[bounds]\nlength = [0.2, 5]\n[solve]\ndesigns = 1\n");
     for (const std::uint64_t seed : {1, 2, 3}) {
       const Result result = solve(problem, {.seed = seed});
       ASSERT_EQ(result.status, Status::solved);
@@ -162,7 +163,8 @@ TEST(ClosedPath, BoundedLengthsAndTheirPlaceAreMetToTheDigit) {
 }
 
 TEST(ClosedPath, WithoutLimitsAShapeStaysInPlace) {
-  const Result result = solve(problem_of(polyline(kPlanted[0]) + "place = \"similar\"\n"), {});
+  const Result result =
+      solve(problem_of(polyline(kPlanted[0]) + "place = \"similar\"\n[solve]\nstarts = 50\n"), {});
   ASSERT_EQ(result.status, Status::solved);
   const auto& facts = result.designs.front().metrics.facts;
   EXPECT_EQ(fact(facts, "target_scale"), 1);
