@@ -31,7 +31,7 @@ void read_method(TableReader& target) {
 
 /// A key that belongs to other arrangements.
 void refuse(TableReader& mechanism, std::string_view key, std::string_view why) {
-  if (mechanism.has(key)) mechanism.fault(key, why);
+  if (mechanism.has(key)) mechanism.fault(key, fmt::format("{}; leave it out", why));
 }
 
 void read_angle(TableReader& mechanism, std::string_view key, double& angle) {
@@ -105,10 +105,8 @@ void read_symmetric_cranks(TableReader& mechanism, StraightLineProblem& problem)
 
 void read_parallel_cranks(TableReader& mechanism, StraightLineProblem& problem) {
   require(mechanism, {"crank", "coupler", "rocker"});
-  refuse(mechanism, "frame",
-         "is given, but that of parallel cranks follows from their position; leave it out");
-  refuse(mechanism, "assembly",
-         "is given, but that of parallel cranks follows from sides; leave it out");
+  refuse(mechanism, "frame", "is given, but that of parallel cranks follows from their position");
+  refuse(mechanism, "assembly", "is given, but that of parallel cranks follows from sides");
   const auto sides = mechanism.choice_of("sides", kCrankSides);
   if (!mechanism.has("sides")) {
     mechanism.fault("sides",

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -147,6 +148,35 @@ TEST(PathData, WhatIsNoClosedCurveIsToldAtItsPlace) {
         << bad.text << ": " << curve.error().message;
     EXPECT_NE(curve.error().message.find("; "), std::string::npos) << curve.error().message;
   }
+}
+
+// Characters of a sound text exchanged, dropped and doubled at random.
+TEST(PathData, EveryTextIsACurveOrAFault) {
+  const std::string sound =
+      "M 1e1 2 h-3.5 V.5 c1 2 3 4 5 0S3 4 5 0q1 2 3 0 T 9,9 a5 3 30 1 1 4 4 l 7 7 Z";
+  const std::string characters = "MmZzLlHhVvCcSsQqTtAa0123456789.-+eE, \n;x";
+  std::mt19937_64 random(11);
+  int curves = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string text = sound;
+    for (std::uint64_t change = 1 + random() % 3; change > 0; --change) {
+      const std::size_t at = random() % text.size();
+      const std::size_t kind = random() % 3;
+      if (kind == 0) text[at] = characters[random() % characters.size()];
+      if (kind == 1) text.erase(at, 1);
+      if (kind == 2) text.insert(at, 1, text[at]);
+    }
+    const auto curve = closed_outline(text);
+    if (curve) {
+      EXPECT_TRUE(std::isfinite(curve->length()) && curve->length() > 0) << text;
+      ++curves;
+    } else {
+      EXPECT_LE(curve.error().offset, text.size()) << text;
+      EXPECT_NE(curve.error().message.find("; "), std::string::npos) << curve.error().message;
+    }
+  }
+  EXPECT_GT(curves, 100);
+  EXPECT_LT(curves, 1900);
 }
 
 TEST(PathData, SegmentsAreLimited) {
