@@ -291,8 +291,8 @@ TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
   const struct {
     const char* file;
     double rms;
-  } kKnown[] = {{"bean.toml", 2.5321}, {"drop-of-any-size.toml", 0.42125}};
-  for (const auto& known : kKnown) {
+  } drawings[] = {{"bean.toml", 2.5321}, {"drop-of-any-size.toml", 0.42125}};
+  for (const auto& known : drawings) {
     const auto problem = read_problem(folder / known.file);
     ASSERT_TRUE(problem) << known.file;
     for (const std::uint64_t seed : {1, 2}) {
