@@ -53,14 +53,13 @@ constexpr Entry kPath[] = {
      "or: [[x, y], ...], a closed polyline, which a full turn of the crank follows"},
     {"target.svg_path",
      "or: a closed curve as SVG path data, \"M 0 0 C ...\", its y turned upwards"},
-    {"target.svg", "or: an SVG file beside this one, its only path; transforms are refused"},
+    {"target.svg", "or: an SVG file beside this one, its only path, in user units, untransformed"},
     {"target.svg_id", "of several paths the one of this id"},
     {"target.samples",
      "of a closed curve: points in equal steps along it (12 to 1000, default 80)"},
     {"target.place",
-     "of a closed curve: \"given\" (default), or \"similar\": it may be moved, turned and "
-     "enlarged, "
-     "not mirrored; errors are in its own unit"},
+     "of a closed curve: \"given\" (default), or \"similar\": moved, turned, enlarged, not "
+     "mirrored"},
     {"target.poses", "exact: [[x, y, angle_deg], ...] among the positions"},
     {"target.method", "\"least-squares\" (default) or \"exact\": every four-bar through them"},
     {"target.weights", "of the points (default 1)"},
@@ -143,9 +142,7 @@ constexpr Entry kConstraints[] = {
      "greatest less least driving torque over the full turn, with [[link]], [[load]], gravity"},
     {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
     {"no_extra_loop",
-     "of a closed target curve, true (default) or false: the whole coupler curve stays within "
-     "three "
-     "times the largest error, or 0.5 % of the target's length"}};
+     "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
 
 constexpr Entry kOperation[] = {
     {"[drive] speed", "of the crank, constant, rad/s (default 1: per unit of speed squared)"},

@@ -9,7 +9,8 @@
 namespace cognate::problems {
 
 /// Whether exact synthesis can help: the crank angles are free, no dimension is given and no length
-/// limited (linkages through nine points are seldom small), and there are nine different points.
+/// limited (linkages through nine points are seldom small), and there are nine different points,
+/// which are no samples of a closed curve.
 bool has_exact_starts(const PathProblem& problem);
 
 /// The sound linkages through nine of the points, spread over the list, which satisfy the problem's

@@ -89,11 +89,6 @@ CurvePlacement placement_of(const PathProblem& problem, const FourBar& linkage) 
     placement.shift = *problem.given.pivot_a - placement.vector(linkage.pivot_a);
   } else if (problem.given.pivot_d) {
     placement.shift = *problem.given.pivot_d - placement.vector(linkage.pivot_d);
-  } else if (placement.scale != 1 || placement.turn != 0) {
-    Vec2d centre;
-    for (const Vec2d& point : problem.points) centre = centre + point;
-    centre = (1.0 / double(problem.points.size())) * centre;
-    placement.shift = centre - placement.vector(centre);
   }
   return placement;
 }

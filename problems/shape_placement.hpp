@@ -20,7 +20,7 @@ PathProblem searched_problem(const PathProblem& problem);
 
 /// Where the curve comes so that `linkage`, found in its place, meets what the file gives. What is
 /// left open changes as little as can be: the scale is the nearest to 1, the turn the nearest to 0,
-/// the centroid of the samples stays.
+/// both about the origin, which stays where no pivot is given.
 CurvePlacement placement_of(const PathProblem& problem, const FourBar& linkage);
 
 /// `linkage` at that place, given dimensions to the last digit.

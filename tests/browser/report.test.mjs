@@ -161,6 +161,20 @@ test("a function generator shows what is wanted, and its error", () => visit("lo
   if (hasCurves) assert.match(await page.locator(".plot h3").nth(1).textContent(), /Structural error/);
 }));
 
+test("a closed target is drawn where the coupler curve follows it", () => visit("drop-of-any-size", still, async (page) => {
+  assert.equal(await page.locator("circle.target").count(), 0);
+  const apart = await page.evaluate(() => {
+    const points = (selector) => {
+      const line = document.querySelector(selector);
+      return Array.from({ length: 400 }, (_, i) => line.getPointAtLength((line.getTotalLength() * i) / 400));
+    };
+    const [wanted, traced] = [points("path.outline"), points("path.path")];
+    const size = Math.max(...wanted.map((p) => p.x)) - Math.min(...wanted.map((p) => p.x));
+    return Math.max(...wanted.map((p) => Math.min(...traced.map((q) => Math.hypot(p.x - q.x, p.y - q.y))))) / size;
+  });
+  assert.ok(apart < 0.03, `${apart} of its width apart`);
+}));
+
 test("a report prints in light colours", () => visit("ellipse", { ...still, scheme: "dark" }, async (page) => {
   const pdf = await page.pdf({ format: "A4" });
   assert.ok(pdf.length > 20000);

@@ -172,9 +172,11 @@ int main(int argc, char** argv) {
     if (!problem) return 1;
     write(folder / ("library-" + file.path().stem().string() + ".html"), *problem);
   }
-  for (const char* name : {"log10-refined", "three-angle-pairs"}) {
-    const auto problem = read_problem(library / "function" / (std::string(name) + ".toml"));
+  for (const char* name :
+       {"function/log10-refined", "function/three-angle-pairs", "path/drop-of-any-size"}) {
+    const std::filesystem::path file = library / (std::string(name) + ".toml");
+    const auto problem = read_problem(file);
     if (!problem) return 1;
-    write(folder / (std::string(name) + ".html"), solved(*problem));
+    write(folder / (file.stem().string() + ".html"), solved(*problem));
   }
 }

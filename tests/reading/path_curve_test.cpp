@@ -118,16 +118,16 @@ class Drawings : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
+    folder =
         std::filesystem::temp_directory_path() / (std::string("cognate_drawings_") + test->name());
-    std::filesystem::create_directories(folder_);
+    std::filesystem::create_directories(folder);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
 
   auto read(const std::string& drawing, const std::string& more = "") {
-    std::ofstream(folder_ / "a.svg") << drawing;
-    std::ofstream(folder_ / "a.toml") << with_target("svg = \"a.svg\"\n" + more);
-    return read_problem(folder_ / "a.toml");
+    std::ofstream(folder / "a.svg") << drawing;
+    std::ofstream(folder / "a.toml") << with_target("svg = \"a.svg\"\n" + more);
+    return read_problem(folder / "a.toml");
   }
 
   void expect_fault(const std::string& drawing, const std::string& says,
@@ -139,7 +139,7 @@ class Drawings : public testing::Test {
     EXPECT_EQ(problem.error().front().line, 3U);
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 const std::string kTriangle = R"(<path id="t" d="M 0 0 H 3 V 4 Z"/>)";
@@ -181,12 +181,12 @@ TEST_F(Drawings, FaultsAreToldAtTheKey) {
 }
 
 TEST_F(Drawings, WhatIsNoFileIsRefused) {
-  std::ofstream(folder_ / "a.toml") << with_target("svg = \"none.svg\"\n");
-  const auto missing = read_problem(folder_ / "a.toml");
+  std::ofstream(folder / "a.toml") << with_target("svg = \"none.svg\"\n");
+  const auto missing = read_problem(folder / "a.toml");
   ASSERT_FALSE(missing);
   EXPECT_NE(missing.error().front().message.find("\"none.svg\" is no file"), std::string::npos);
-  std::ofstream(folder_ / "a.toml") << with_target("svg = \".\"\n");
-  ASSERT_FALSE(read_problem(folder_ / "a.toml"));
+  std::ofstream(folder / "a.toml") << with_target("svg = \".\"\n");
+  ASSERT_FALSE(read_problem(folder / "a.toml"));
 }
 
 TEST_F(Drawings, DeepNestingIsWalkedWithoutHarm) {

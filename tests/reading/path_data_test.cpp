@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ struct Same {
 };
 
 TEST(PathData, CommandsThatSayTheSameDrawTheSame) {
-  const Same kSame[] = {
+  const Same same_texts[] = {
       {"M1 2 3 4 5 7Z", "M 1 2 L 3 4 L 5 7 Z"},
       {"m1 2 3 4 5 7z", "M 1,2 L 4,6 L 9,13 Z"},
       {"M1 2H5V9h-4z", "M1 2L5 2L5 9L1 9z"},
@@ -96,7 +97,7 @@ TEST(PathData, CommandsThatSayTheSameDrawTheSame) {
       {"M-1-2.5.5e1+3z", "M -1 -2.5 L 5 3 Z"},
       {"M1 1m2 2l3 0 0 3zm5 5", "M3 3L6 3L6 6z"},
   };
-  for (const Same& same : kSame) {
+  for (const Same& same : same_texts) {
     const auto one = parse_path_data(same.one), other = parse_path_data(same.other);
     ASSERT_TRUE(one && other) << same.one;
     ASSERT_EQ(one->size(), 1U) << same.one;
@@ -119,7 +120,7 @@ struct Bad {
 };
 
 TEST(PathData, WhatIsNoClosedCurveIsToldAtItsPlace) {
-  const Bad kBad[] = {
+  const Bad bad_texts[] = {
       {"", 0, "draws nothing"},
       {"M 0 0", 0, "draws nothing"},
       {"L 0 0", 0, "begin with a move"},
@@ -139,7 +140,7 @@ TEST(PathData, WhatIsNoClosedCurveIsToldAtItsPlace) {
       {"M 1e12 0 l 1 0 0 1 Z", 0, "is 1 wide at a distance of up to 1000000000001"},
       {"M 0 0 L 1 0 0 1 Z 5", 18, "no command"},
   };
-  for (const Bad& bad : kBad) {
+  for (const Bad& bad : bad_texts) {
     const auto curve = closed_outline(bad.text);
     ASSERT_FALSE(curve) << bad.text;
     EXPECT_EQ(curve.error().offset, bad.offset) << bad.text << ": " << curve.error().message;
@@ -147,6 +148,35 @@ TEST(PathData, WhatIsNoClosedCurveIsToldAtItsPlace) {
         << bad.text << ": " << curve.error().message;
     EXPECT_NE(curve.error().message.find("; "), std::string::npos) << curve.error().message;
   }
+}
+
+// Characters of a sound text exchanged, dropped and doubled at random.
+TEST(PathData, EveryTextIsACurveOrAFault) {
+  const std::string sound =
+      "M 1e1 2 h-3.5 V.5 c1 2 3 4 5 0S3 4 5 0q1 2 3 0 T 9,9 a5 3 30 1 1 4 4 l 7 7 Z";
+  const std::string characters = "MmZzLlHhVvCcSsQqTtAa0123456789.-+eE, \n;x";
+  std::mt19937_64 random(11);
+  int curves = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string text = sound;
+    for (std::uint64_t change = 1 + random() % 3; change > 0; --change) {
+      const std::size_t at = random() % text.size();
+      const std::size_t kind = random() % 3;
+      if (kind == 0) text[at] = characters[random() % characters.size()];
+      if (kind == 1) text.erase(at, 1);
+      if (kind == 2) text.insert(at, 1, text[at]);
+    }
+    const auto curve = closed_outline(text);
+    if (curve) {
+      EXPECT_TRUE(std::isfinite(curve->length()) && curve->length() > 0) << text;
+      ++curves;
+    } else {
+      EXPECT_LE(curve.error().offset, text.size()) << text;
+      EXPECT_NE(curve.error().message.find("; "), std::string::npos) << curve.error().message;
+    }
+  }
+  EXPECT_GT(curves, 100);
+  EXPECT_LT(curves, 1900);
 }
 
 TEST(PathData, SegmentsAreLimited) {

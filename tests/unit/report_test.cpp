@@ -101,6 +101,30 @@ TEST(ReportData, RoundsToSignificantDigits) {
   EXPECT_EQ(round_to_digits(0, 7), 0);
 }
 
+TEST(ReportData, HoldsAClosedTargetAndWhereItCame) {
+  problems::PathProblem problem;
+  std::vector<Vec2d> vertices;
+  for (int k = 0; k < 5000; ++k) vertices.push_back(polar(2, 2 * kPi * k / 5000));
+  problem.curve = problems::TargetCurve{problems::ClosedCurve(vertices), {}, {}};
+  problem.points = problem.curve->curve.equally_spaced(12);
+  problems::Result result;
+  result.designs.resize(2);
+  for (problems::Design& design : result.designs) {
+    design.mechanism = problems::named(FourBar{
+        .pivot_d = {4, 0}, .crank = 1, .coupler = 3, .rocker = 3.5, .coupler_point = Vec2d{1, 1}});
+  }
+  result.designs[1].placement = problems::CurvePlacement{3, kPi / 6, {5, 7}};
+  const auto data = report_data(problem, result);
+  const auto& drawn = data["target"]["curve"];
+  ASSERT_EQ(drawn.size(), 1000u);  // in even steps around the whole
+  EXPECT_NEAR(drawn[500][0].get<double>(), -2, 1e-4);
+  EXPECT_FALSE(data["designs"][0].contains("placement"));
+  const auto& placement = data["designs"][1]["placement"];
+  EXPECT_EQ(placement["scale"], 3);
+  EXPECT_NEAR(placement["deg"].get<double>(), 30, 1e-12);
+  EXPECT_EQ(placement["shift"], nlohmann::ordered_json({5, 7}));
+}
+
 TEST(Report, EmbedsTheDocumentExactlyAndNothingThatEndsIt) {
   problems::PathProblem problem;
   problem.title = "</script><!-- \u2028 \xff & 0.1";

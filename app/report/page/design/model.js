@@ -19,7 +19,7 @@ function takeTargets(design, drawn, target) {
   const poses = target.poses ?? [];
   const place = placing(drawn.placement);
   Object.assign(design, { poses, targets: [...poses.map(([x, y]) => [x, y]), ...(target.points ?? []).map(place)],
-    outline: (target.curve ?? []).map(place),
+    outline: (target.curve ?? []).map(place), enlarged: drawn.placement?.scale ?? 1,
     reached: drawn.reached ?? [], guided: drawn.guided ?? null });
 }
 

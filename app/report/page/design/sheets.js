@@ -42,13 +42,15 @@ function rockerSheet(design) {
   return sheet;
 }
 
+// In the target's own unit, which is another than the linkage's where the target was enlarged.
 function distanceSheet(design) {
+  const { enlarged } = design;
   const rows = design.targets.map((target, i) => ({ crank: design.within(design.stations[i]),
-    distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) : null }))
+    distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) / enlarged : null }))
     .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
   if (rows.length === 0) return null;
   const { values, unit, size } = scaled(rows.map((row) => row.distance), "units");
-  return { ...overDrive(design), x: rows.map((row) => row.crank), title: `Distance from each target, ${unit}`,
+  return { ...overDrive(design), x: rows.map((row) => row.crank), title: `Distance from each target, ${unit}${enlarged === 1 ? "" : " of its own"}`,
     lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
     yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: `Largest ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
 }
