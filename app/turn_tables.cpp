@@ -1,5 +1,8 @@
 #include "app/turn_tables.hpp"
 
+#include <cmath>
+#include <optional>
+
 #include "app/json_values.hpp"
 #include "problems/names.hpp"
 
@@ -58,8 +61,11 @@ void add_turn_limits(const problems::Constraints& given, ordered_json& table) {
         {{"point", to_string(clearance.point)},
          {clearance.inside ? "inside" : "outside", to_json(clearance.box)}});
   }
-  if (given.peak_acceleration_max) table["peak_acceleration_max"] = *given.peak_acceleration_max;
-  if (given.torque_ripple_max) table["torque_ripple_max"] = *given.torque_ripple_max;
+  const auto add = [&](const char* key, const std::optional<double>& most) {
+    if (most && std::isfinite(*most)) table[key] = *most;
+  };
+  add("peak_acceleration_max", given.peak_acceleration_max);
+  add("torque_ripple_max", given.torque_ripple_max);
 }
 
 void add_operation(const problems::Constraints& given, ordered_json& tables) {

@@ -152,10 +152,13 @@ Relaxation of_clearance(std::size_t index) {
 /// What holds over the full turn, which only a turning crank can keep to: the class stays.
 void add_turn_limits(const Constraints& constraints, std::vector<Relaxation>& all) {
   for (std::size_t i = 0; i < constraints.clearances.size(); ++i) all.push_back(of_clearance(i));
-  if (constraints.peak_acceleration_max) {
+  const auto limits = [](const std::optional<double>& most) {
+    return most && std::isfinite(*most);
+  };
+  if (limits(constraints.peak_acceleration_max)) {
     all.push_back(of_most("peak_acceleration_max", &Constraints::peak_acceleration_max));
   }
-  if (constraints.torque_ripple_max) {
+  if (limits(constraints.torque_ripple_max)) {
     all.push_back(of_most("torque_ripple_max", &Constraints::torque_ripple_max));
   }
 }

@@ -251,10 +251,10 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
   checks.check_clearances(constraints.clearances);
-  if (const auto& most = constraints.peak_acceleration_max) {
+  if (const auto& most = constraints.peak_acceleration_max; most && std::isfinite(*most)) {
     checks.check_most("peak_acceleration_max", metrics.peak_acceleration, *most);
   }
-  if (const auto& most = constraints.torque_ripple_max) {
+  if (const auto& most = constraints.torque_ripple_max; most && std::isfinite(*most)) {
     checks.check_most("torque_ripple_max", metrics.torque_ripple, *most);
   }
   if (constraints.no_branch_defect) {

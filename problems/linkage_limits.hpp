@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -75,9 +76,10 @@ struct Constraints {
   std::optional<Box> pivot_region;
   /// Over the full turn of a crank of class crank_rocker or double_crank; see turn_limits.hpp.
   std::vector<Clearance> clearances;
-  std::optional<double> peak_acceleration_max;  ///< of the coupler point (length/s²) or the rocker
-  std::optional<double> torque_ripple_max;      ///< greatest less least driving torque
-  Operation operation;                          ///< under which those two are meant
+  /// Infinite: known of designs, but not limited. The first of the coupler point (length/s²) or of
+  /// the rocker (rad/s²), the other the greatest less the least driving torque.
+  std::optional<double> peak_acceleration_max, torque_ripple_max;
+  Operation operation;     ///< under which those two are meant
   bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
   /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
   /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
@@ -91,8 +93,11 @@ struct Constraints {
 
 /// Whether a limit over the full turn of the crank is among them.
 inline bool limits_turn(const Constraints& constraints) {
-  return !constraints.clearances.empty() || constraints.peak_acceleration_max ||
-         constraints.torque_ripple_max;
+  const auto limits = [](const std::optional<double>& most) {
+    return most && std::isfinite(*most);
+  };
+  return !constraints.clearances.empty() || limits(constraints.peak_acceleration_max) ||
+         limits(constraints.torque_ripple_max);
 }
 
 /// `solve.solver`.
@@ -114,7 +119,14 @@ enum class SolverChoice {
 };
 
 /// `solve.objectives`: what of a design is to be best. See measures.hpp.
-enum class Measure { error, transmission_angle, link_ratio, size };
+enum class Measure {
+  error,
+  transmission_angle,
+  link_ratio,
+  size,
+  peak_acceleration,
+  torque_ripple
+};
 
 /// `[solve]`.
 struct Solve {

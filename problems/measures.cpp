@@ -32,8 +32,7 @@ double longest_link(const Design& design) {
 
 double link_ratio(const Design& design) {
   const auto links = lengths(four_bar(design));
-  return longest_link(design) /
-         std::min({links.crank, links.coupler, links.rocker, links.frame});
+  return longest_link(design) / std::min({links.crank, links.coupler, links.rocker, links.frame});
 }
 
 bool limit_link_ratio(DesignLimits& limits, double greatest) {
@@ -52,13 +51,44 @@ bool limit_size(DesignLimits& limits, double greatest) {
   return true;
 }
 
+/// The value of what a design was not asked for is no better than any.
+double value_or_worst(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::infinity());
+}
+
+double acceleration(const Design& design) {
+  return value_or_worst(design.metrics.peak_acceleration);
+}
+
+double ripple(const Design& design) {
+  return value_or_worst(design.metrics.torque_ripple);
+}
+
+/// Keeps `limit` to `greatest`.
+bool tighten(std::optional<double>& limit, double greatest) {
+  limit = std::min(limit.value_or(greatest), greatest);
+  return *limit > 0;
+}
+
+bool limit_acceleration(DesignLimits& limits, double greatest) {
+  return tighten(limits.constraints.peak_acceleration_max, greatest);
+}
+
+bool limit_ripple(DesignLimits& limits, double greatest) {
+  return tighten(limits.constraints.torque_ripple_max, greatest);
+}
+
 constexpr MeasureRule kRules[] = {
     {Measure::transmission_angle, "transmission_angle_deg.acute_min",
      "the least acute transmission angle", true, kPi / 2, false, transmission_angle,
      limit_transmission_angle},
     {Measure::link_ratio, "link_ratio", "the ratio of the longest to the shortest link", false, 1,
      true, link_ratio, limit_link_ratio},
-    {Measure::size, "longest_link", "the longest link", false, 0, true, longest_link, limit_size}};
+    {Measure::size, "longest_link", "the longest link", false, 0, true, longest_link, limit_size},
+    {Measure::peak_acceleration, "peak_acceleration", "the peak acceleration", false, 0, false,
+     acceleration, limit_acceleration},
+    {Measure::torque_ripple, "torque_ripple", "the ripple of the driving torque", false, 0, false,
+     ripple, limit_ripple}};
 
 }  // namespace
 

@@ -61,7 +61,9 @@ constexpr Named<BestBy> kBestBy[] = {{"error", BestBy::error},
 constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
                                         {"transmission_angle", Measure::transmission_angle},
                                         {"link_ratio", Measure::link_ratio},
-                                        {"size", Measure::size}};
+                                        {"size", Measure::size},
+                                        {"peak_acceleration", Measure::peak_acceleration},
+                                        {"torque_ripple", Measure::torque_ripple}};
 constexpr Named<ErrorMeasure> kErrorMeasures[] = {
     {"rms_error_max", ErrorMeasure::rms_length},
     {"rms_error_deg_max", ErrorMeasure::rms_angle},

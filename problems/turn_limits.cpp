@@ -133,8 +133,9 @@ std::vector<SideDistance> sides_of(const Clearance& clearance) {
 TurnLimits::TurnLimits(const Constraints& constraints, Accelerated accelerated)
     : clearances_(constraints.clearances),
       accelerated_(accelerated),
-      ripple_max_(constraints.torque_ripple_max.value_or(0)),
       operation_(constraints.operation) {
+  const double ripple = constraints.torque_ripple_max.value_or(0);
+  if (std::isfinite(ripple)) ripple_max_ = ripple;
   if (const auto& most = constraints.peak_acceleration_max) {
     acceleration_share_ = operation_.speed * operation_.speed / *most;
   }

@@ -267,7 +267,7 @@ FunctionProblem read_function_problem(TableReader& document) {
     read_four_bar_tables(mechanism, bounds, constraints, problem);
   }
   check_spacing(holder("spacing", target, solve), problem);
-  read_turn_limits(document, constraints, turn_scope(problem), problem.constraints);
+  read_turn_limits(document, constraints, solve, turn_scope(problem), problem.constraints);
   read_best_by(solve, problem);
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);

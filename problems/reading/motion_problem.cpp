@@ -7,8 +7,8 @@
 
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
-#include "problems/reading/objectives.hpp"
 #include "problems/reading/nearest.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/quantity_rules.hpp"
 #include "problems/reading/turn_tables.hpp"
 
@@ -324,7 +324,7 @@ MotionProblem read_motion_problem(TableReader& document) {
   }
   const bool exact = problem.method == MotionMethod::exact;
   read_turn_limits(
-      document, constraints,
+      document, constraints, solve,
       {.refusal = exact ? "is given with exact synthesis, whose designs meet the poses "
                           "whatever they do between; method = \"least-squares\" is "
                           "wanted"

@@ -21,11 +21,11 @@ void read_error_limit(TableReader& table, const ObjectiveScope& scope, Constrain
       const auto most = table.number(key, kErrorScale);
       if (!most) continue;
       if (!scope.exact.empty()) table.fault(key, scope.exact);
-      constraints.error =
-          ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
+      constraints.error = ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
     } else if (table.has(key)) {
-      table.fault(key, fmt::format("is of another error than this problem's; constraints.{} is wanted",
-                                   to_string(scope.error)));
+      table.fault(key,
+                  fmt::format("is of another error than this problem's; constraints.{} is wanted",
+                              to_string(scope.error)));
     }
   }
 }
@@ -45,9 +45,9 @@ std::vector<Measure> read_measures(TableReader& table) {
                          fmt::format("solve.objectives has {}; allowed are {}", in_quotes(word),
                                      quoted_list(allowed)));
     } else if (std::ranges::count(measures, *measure) > 0) {
-      table.faults().add(table.where(kKey, i),
-                         fmt::format("solve.objectives has {} twice; each once is wanted",
-                                     in_quotes(word)));
+      table.faults().add(
+          table.where(kKey, i),
+          fmt::format("solve.objectives has {} twice; each once is wanted", in_quotes(word)));
     } else {
       measures.push_back(*measure);
     }
@@ -68,11 +68,14 @@ void check_measure(TableReader& table, const ObjectiveScope& scope, const Constr
                 "has \"size\", but a function is one of ratios of lengths; \"link_ratio\" or "
                 "\"transmission_angle\" is wanted");
   }
-  if (measure == Measure::transmission_angle && scope.needs_full_turn &&
-      !turns_fully(constraints)) {
-    table.fault(kKey,
-                "has \"transmission_angle\", which is searched over the full turn of the crank; "
-                "constraints.class = \"crank-rocker\" or \"double-crank\" is wanted besides");
+  const bool over_turn = measure == Measure::peak_acceleration ||
+                         measure == Measure::torque_ripple ||
+                         (measure == Measure::transmission_angle && scope.needs_full_turn);
+  if (over_turn && !turns_fully(constraints)) {
+    table.fault(kKey, fmt::format("has \"{}\", which is taken over the full turn of the crank; "
+                                  "constraints.class = \"crank-rocker\" or \"double-crank\" is "
+                                  "wanted besides",
+                                  to_string(measure)));
   }
 }
 
@@ -81,16 +84,19 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
   const std::string_view refusal = scope.exact.empty() ? scope.refusal : scope.exact;
   if (!refusal.empty()) table.fault(kKey, refusal);
   if (solve.certify) {
-    table.fault("certify", "is true with solve.objectives, but a certificate is about the error "
-                           "alone; leave one of them out");
+    table.fault("certify",
+                "is true with solve.objectives, but a certificate is about the error "
+                "alone; leave one of them out");
   }
   if (solve.loss != synthesis::Loss::none) {
-    table.fault("loss", "is given with solve.objectives, whose error is that of least squares or "
-                        "minimax; leave one of them out");
+    table.fault("loss",
+                "is given with solve.objectives, whose error is that of least squares or "
+                "minimax; leave one of them out");
   }
   if (solve.solver == SolverChoice::ceres) {
-    table.fault("solver", "is \"ceres\", which cannot keep to the bounds that several objectives "
-                          "need; every other solver can");
+    table.fault("solver",
+                "is \"ceres\", which cannot keep to the bounds that several objectives "
+                "need; every other solver can");
   }
   if (front && table.has("designs") && solve.designs < 2) {
     table.fault("designs", "is 1, but a front has two ends; at least 2 are wanted");
@@ -117,10 +123,9 @@ void read_objectives(TableReader& constraints_table, TableReader& solve_table,
   if (!with_error && all.size() > 1) {
     solve_table.fault(kKey, "are two without \"error\"; \"error\" and one other are wanted");
   } else if (!with_error && !constraints.error) {
-    solve_table.fault(kKey,
-                      fmt::format("does without \"error\", which is then to be bounded; "
-                                  "constraints.{} is wanted, or \"error\" besides",
-                                  to_string(scope.error)));
+    solve_table.fault(kKey, fmt::format("does without \"error\", which is then to be bounded; "
+                                        "constraints.{} is wanted, or \"error\" besides",
+                                        to_string(scope.error)));
   }
   if (!solve_table.has("designs")) solve.designs = front ? kFrontDesigns : 1;
 }

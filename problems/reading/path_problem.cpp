@@ -225,7 +225,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
-  read_turn_limits(document, constraints,
+  read_turn_limits(document, constraints, solve,
                    {.refusal = exact ? "is given with method = \"exact\", whose designs meet the "
                                        "points whatever they do between; leave it out"
                                      : ""},

@@ -306,6 +306,15 @@ bool TableReader::has_text(std::string_view key) const {
   return node && std::holds_alternative<std::string>(node->value);
 }
 
+bool TableReader::has_word(std::string_view key, std::string_view word) const {
+  const Node* node = peek(key);
+  const auto* entries = node ? std::get_if<Array>(&node->value) : nullptr;
+  return entries && std::ranges::any_of(*entries, [&](const Node& entry) {
+           const auto* string = std::get_if<std::string>(&entry.value);
+           return string && *string == word;
+         });
+}
+
 bool TableReader::has_table(std::string_view key) const {
   const Node* node = peek(key);
   return node && std::holds_alternative<Table>(node->value);

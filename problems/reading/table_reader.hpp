@@ -114,6 +114,8 @@ class TableReader {
   /// Whether the file has a string, or a table, under `key`. Neither makes the key known.
   bool has_text(std::string_view key) const;
   bool has_table(std::string_view key) const;
+  /// Whether the array under `key` holds the string `word`; this makes no key known either.
+  bool has_word(std::string_view key, std::string_view word) const;
 
   /// Where the value of `key` begins, or its entry `index`; the table where there is none.
   Where where(std::string_view key) const;

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <limits>
+
+#include "problems/names.hpp"
 #include "problems/reading/operation_tables.hpp"
 #include "problems/reading/quantity_rules.hpp"
 
@@ -59,8 +62,8 @@ void check_class(TableReader& constraints, std::string_view key, const Constrain
 
 }  // namespace
 
-void read_turn_limits(TableReader& document, TableReader& constraints, const TurnScope& scope,
-                      Constraints& limits) {
+void read_turn_limits(TableReader& document, TableReader& constraints, const TableReader& solve,
+                      const TurnScope& scope, Constraints& limits) {
   for (const std::string_view key : {kClearance, kPeak, kRipple}) {
     if (!constraints.has(key)) continue;
     if (!scope.refusal.empty()) {
@@ -79,8 +82,17 @@ void read_turn_limits(TableReader& document, TableReader& constraints, const Tur
   limits.peak_acceleration_max = constraints.number(kPeak, kLimit);
   limits.torque_ripple_max = constraints.number(kRipple, kLimit);
   if (!scope.refusal.empty()) return;
-  limits.operation = read_operation(
-      document, {constraints.has(kPeak), constraints.has(kRipple), scope.has_coupler_point});
+  const auto is_objective = [&](Measure measure) {
+    return solve.has_word("objectives", to_string(measure));
+  };
+  const bool by_peak = is_objective(Measure::peak_acceleration);
+  const bool by_ripple = is_objective(Measure::torque_ripple);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  if (by_peak) limits.peak_acceleration_max = limits.peak_acceleration_max.value_or(kAny);
+  if (by_ripple) limits.torque_ripple_max = limits.torque_ripple_max.value_or(kAny);
+  limits.operation =
+      read_operation(document, {constraints.has(kPeak) || by_peak,
+                                constraints.has(kRipple) || by_ripple, scope.has_coupler_point});
 }
 
 }  // namespace cognate::problems::reading

@@ -18,9 +18,9 @@ struct TurnScope {
 
 /// `clearance`, `peak_acceleration_max` and `torque_ripple_max` of `[constraints]`, after its class
 /// has been read, and of `document` what these refer to: `[drive]`, `[[link]]`, `[[load]]` and
-/// `gravity`.
-void read_turn_limits(TableReader& document, TableReader& constraints, const TurnScope& scope,
-                      Constraints& limits);
+/// `gravity`. What `objectives` of the table `solve` names without a limit is to be known, too.
+void read_turn_limits(TableReader& document, TableReader& constraints, const TableReader& solve,
+                      const TurnScope& scope, Constraints& limits);
 
 /// Why `certify` is refused beside such limits.
 inline constexpr std::string_view kTurnNotCertified =
