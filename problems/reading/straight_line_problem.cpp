@@ -31,7 +31,7 @@ void read_method(TableReader& target) {
 
 /// A key that belongs to other arrangements.
 void refuse(TableReader& mechanism, std::string_view key, std::string_view why) {
-  if (mechanism.has(key)) mechanism.fault(key, why);
+  if (mechanism.has(key)) mechanism.fault(key, fmt::format("{}; leave it out", why));
 }
 
 void read_angle(TableReader& mechanism, std::string_view key, double& angle) {
