@@ -170,7 +170,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   tell_conflict(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
-  result.work.skipped = {"velocities", "accelerations", "forces"};
+  result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;
