@@ -133,8 +133,9 @@ constexpr Entry kConstraints[] = {
     {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
     {"max_error_deg_max", "functions by minimax: the largest error allowed"},
     {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
-    {"[[constraints.clearance]]",
-     "over the full turn: point = \"coupler-point\", \"B\" or \"C\", inside or outside = [[xmin, "
+    {"clearance",
+     "[[constraints.clearance]], over the full turn: point = \"coupler-point\", \"B\" or \"C\", "
+     "inside or outside = [[xmin, "
      "ymin], [xmax, ymax]]"},
     {"peak_acceleration_max",
      "over the full turn, at [drive] speed: of the coupler point, or of a function's rocker"},
@@ -144,19 +145,24 @@ constexpr Entry kConstraints[] = {
     {"no_extra_loop",
      "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
 
-constexpr Entry kOperation[] = {
-    {"[drive] speed", "of the crank, constant, rad/s (default 1: per unit of speed squared)"},
-    {"[[link]] name, between", "\"crank\", \"coupler\" or \"rocker\", or two of its joints"},
-    {"[[link]] mass_per_length", "of a slender rod of the link's length"},
-    {"[[link]] mass, centre, inertia", "or: given once and for all, [u, v] in the link's axes"},
-    {"[[load]] on, at", "\"coupler-point\", \"B\", \"C\", or a link and [u, v] in its axes"},
-    {"[[load]] force, torque", "[fx, fy] and a torque that act all the time"},
-    {"gravity", "[x, y] (default none)"}};
+constexpr Entry kDrive[] = {{"speed", "of the crank, constant, rad/s (default 1)"}};
+
+constexpr Entry kLink[] = {
+    {"name, between",
+     "\"crank\", \"coupler\" or \"rocker\"; or two of its joints, as [\"B\", \"C\"]"},
+    {"mass_per_length", "of a slender rod as long as the link"},
+    {"mass, centre, inertia", "or: given once and for all, [u, v] in the link's axes"}};
+
+constexpr Entry kLoad[] = {
+    {"on, at", "\"coupler-point\", \"B\", \"C\", or a link and [u, v] in its axes"},
+    {"force, torque", "[fx, fy] and a torque, which act all the time"}};
 
 constexpr KeyedEntry kCommon[] = {
     {"[bounds]", "of what is sought", kBounds},
     {"[constraints]", "on the designs", kConstraints},
-    {"[drive], [[link]], [[load]], gravity", "for limits over the full turn", kOperation}};
+    {"[drive]", "for peak_acceleration_max and torque_ripple_max", kDrive},
+    {"[[link]]", "for torque_ripple_max, as is gravity = [x, y]", kLink},
+    {"[[load]]", "for torque_ripple_max", kLoad}};
 
 }  // namespace
 

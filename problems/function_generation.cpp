@@ -14,6 +14,7 @@
 #include "problems/function_exact.hpp"
 #include "problems/function_search.hpp"
 #include "problems/objectives.hpp"
+#include "problems/turn_metrics.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -90,7 +91,7 @@ Result solve(const FunctionProblem& problem, const Run& run) {
     };
     tell_conflict(problem, deadline, solve_once, result);
   }
-  result.work.skipped = {"velocities", "accelerations", "forces"};
+  result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
   result.work.threads = exact ? 1 : thread_count(run.threads);
   result.work.seconds = deadline.spent();

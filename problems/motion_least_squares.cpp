@@ -14,6 +14,7 @@
 #include "problems/motion_fit.hpp"
 #include "problems/motion_scale.hpp"
 #include "problems/objectives.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
@@ -220,7 +221,7 @@ Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
     return search(other, silent, deadline);
   };
   tell_conflict(problem, deadline, solve_once, result);
-  result.work.skipped = {"velocities", "accelerations", "forces"};
+  result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

@@ -216,7 +216,7 @@ Result solve(const PathProblem& problem, const Run& run) {
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
-  result.work.skipped = {"velocities", "accelerations", "forces"};
+  result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

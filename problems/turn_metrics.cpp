@@ -156,6 +156,12 @@ double torque_ripple(const FourBar& linkage, const Operation& operation) {
   return most - least;
 }
 
+std::vector<std::string> skipped_evaluations(const Constraints& constraints) {
+  if (constraints.torque_ripple_max) return {};
+  if (constraints.peak_acceleration_max) return {"forces"};
+  return {"velocities", "accelerations", "forces"};
+}
+
 void add_turn_metrics(const Constraints& constraints, const FourBar& linkage,
                       Accelerated accelerated, Metrics& metrics) {
   const Operation& operation = constraints.operation;

@@ -3,6 +3,9 @@
 /// turn_limits.hpp enters.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "analysis/four_bar.hpp"
 #include "problems/linkage_limits.hpp"
 #include "problems/result.hpp"
@@ -21,6 +24,9 @@ double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double
 
 /// The greatest less the least driving torque. Infinite where the linkage does not close.
 double torque_ripple(const FourBar& linkage, const Operation& operation);
+
+/// What of velocities, accelerations and forces nothing in `constraints` asks for.
+std::vector<std::string> skipped_evaluations(const Constraints& constraints);
 
 /// Fills in of `metrics` what `constraints` limit.
 void add_turn_metrics(const Constraints& constraints, const FourBar& linkage,

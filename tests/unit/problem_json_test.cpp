@@ -26,8 +26,23 @@ std::string toml_range(const json& sides) {
                      sides.contains("max") ? sides["max"].dump() : "inf");
 }
 
+/// `value` as TOML writes it within a line.
+std::string toml_inline(const json& value) {
+  std::string parts;
+  if (value.is_array()) {
+    for (const auto& entry : value) parts += toml_inline(entry) + ", ";
+    return '[' + parts + ']';
+  }
+  if (!value.is_object()) return value.dump();
+  for (const auto& [key, entry] : value.items()) {
+    parts += fmt::format("{}{} = {}", parts.empty() ? "" : ", ", key, toml_inline(entry));
+  }
+  return '{' + parts + '}';
+}
+
+/// An object is a range, but tables in an array are tables.
 std::string toml_value(const json& value) {
-  return value.is_object() ? toml_range(value) : value.dump();
+  return value.is_object() ? toml_range(value) : toml_inline(value);
 }
 
 /// The problem file that says what `tables` say, explicitly.
@@ -49,20 +64,6 @@ std::string messages(const std::vector<problems::Fault>& faults) {
   std::string all;
   for (const auto& fault : faults) all += fmt::format("{}: {}\n", fault.line, fault.message);
   return all;
-}
-
-/// `value` as TOML writes it within a line.
-std::string toml_inline(const json& value) {
-  std::string parts;
-  if (value.is_array()) {
-    for (const auto& entry : value) parts += toml_inline(entry) + ", ";
-    return '[' + parts + ']';
-  }
-  if (!value.is_object()) return value.dump();
-  for (const auto& [key, entry] : value.items()) {
-    parts += fmt::format("{}{} = {}", parts.empty() ? "" : ", ", key, toml_inline(entry));
-  }
-  return '{' + parts + '}';
 }
 
 /// The analysis file that says what `tables` say.
