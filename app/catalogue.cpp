@@ -18,6 +18,11 @@ constexpr Entry kSolveOptions[] = {
     {"designs",
      "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
      "many: to 10000, by default all"},
+    {"objectives",
+     "path-, function- and motion-generation by least squares or minimax: [\"error\"] (default); "
+     "[\"error\", MEASURE]: a Pareto front of so many designs (default 12); [MEASURE]: its best "
+     "within a bound on the error. MEASURE: \"transmission_angle\" (the least acute one, greatest), "
+     "\"link_ratio\" (longest over shortest link, least), \"size\" (longest link, least)"},
     {"loss",
      "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
      "that gross errors in the target do not govern"},
@@ -37,11 +42,16 @@ constexpr Metric kMetrics[] = {
     {"transmission_angle_deg.acute_min", "deg", "least of the angle and its supplement"},
     {"time_ratio", "1", "time of the slower over the quicker stroke; null without limits"},
     {"defects", "", "which of circuit, branch, order the design has; empty when sound"},
+    {"peak_acceleration", "length/s2 or rad/s2",
+     "greatest over the turn, of the coupler point or of a function's rocker, where it is limited"},
+    {"torque_ripple", "N m", "greatest less least driving torque, where it is limited"},
     {"input_start_deg", "deg", "input angle at the start, from A to D (functions)"},
     {"output_start_deg", "deg", "output angle at the start, from A to D (functions)"},
     {"precision_residual", "1", "what an exact synthesis leaves of its equations"},
     {"condition", "1", "condition number of an exact synthesis"},
     {"output_start", "length", "displacement at the start (functions by a slider-crank)"},
+    {"link_ratio", "1", "longest over shortest link, where it is an objective"},
+    {"longest_link", "length", "of crank, coupler, rocker and frame, where size is an objective"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "of mechanisms other than four-bars: the body that is the output"},
     {"output_swing_deg", "deg", "angle through which that swings"},
@@ -78,6 +88,7 @@ constexpr Metric kMetrics[] = {
     {"straight_length_over_longest_link", "1", "straight length at 0.1 % over the longest link"}};
 
 constexpr Metric kFacts[] = {
+    {"problems_solved", "1", "searches and refinements from neighbours, with solve.objectives"},
     {"solutions", "1", "positions and points with the contact asked for (straight lines)"},
     {"dyads", "1", "real dyads through five poses: 0, 2 or 4 (motions)"},
     {"circuit_defects", "1", "linkages left out that reach their limits on two circuits"},

@@ -1,4 +1,5 @@
 #include "app/problem_tables.hpp"
+#include "app/turn_tables.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -53,6 +54,7 @@ ordered_json tables_of(const problems::MotionProblem& problem) {
   set_json(bounds, "moving_pivot_a", problem.moving_bounds[0]);
   set_json(bounds, "moving_pivot_d", problem.moving_bounds[1]);
   tables["constraints"] = constraints_table(problem.constraints);
+  add_operation(problem.constraints, tables);
   tables["solve"] = solve_table(problem.solve);
   return tables;
 }

@@ -63,10 +63,10 @@ constexpr Entry kPath[] = {
     {"target.poses", "exact: [[x, y, angle_deg], ...] among the positions"},
     {"target.method", "\"least-squares\" (default) or \"exact\": every four-bar through them"},
     {"target.weights", "of the points (default 1)"},
-    {"target.timing", "\"free\" (default) or \"prescribed\" by crank_deg"},
-    {"target.crank_deg", "the crank's angle at each point"},
+    {"target.timing", "\"free\" (default), \"prescribed\" by crank_deg, or \"mixed\""},
+    {"target.crank_deg", "the crank's angle at each point; mixed: or \"free\""},
     {"target.crank_reference",
-     "of crank_deg: \"first\" (default; of the first point), \"frame\" or \"global\""},
+     "of crank_deg: \"first\" (default; of the first timed point), \"frame\" or \"global\""},
     {"target.crank_sense", "\"either\" (default), \"ccw\" or \"cw\""},
     {"target.order", "\"cyclic\" (default) or \"any\""},
     {"mechanism.crank", "its length; coupler, rocker, frame: likewise, all free by default"},
@@ -129,13 +129,34 @@ constexpr Entry kConstraints[] = {
     {"transmission_angle_deg", "[min, max] over the motion"},
     {"link_ratio_max", "longest over shortest link"},
     {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
+    {"rms_error_max", "paths and motions: the most root mean square of the distances"},
+    {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
+    {"max_error_deg_max", "functions by minimax: the largest error allowed"},
     {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
+    {"[[constraints.clearance]]",
+     "over the full turn: point = \"coupler-point\", \"B\" or \"C\", inside or outside = [[xmin, "
+     "ymin], [xmax, ymax]]"},
+    {"peak_acceleration_max",
+     "over the full turn, at [drive] speed: of the coupler point, or of a function's rocker"},
+    {"torque_ripple_max",
+     "greatest less least driving torque over the full turn, with [[link]], [[load]], gravity"},
     {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
     {"no_extra_loop",
      "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
 
-constexpr KeyedEntry kCommon[] = {{"[bounds]", "of what is sought", kBounds},
-                                  {"[constraints]", "on the designs", kConstraints}};
+constexpr Entry kOperation[] = {
+    {"[drive] speed", "of the crank, constant, rad/s (default 1: per unit of speed squared)"},
+    {"[[link]] name, between", "\"crank\", \"coupler\" or \"rocker\", or two of its joints"},
+    {"[[link]] mass_per_length", "of a slender rod of the link's length"},
+    {"[[link]] mass, centre, inertia", "or: given once and for all, [u, v] in the link's axes"},
+    {"[[load]] on, at", "\"coupler-point\", \"B\", \"C\", or a link and [u, v] in its axes"},
+    {"[[load]] force, torque", "[fx, fy] and a torque that act all the time"},
+    {"gravity", "[x, y] (default none)"}};
+
+constexpr KeyedEntry kCommon[] = {
+    {"[bounds]", "of what is sought", kBounds},
+    {"[constraints]", "on the designs", kConstraints},
+    {"[drive], [[link]], [[load]], gravity", "for limits over the full turn", kOperation}};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "app/json_values.hpp"
 #include "app/problem_tables.hpp"
+#include "app/turn_tables.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -24,6 +25,18 @@ ordered_json pairs_deg(const problems::AnglePairs& all) {
   return rows;
 }
 
+ordered_json crank_angles(const problems::PathProblem& problem) {
+  ordered_json all = ordered_json::array();
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    if (problem.is_timed(j)) {
+      all.push_back(degrees(problem.crank_angles[j]));
+    } else {
+      all.push_back(problems::kFreeAngle);
+    }
+  }
+  return all;
+}
+
 /// `[target]` of a closed curve; of a drawing the path data that it held.
 ordered_json target_curve(const problems::PathProblem& problem) {
   const problems::TargetCurve& curve = *problem.curve;
@@ -41,7 +54,6 @@ ordered_json target_curve(const problems::PathProblem& problem) {
 
 ordered_json target(const problems::PathProblem& problem) {
   if (problem.curve) return target_curve(problem);
-  const bool prescribed = problem.timing == problems::Timing::prescribed;
   ordered_json table = ordered_json::object();
   const std::size_t poses = problem.pose_angles.size();
   for (std::size_t i = 0; i < poses; ++i) {
@@ -54,12 +66,11 @@ ordered_json target(const problems::PathProblem& problem) {
   }
   if (problem.method == problems::PathMethod::exact) table["method"] = to_string(problem.method);
   table["timing"] = to_string(problem.timing);
-  if (prescribed) {
-    table["crank_deg"] = ordered_json::array();
-    for (const double angle : problem.crank_angles) table["crank_deg"].push_back(degrees(angle));
-    table["crank_reference"] = to_string(problem.crank_reference);
-  } else {
+  if (problem.timing == problems::Timing::free) {
     table["order"] = to_string(problem.order);
+  } else {
+    table["crank_deg"] = crank_angles(problem);
+    table["crank_reference"] = to_string(problem.crank_reference);
   }
   table["crank_sense"] = to_string(problem.crank_sense);
   if (problem.method == problems::PathMethod::least_squares) table["weights"] = problem.weights;
@@ -150,6 +161,7 @@ ordered_json tables_of(const problems::PathProblem& problem) {
   tables["mechanism"] = mechanism_table(problem.given);
   tables["bounds"] = bounds_table(problem.bounds);
   tables["constraints"] = constraints_table(problem.constraints);
+  add_operation(problem.constraints, tables);
   if (problem.curve) tables["constraints"]["no_extra_loop"] = problem.constraints.no_extra_loop;
   tables["solve"] = solve_table(problem.solve);
   return tables;
@@ -161,6 +173,7 @@ ordered_json tables_of(const problems::FunctionProblem& problem) {
   tables["mechanism"] = mechanism(problem);
   tables["bounds"] = bounds(problem);
   tables["constraints"] = constraints_table(problem.constraints);
+  add_operation(problem.constraints, tables);
   tables["solve"] = solve_table(problem.solve);
   if (problem.best_by) tables["solve"]["best_by"] = to_string(*problem.best_by);
   return tables;

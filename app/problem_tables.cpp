@@ -1,5 +1,7 @@
 #include "app/problem_tables.hpp"
 
+#include "app/turn_tables.hpp"
+#include "problems/error_limit.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -53,6 +55,11 @@ ordered_json constraints_table(const problems::Constraints& given) {
   set(table, "link_ratio_max", given.link_ratio_max);
   set_json(table, "time_ratio", given.time_ratio);
   set_json(table, "pivot_region", given.pivot_region);
+  add_turn_limits(given, table);
+  if (given.error) {
+    const auto& [of, most] = *given.error;
+    table[std::string(to_string(of))] = problems::shown_error(of, most);
+  }
   table["no_branch_defect"] = given.no_branch_defect;
   table["no_order_defect"] = given.no_order_defect;
   table["no_circuit_defect"] = given.no_circuit_defect;
@@ -63,6 +70,7 @@ ordered_json solve_table(const problems::Solve& given) {
   ordered_json table = {{"solver", to_string(given.solver)}};
   if (given.starts) table["starts"] = *given.starts;
   table["designs"] = given.designs;
+  for (const auto measure : given.objectives) table["objectives"].push_back(to_string(measure));
   if (given.loss != synthesis::Loss::none) {
     table["loss"] = to_string(given.loss);
     table["loss_scale"] = given.loss_scale;

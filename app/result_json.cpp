@@ -54,6 +54,8 @@ ordered_json metrics_json(const problems::Metrics& metrics) {
   table["time_ratio"] = metrics.time_ratio ? ordered_json(*metrics.time_ratio) : nullptr;
   table["defects"] = ordered_json::array();
   for (const auto defect : metrics.defects) table["defects"].push_back(to_string(defect));
+  set_finite(table, "peak_acceleration", metrics.peak_acceleration);
+  set_finite(table, "torque_ripple", metrics.torque_ripple);
   if (metrics.input_start) table["input_start_deg"] = degrees(*metrics.input_start);
   if (metrics.output_start) table["output_start_deg"] = degrees(*metrics.output_start);
   set_finite(table, "precision_residual", metrics.precision_residual);

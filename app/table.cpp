@@ -11,6 +11,7 @@
 #include "app/messages.hpp"
 #include "app/paint.hpp"
 #include "app/text_table.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -31,10 +32,9 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string description(const PathProblem& problem) {
-  const bool prescribed = problem.timing == problems::Timing::prescribed;
   return fmt::format("path generation{}, {} points, {} timing",
                      problem.method == problems::PathMethod::exact ? " exactly" : "",
-                     problem.points.size(), prescribed ? "prescribed" : "free");
+                     problem.points.size(), problems::to_string(problem.timing));
 }
 
 std::string description(const FunctionProblem& problem) {
@@ -66,6 +66,9 @@ std::string description(const problems::StraightLineProblem&) {
   return "approximate straight line";
 }
 
+/// Of problems with several objectives.
+constexpr FactColumn kMeasureFacts[] = {{"link_ratio", "link ratio"},
+                                        {"longest_link", "longest link"}};
 constexpr FactColumn kQuickReturnFacts[] = {
     {"swing_deg", "swing [deg]"}, {"stroke", "stroke"}, {"pressure_angle_deg", "pressure [deg]"}};
 constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
@@ -74,12 +77,16 @@ constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
 
 /// What is told of the designs of each kind of problem.
 struct Choice {
-  ColumnChoice operator()(const PathProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const PathProblem&) const {
+    return {.error_unit = "length", .facts = kMeasureFacts};
+  }
   ColumnChoice operator()(const FunctionProblem& problem) const {
     const bool angles = problem.type == problems::MechanismType::four_bar;
-    return {.error_unit = angles ? "deg" : "length"};
+    return {.error_unit = angles ? "deg" : "length", .facts = kMeasureFacts};
   }
-  ColumnChoice operator()(const problems::MotionProblem&) const { return {.error_unit = "length"}; }
+  ColumnChoice operator()(const problems::MotionProblem&) const {
+    return {.error_unit = "length", .facts = kMeasureFacts};
+  }
   ColumnChoice operator()(const problems::QuickReturnProblem&) const {
     return {.facts = kQuickReturnFacts};
   }

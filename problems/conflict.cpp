@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "problems/degrees.hpp"
+#include "problems/error_limit.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -106,8 +108,60 @@ Relaxation of_box(std::string key, std::optional<Box> Bounds::*bound) {
           [bound](const Limits& limits) { return text(*(limits.bounds.*bound)); }};
 }
 
+/// A number that grows beyond all bounds.
+Relaxation of_most(std::string key, std::optional<double> Constraints::*most) {
+  return {std::move(key),
+          [most](Limits& limits, double share) {
+            auto& limit = limits.constraints.*most;
+            if (share < 1) {
+              limit = *limit / (1 - share);
+            } else {
+              limit.reset();
+            }
+          },
+          [most](const Limits& limits) {
+            const double limit = *(limits.constraints.*most);
+            return fmt::format("{:.10g}", rounded(limit, limit, 1));
+          }};
+}
+
+/// An obstacle shrinks to its middle; given up, it and an envelope are everywhere and nowhere.
+Box shrunk(const Box& box, double share) {
+  const Vec2d by = (0.5 * share) * (box.max - box.min);
+  return {box.min + by, box.max - by};
+}
+
+Relaxation of_clearance(std::size_t index) {
+  return {fmt::format("clearance[{}]", index + 1),
+          [index](Limits& limits, double share) {
+            Clearance& clearance = limits.constraints.clearances.at(index);
+            const bool is_given_up = share >= 1 && !clearance.inside;
+            clearance.inside = clearance.inside || is_given_up;
+            clearance.box =
+                clearance.inside ? grown(clearance.box, share) : shrunk(clearance.box, share);
+          },
+          [index](const Limits& limits) {
+            const Clearance& clearance = limits.constraints.clearances.at(index);
+            if (clearance.inside) return "inside " + text(clearance.box);
+            // Rounded as others are it would grow: it is told in full.
+            const auto& [min, max] = clearance.box;
+            return fmt::format("outside [[{}, {}], [{}, {}]]", min.x, min.y, max.x, max.y);
+          }};
+}
+
+/// What holds over the full turn, which only a turning crank can keep to: the class stays.
+void add_turn_limits(const Constraints& constraints, std::vector<Relaxation>& all) {
+  for (std::size_t i = 0; i < constraints.clearances.size(); ++i) all.push_back(of_clearance(i));
+  if (constraints.peak_acceleration_max) {
+    all.push_back(of_most("peak_acceleration_max", &Constraints::peak_acceleration_max));
+  }
+  if (constraints.torque_ripple_max) {
+    all.push_back(of_most("torque_ripple_max", &Constraints::torque_ripple_max));
+  }
+}
+
 void add_constraints(const Constraints& constraints, std::vector<Relaxation>& all) {
-  if (constraints.required_class) {
+  if (constraints.required_class && !limits_turn(constraints)) {
     all.push_back({"class",
                    [](Limits& limits, double share) {
                      if (share > 0) limits.constraints.required_class.reset();
@@ -126,19 +180,7 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                    }});
   }
   if (constraints.link_ratio_max) {
-    all.push_back({"link_ratio_max",
-                   [](Limits& limits, double share) {
-                     auto& ratio = limits.constraints.link_ratio_max;
-                     if (share < 1) {
-                       ratio = *ratio / (1 - share);
-                     } else {
-                       ratio.reset();
-                     }
-                   },
-                   [](const Limits& limits) {
-                     const double ratio = *limits.constraints.link_ratio_max;
-                     return fmt::format("{:.10g}", rounded(ratio, ratio, 1));
-                   }});
+    all.push_back(of_most("link_ratio_max", &Constraints::link_ratio_max));
   }
   if (constraints.time_ratio) {
     all.push_back({"time_ratio",
@@ -148,6 +190,18 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                    },
                    [](const Limits& limits) { return text(*limits.constraints.time_ratio); }});
   }
+  if (constraints.error) {
+    all.push_back({std::string(to_string(constraints.error->of)),
+                   [](Limits& limits, double share) {
+                     auto& error = limits.constraints.error;
+                     error->max = moved(error->max, std::numeric_limits<double>::infinity(), share);
+                   },
+                   [](const Limits& limits) {
+                     const ErrorLimit& error = *limits.constraints.error;
+                     const double most = shown_error(error.of, error.max);
+                     return fmt::format("{:.10g}", rounded(most, most, 1));
+                   }});
+  }
   if (constraints.pivot_region) {
     all.push_back({"pivot_region",
                    [](Limits& limits, double share) {
@@ -156,6 +210,7 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
                    },
                    [](const Limits& limits) { return text(*limits.constraints.pivot_region); }});
   }
+  add_turn_limits(constraints, all);
   if (constraints.no_circuit_defect) {
     all.push_back(switched("no_circuit_defect", &Constraints::no_circuit_defect));
   }

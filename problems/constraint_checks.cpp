@@ -7,6 +7,7 @@
 
 #include "problems/degrees.hpp"
 #include "problems/names.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -96,6 +97,24 @@ class Checks {
     add("time_ratio", *ratio, limits,
         *ratio >= limits.min * (1 - kCheckTolerance) &&
             *ratio <= limits.max * (1 + kCheckTolerance));
+  }
+
+  void check_clearances(const std::vector<Clearance>& clearances) {
+    for (std::size_t i = 0; i < clearances.size(); ++i) {
+      const auto& [min, max] = clearances[i].box;
+      double allowed = allowance(0);
+      for (const double side : {min.x, min.y, max.x, max.y}) {
+        allowed = std::max(allowed, allowance(side));
+      }
+      const double distance = clearance_distance(linkage_, clearances[i]);
+      add("clearance[" + std::to_string(i + 1) + "]", distance, 0.0, distance >= -allowed);
+    }
+  }
+
+  /// Of a value over the turn; one that is not known is not allowed.
+  void check_most(const std::string& name, std::optional<double> value, double limit) {
+    const double reached = value.value_or(kInfinity);
+    add(name, reached, limit, reached <= limit * (1 + kCheckTolerance));
   }
 
   void check_pivot_region(const Box& region) {
@@ -231,6 +250,13 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
     checks.check_time_ratio(*constraints.time_ratio, metrics.time_ratio);
   }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
+  checks.check_clearances(constraints.clearances);
+  if (const auto& most = constraints.peak_acceleration_max) {
+    checks.check_most("peak_acceleration_max", metrics.peak_acceleration, *most);
+  }
+  if (const auto& most = constraints.torque_ripple_max) {
+    checks.check_most("torque_ripple_max", metrics.torque_ripple, *most);
+  }
   if (constraints.no_branch_defect) {
     checks.check_defect("no_branch_defect", Defect::branch, metrics);
   }

@@ -1,5 +1,7 @@
 #include "problems/crank_sense.hpp"
 
+#include <numbers>
+#include <optional>
 #include <string>
 
 #include "analysis/angle.hpp"
@@ -15,6 +17,23 @@ ConstraintCheck check_sense(CrankSense wanted, std::span<const double> crank_ang
   const std::string found = forward <= backward ? "ccw" : "cw";
   const std::string bound = wanted == CrankSense::ccw ? "ccw" : "cw";
   return {"crank_sense", found, bound, found == bound};
+}
+
+PossibleSenses senses_between(const PathProblem& problem) {
+  // A last point that repeats the first comes a whole turn later, to rounding.
+  constexpr double kWholeTurn = 2 * std::numbers::pi * (1 + 1e-9);
+  double forward = 0, backward = 0;
+  std::optional<double> before;
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    if (!problem.is_timed(j)) continue;
+    const double angle = problem.crank_angles[j];
+    if (before) {
+      forward += in_one_turn(angle - *before);
+      backward += in_one_turn(*before - angle);
+    }
+    before = angle;
+  }
+  return {forward <= kWholeTurn, backward <= kWholeTurn};
 }
 
 }  // namespace cognate::problems

@@ -8,6 +8,7 @@
 #include "analysis/angle.hpp"
 #include "problems/degrees.hpp"
 #include "problems/same_design.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -94,6 +95,7 @@ Design function_design(const FunctionProblem& problem, const FunctionSamples& wa
   }
   design.metrics.input_start = in_one_turn(generator.input_start);
   design.metrics.output_start = in_one_turn(generator.output_start);
+  add_turn_metrics(problem.constraints, linkage, Accelerated::rocker, design.metrics);
   design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
                                          linkage, design.metrics);
   check_start_angle(design.constraints, "input_start_deg", generator.input_start,

@@ -8,10 +8,12 @@
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
 #include "problems/deadline.hpp"
+#include "problems/error_limit.hpp"
 #include "problems/function_certificate.hpp"
 #include "problems/function_designs.hpp"
 #include "problems/function_exact.hpp"
 #include "problems/function_search.hpp"
+#include "problems/objectives.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -42,12 +44,14 @@ std::string origin(StartOrigin start, synthesis::Backend finisher) {
 Result solve_by_search(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
   Result result;
   const FunctionSamples wanted = function_samples(problem);
-  const auto minima = search_functions(problem, wanted, run, deadline, result.work);
+  const auto found = search_functions(problem, wanted, run, deadline, result.work);
+  result.facts = found.thoroughness.facts();
   const bool ended_early = deadline.reached();
   std::vector<Design> designs;
-  for (const auto& [minimum, from] : minima) {
+  for (const auto& [minimum, from] : found.minima) {
     Design design = function_design(problem, wanted, minimum, positions_of(minimum, wanted.samples),
                                     origin(from, finisher_of(problem)));
+    check_error(problem, design);
     if (std::isfinite(design.error.sum_of_squares)) designs.push_back(std::move(design));
   }
   // By a loss the search knows which is best; the design's own error is that of least squares.
@@ -73,8 +77,11 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
 Result solve(const FunctionProblem& problem, const Run& run) {
   const Deadline deadline(run);
   const bool exact = problem.objective == FunctionObjective::exact;
-  Result result =
-      exact ? solve_exactly(problem, deadline) : solve_by_search(problem, run, deadline);
+  const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
+    return solve_by_search(one, own, deadline);
+  };
+  Result result = exact ? solve_exactly(problem, deadline)
+                        : solve_objectives(problem, run, deadline, solve_one);
   if (!exact) {
     Run silent = run;
     silent.progress = nullptr;

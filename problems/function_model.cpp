@@ -43,7 +43,8 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
       assembly_(assembly),
       objective_(objective),
       limited_(limited),
-      linkage_constraints_(problem.constraints, typical_length(length_ranges(problem))) {
+      linkage_constraints_(problem.constraints, typical_length(length_ranges(problem))),
+      turn_limits_(problem.constraints, Accelerated::rocker) {
   list_variables();
   const bool limits_transmission =
       problem.constraints.transmission_angle && !linkage_constraints_.limits_transmission();
@@ -96,7 +97,7 @@ synthesis::FunctionFit FunctionModel::lane_fit() const {
 }
 
 int FunctionModel::constraint_count() const {
-  return linkage_constraints_.count() + (limits_sweep_ ? 2 : 0);
+  return linkage_constraints_.count() + (limits_sweep_ ? 2 : 0) + turn_limits_.count();
 }
 
 std::vector<double> FunctionModel::variables_of(const FunctionGenerator& generator) const {
@@ -209,6 +210,19 @@ void FunctionModel::sweep_constraints(const FunctionGenerator& g, std::span<doub
   }
 }
 
+/// The rows of the limits over the turn: A is the origin, D lies on the x axis.
+void FunctionModel::limit_turn(const FunctionGenerator& g, std::span<double> values,
+                               std::span<double> jacobian) const {
+  const auto count = static_cast<std::size_t>(turn_limits_.count());
+  std::vector<LimitSlopes> all(jacobian.empty() ? 0 : count);
+  turn_limits_.evaluate({.links = g.links, .assembly = assembly_}, values, all);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    Slopes slopes{};
+    for (std::size_t k = 0; k < kLinks.size(); ++k) slopes[k] = g.links.*kLinks[k] * all[row][k];
+    write_row(slopes, jacobian.subspan(row * free_.size(), free_.size()));
+  }
+}
+
 void FunctionModel::constraints(std::span<const double> x, std::span<double> c,
                                 std::span<double> jacobian) const {
   const FunctionGenerator g = generator(x);
@@ -220,6 +234,9 @@ void FunctionModel::constraints(std::span<const double> x, std::span<double> c,
     for (int k = 0; k < 4; ++k) slopes[k] = g.links.*kLinks[k] * gradient[i].*kLinks[k];
     write_row(slopes, jacobian.subspan(i * free_.size(), free_.size()));
   }
+  const std::size_t before_turn = of_lengths + (limits_sweep_ ? 2 : 0);
+  limit_turn(g, c.subspan(before_turn),
+             jacobian.empty() ? jacobian : jacobian.subspan(before_turn * free_.size()));
   if (!limits_sweep_) return;
   std::array<Slopes, 2> slopes;
   sweep_constraints(g, c.subspan(of_lengths).first<2>(), slopes);

@@ -9,6 +9,7 @@
 #include "problems/function_samples.hpp"
 #include "problems/linkage_constraints.hpp"
 #include "problems/problem.hpp"
+#include "problems/turn_limits.hpp"
 #include "synthesis/optimise/model.hpp"
 #include "synthesis/search/function_fit.hpp"
 
@@ -44,8 +45,10 @@ class FunctionModel final : public synthesis::Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
-  /// Not with a start at a dead centre.
-  bool has_hessian() const override { return problem_.start == FunctionStart::free; }
+  /// Not with a start at a dead centre, nor with limits over the full turn.
+  bool has_hessian() const override {
+    return problem_.start == FunctionStart::free && turn_limits_.count() == 0;
+  }
   bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
                           std::span<const double> of_constraints,
                           std::span<double> out) const override;
@@ -68,6 +71,8 @@ class FunctionModel final : public synthesis::Model {
                          std::span<Slopes, 2> slopes) const;
   void add_sweep_curvature(const FunctionGenerator& g, std::span<const double> weights,
                            Curvature& out) const;
+  void limit_turn(const FunctionGenerator& g, std::span<double> values,
+                  std::span<double> jacobian) const;
   void write_row(const Slopes& slopes, std::span<double> row) const;
 
   const FunctionProblem& problem_;
@@ -78,6 +83,7 @@ class FunctionModel final : public synthesis::Model {
   bool limits_sweep_ = false;
   Range transmission_;  ///< limits over the sweep: those of the file, else [0, π] for closure
   LinkageConstraints linkage_constraints_;
+  TurnLimits turn_limits_;
   std::array<double, kDimensions> fixed_{};
   std::vector<int> free_;  ///< dimension of each variable
   std::vector<synthesis::Variable> variables_;

@@ -9,6 +9,7 @@
 #include "problems/function_starts.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
+#include "problems/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -23,11 +24,14 @@ struct FoundFunction {
   StartOrigin origin = StartOrigin::search;
 };
 
-/// Local minima of the objective, best first, feasible ones before others; the same for any number
-/// of threads. Minimax designs have their peaks between the samples levelled too. Counts what was
-/// done in `work`.
-std::vector<FoundFunction> search_functions(const FunctionProblem& problem,
-                                            const FunctionSamples& wanted, const Run& run,
-                                            const Deadline& deadline, Work& work);
+struct FunctionSearchResult {
+  std::vector<FoundFunction> minima;  ///< best first, feasible ones before others
+  SearchThoroughness thoroughness;    ///< of the search for least-squares minima
+};
+
+/// Local minima of the objective; the same for any number of threads. Minimax designs have their
+/// peaks between the samples levelled too. Counts what was done in `work`.
+FunctionSearchResult search_functions(const FunctionProblem& problem, const FunctionSamples& wanted,
+                                      const Run& run, const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

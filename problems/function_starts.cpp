@@ -9,8 +9,7 @@
 #include <random>
 
 #include "analysis/parallel.hpp"
-#include "problems/dead_centre.hpp"
-#include "problems/length_ranges.hpp"
+#include "problems/function_screen.hpp"
 #include "problems/link_ratios.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
@@ -38,114 +37,50 @@ std::vector<AnglePair> thinned(const std::vector<AnglePair>& samples) {
   return result;
 }
 
-/// What all workers look up.
-struct Screen {
-  const FunctionProblem& problem;
-  std::vector<AnglePair> wanted;
-  std::array<Range, 4> ranges;
-
-  std::vector<Assembly> assemblies() const {
-    if (problem.given.assembly) return {*problem.given.assembly};
-    return {Assembly::open, Assembly::crossed};
-  }
-
-  Lengths<double> within(const Lengths<double>& l) const {
-    const auto clamp = [&](double value, int i) {
-      return std::clamp(value, ranges[i].min, ranges[i].max);
-    };
-    return {clamp(l.crank, 0), clamp(l.coupler, 1), clamp(l.rocker, 2), clamp(l.frame, 3)};
-  }
-
-  bool fixed(int i) const { return ranges[i].min == ranges[i].max; }
-
-  /// `links` in the unit of the lengths that are fixed, or of the bounds' middle.
-  Lengths<double> scaled(const Lengths<double>& l) const {
-    const std::array values{l.crank, l.coupler, l.rocker, l.frame};
-    double factor = std::sqrt(ranges[0].min * ranges[0].max) / l.crank;
-    for (const int i : {2, 1, 3, 0}) {
-      if (fixed(i)) factor = ranges[i].min / values[i];
-    }
-    return within({factor * l.crank, factor * l.coupler, factor * l.rocker, factor * l.frame});
-  }
-
-  double clamped_start(double angle, const std::optional<Range>& bounds) const {
-    if (!bounds) return angle;
-    const double middle = 0.5 * (bounds->min + bounds->max);
-    return std::clamp(middle + wrapped(angle - middle), bounds->min, bounds->max);
-  }
-
-  /// Completes the start angles that follow from the rest, and scores the generator.
-  FunctionStartPoint scored(FunctionGenerator g) const {
-    const FunctionStartPoint nothing{g, kInfinite};
-    if (problem.start != FunctionStart::free) {
-      const auto dead = dead_centre(g.links, g.assembly, problem.start);
-      if (!dead) return nothing;
-      g.input_start = dead->crank_angle;
-      g.output_start = dead->rocker_angle;
-    } else {
-      g.input_start = clamped_start(g.input_start, problem.input_start_bounds);
-      if (problem.output_start) {
-        g.output_start = *problem.output_start;
-      } else {
-        const auto start = best_output_start(g, wanted);
-        if (!start) return nothing;
-        g.output_start = clamped_start(*start, problem.output_start_bounds);
-      }
-    }
-    const double sum = StructuralError(g).sum_of_squares(wanted);
-    return {g, sum / static_cast<double>(wanted.size())};
-  }
-
-  /// The better assembly of a linkage.
-  FunctionStartPoint best_assembly(FunctionGenerator g) const {
-    FunctionStartPoint best{g, kInfinite};
-    for (const Assembly assembly : assemblies()) {
-      g.assembly = assembly;
-      const FunctionStartPoint point = scored(g);
-      if (point.error < best.error) best = point;
-    }
-    return best;
-  }
-};
-
-/// Weights that turn the residual of Freudenstein's equation into an output angle: 1/(∂F/∂θ₃)²,
-/// bounded where the slope vanishes.
-std::vector<double> slope_weights(std::span<const AnglePair> pairs,
-                                  const std::array<double, 3>& p) {
-  std::vector<double> squares;
-  double mean = 0;
-  for (const AnglePair& pair : pairs) {
-    const double slope = p[0] * std::sin(pair.output) + p[1] * std::sin(pair.output - pair.input);
-    squares.push_back(slope * slope);
-    mean += squares.back() / static_cast<double>(pairs.size());
-  }
-  for (double& value : squares) value = mean / (value + 1e-3 * mean);
-  return squares;
-}
-
-/// The linkage whose structural error with these start angles is about least.
-FunctionStartPoint fitted(const Screen& screen, double input_start, double output_start) {
-  FunctionStartPoint nothing{{}, kInfinite};
-  std::vector<AnglePair> pairs = screen.wanted;
-  for (AnglePair& pair : pairs) {
-    pair.input += input_start;
-    pair.output += output_start;
-  }
-  auto ratios = synthesis::freudenstein_fit(pairs);
-  for (int i = 0; ratios && i < kReweightings; ++i) {
-    ratios = synthesis::freudenstein_fit(pairs, slope_weights(pairs, ratios->p));
-  }
-  if (!ratios) return nothing;
-  const auto linkage = synthesis::freudenstein_linkage(ratios->p);
-  if (linkage.outcome != synthesis::FreudensteinOutcome::linkage) return nothing;
-  if (screen.problem.input_start && linkage.input_turn != 0) return nothing;
+/// The generator that some ratios of Freudenstein's equation stand for.
+std::optional<FunctionGenerator> generator_of(const FunctionScreen& screen,
+                                              const std::array<double, 3>& p, double input_start) {
+  const auto linkage = synthesis::freudenstein_linkage(p);
+  if (linkage.outcome != synthesis::FreudensteinOutcome::linkage) return std::nullopt;
+  if (screen.problem().input_start && linkage.input_turn != 0) return std::nullopt;
   FunctionGenerator g;
   g.links = screen.scaled(linkage.links);
   g.input_start = input_start + linkage.input_turn;
-  g.output_start = output_start + linkage.output_turn;
-  FunctionStartPoint point = screen.best_assembly(g);
-  point.origin = StartOrigin::overlay;
-  return point;
+  return screen.started(g).front();
+}
+
+/// For one start angle of the input and each of the output the linkage whose structural error is
+/// about least; its output start angle is not yet set.
+std::vector<FunctionStartPoint> fitted(const FunctionScreen& screen, double input_start,
+                                       const std::vector<double>& output_starts) {
+  const std::size_t count = output_starts.size(), lanes = synthesis::StartAngles::lanes;
+  const std::size_t padded = (count + lanes - 1) / lanes * lanes;
+  synthesis::StartAngles starts(padded);
+  for (std::size_t i = 0; i < padded; ++i) {
+    const double output_start = output_starts[std::min(i, count - 1)];
+    starts.input_x[i] = std::cos(input_start);
+    starts.input_y[i] = std::sin(input_start);
+    starts.output_x[i] = std::cos(output_start);
+    starts.output_y[i] = std::sin(output_start);
+  }
+  synthesis::fit_freudenstein(screen.wanted(), kReweightings, starts);
+
+  const auto& [p0, p1, p2] = starts.ratios;
+  std::vector<std::size_t> cells;
+  std::vector<FunctionGenerator> generators;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto generator = generator_of(screen, {p0[i], p1[i], p2[i]}, input_start);
+    if (!generator) continue;
+    cells.push_back(i);
+    generators.push_back(*generator);
+  }
+  std::vector<FunctionStartPoint> points(count, {{}, kInfinite, StartOrigin::overlay});
+  const std::vector<FunctionStartPoint> screened = screen.screened(generators);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    points[cells[k]].generator = screened[k].generator;
+    points[cells[k]].error = screened[k].error;
+  }
+  return points;
 }
 
 /// The angles at which a start angle is looked at: one where the file gives it, else steps over
@@ -178,40 +113,48 @@ std::vector<FunctionStartPoint> grid_minima(const std::vector<FunctionStartPoint
 }
 
 /// Whether the equation's three ratios are all free: then lengths follow from start angles.
-bool ratios_are_free(const Screen& screen) {
-  return screen.problem.start == FunctionStart::free && !screen.fixed(1) && !screen.fixed(2) &&
+bool ratios_are_free(const FunctionScreen& screen) {
+  return screen.problem().start == FunctionStart::free && !screen.fixed(1) && !screen.fixed(2) &&
          !(screen.fixed(0) && screen.fixed(3));
 }
 
-std::vector<FunctionStartPoint> freudenstein_starts(const Screen& screen, const StartSearch& search,
+std::vector<FunctionStartPoint> freudenstein_starts(const FunctionScreen& screen,
+                                                    const StartSearch& search,
                                                     std::uint64_t& candidates) {
   if (!ratios_are_free(screen)) return {};
   std::mt19937_64 random(search.seed);
   std::uniform_real_distribution<double> shift(0, 1);
   const double first_shift = shift(random), second_shift = shift(random);
-  const auto inputs = angles(screen.problem.input_start, first_shift);
-  const auto outputs = angles(screen.problem.output_start, second_shift);
+  const auto inputs = angles(screen.problem().input_start, first_shift);
+  const auto outputs = angles(screen.problem().output_start, second_shift);
   const int rows = static_cast<int>(inputs.size()), columns = static_cast<int>(outputs.size());
   std::vector<FunctionStartPoint> grid(inputs.size() * outputs.size(),
                                        FunctionStartPoint{{}, kInfinite});
   parallel_for(rows, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
-    for (int j = 0; j < columns; ++j) grid[i * columns + j] = fitted(screen, inputs[i], outputs[j]);
+    std::ranges::move(fitted(screen, inputs[i], outputs),
+                      grid.begin() + static_cast<std::ptrdiff_t>(i) * columns);
   });
   candidates += grid.size();
-  return grid_minima(grid, rows, columns);
+  std::vector<FunctionStartPoint> starts;
+  for (const FunctionStartPoint& minimum : grid_minima(grid, rows, columns)) {
+    starts.push_back(screen.scored(minimum.generator));
+    starts.back().origin = minimum.origin;
+  }
+  std::erase_if(starts, [](const auto& start) { return !std::isfinite(start.error); });
+  return starts;
 }
 
 /// The linkages through five samples about where Chebyshev's points lie, where no start is given.
-std::vector<FunctionStartPoint> five_point_starts(const Screen& screen) {
-  const FunctionProblem& problem = screen.problem;
-  const auto count = static_cast<double>(screen.wanted.size());
+std::vector<FunctionStartPoint> five_point_starts(const FunctionScreen& screen) {
+  const FunctionProblem& problem = screen.problem();
+  const auto count = static_cast<double>(screen.wanted().size());
   if (!ratios_are_free(screen) || problem.input_start || problem.output_start || count < 5) {
     return {};
   }
   std::vector<synthesis::PrecisionPoint> points;
   for (const double place : synthesis::chebyshev_spacing(0, count - 1, 5)) {
-    const AnglePair& pair = screen.wanted[static_cast<std::size_t>(std::lround(place))];
+    const AnglePair& pair = screen.wanted()[static_cast<std::size_t>(std::lround(place))];
     points.push_back({.input = pair.input, .output = {pair.output}});
   }
   std::vector<FunctionStartPoint> starts;
@@ -235,15 +178,15 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t index) {
 /// Random linkages, with the start angle of their input.
 class Draws {
  public:
-  Draws(const Screen& screen, std::uint64_t seed) : screen_(screen), random_(seed) {
-    for (const Range& a : screen.ranges) {
-      for (const Range& b : screen.ranges) largest_ = std::max(largest_, a.max / b.min);
+  Draws(const FunctionScreen& screen, std::uint64_t seed) : screen_(screen), random_(seed) {
+    for (const Range& a : screen.ranges()) {
+      for (const Range& b : screen.ranges()) largest_ = std::max(largest_, a.max / b.min);
     }
-    largest_ = std::min(largest_, screen.problem.constraints.link_ratio_max.value_or(30));
+    largest_ = std::min(largest_, screen.problem().constraints.link_ratio_max.value_or(30));
   }
 
   FunctionGenerator next() {
-    const FunctionProblem& problem = screen_.problem;
+    const FunctionProblem& problem = screen_.problem();
     FunctionGenerator g;
     g.links = screen_.scaled(random_ratios(random_, problem.constraints.required_class, largest_));
     g.input_start = problem.input_start.value_or(angle_(random_));
@@ -251,58 +194,32 @@ class Draws {
   }
 
  private:
-  const Screen& screen_;
+  const FunctionScreen& screen_;
   std::mt19937_64 random_;
   std::uniform_real_distribution<double> angle_{-kPi, kPi};
   double largest_ = 1;
 };
 
-/// The best of some random linkages; in SIMD lanes, where the start angles do not follow from the
-/// lengths.
-FunctionStartPoint drawn(const Screen& screen, std::uint64_t seed) {
+/// The best of some random linkages.
+FunctionStartPoint drawn(const FunctionScreen& screen, std::uint64_t seed) {
   Draws draws(screen, seed);
-  FunctionStartPoint best{{}, kInfinite};
-  if (screen.problem.start != FunctionStart::free) {
-    for (int i = 0; i < kDrawsPerStart; ++i) {
-      const FunctionStartPoint point = screen.best_assembly(draws.next());
-      if (point.error < best.error) best = point;
-    }
-    return best;
-  }
-  static_assert(kDrawsPerStart % synthesis::FunctionCandidates::lanes == 0);
-  synthesis::FunctionCandidates candidates(kDrawsPerStart);
   std::vector<FunctionGenerator> generators;
-  for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
-    FunctionGenerator g = draws.next();
-    g.input_start = screen.clamped_start(g.input_start, screen.problem.input_start_bounds);
-    candidates.crank[i] = g.links.crank;
-    candidates.coupler[i] = g.links.coupler;
-    candidates.rocker[i] = g.links.rocker;
-    candidates.frame[i] = g.links.frame;
-    candidates.half_start_x[i] = std::cos(0.5 * g.input_start);
-    candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
-    generators.push_back(g);
+  for (int i = 0; i < kDrawsPerStart; ++i) {
+    for (const FunctionGenerator& g : screen.started(draws.next())) generators.push_back(g);
   }
-  synthesis::screen(screen.wanted, screen.problem.output_start, candidates);
-  double least = kInfinite;
-  for (std::size_t i = 0; i < kDrawsPerStart; ++i) {
-    for (const Assembly assembly : screen.assemblies()) {
-      const double error = assembly == Assembly::open ? candidates.open[i] : candidates.crossed[i];
-      if (!(error < least)) continue;
-      least = error;
-      best.generator = generators[i];
-      best.generator.assembly = assembly;
-    }
-  }
-  return std::isfinite(least) ? screen.scored(best.generator) : best;
+  const auto points = screen.screened(generators);
+  const auto best = std::ranges::min_element(points, {}, &FunctionStartPoint::error);
+  const bool any = best != points.end() && std::isfinite(best->error);
+  return any ? screen.scored(best->generator) : FunctionStartPoint{{}, kInfinite};
 }
 
-std::vector<FunctionStartPoint> random_starts(const Screen& screen, const StartSearch& search,
+std::vector<FunctionStartPoint> random_starts(const FunctionScreen& screen,
+                                              const StartSearch& search,
                                               std::uint64_t& candidates) {
   std::vector<FunctionStartPoint> starts(search.count, FunctionStartPoint{{}, kInfinite});
   parallel_for(search.count, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
-    starts[i] = drawn(screen, mixed(search.seed, i));
+    starts[i] = drawn(screen, mixed(search.seed, search.first + i));
   });
   candidates += static_cast<std::uint64_t>(search.count) * kDrawsPerStart;
   std::erase_if(starts, [](const auto& start) { return !std::isfinite(start.error); });
@@ -313,12 +230,15 @@ std::vector<FunctionStartPoint> random_starts(const Screen& screen, const StartS
 
 FoundStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
                         const StartSearch& search) {
-  const Screen screen{problem, thinned(wanted.samples), length_ranges(problem)};
+  const FunctionScreen screen(problem, thinned(wanted.samples));
   FoundStarts found;
-  auto fits = freudenstein_starts(screen, search, found.candidates);
-  auto exact = five_point_starts(screen);
-  found.candidates += exact.size();
-  fits.insert(fits.end(), exact.begin(), exact.end());
+  std::vector<FunctionStartPoint> fits;
+  if (search.first == 0) {
+    fits = freudenstein_starts(screen, search, found.candidates);
+    const auto exact = five_point_starts(screen);
+    found.candidates += exact.size();
+    fits.insert(fits.end(), exact.begin(), exact.end());
+  }
   auto draws = random_starts(screen, search, found.candidates);
   for (auto* kind : {&fits, &draws}) {
     std::ranges::stable_sort(*kind, {}, &FunctionStartPoint::error);

@@ -32,6 +32,7 @@ struct FunctionStartPoint {
 struct StartSearch {
   std::uint64_t seed = 1;
   int threads = 1;
+  int first = 0;                       ///< the first of the draws; fits come with number 0 alone
   int count = 48;                      ///< how many starts to return at most
   const Deadline* deadline = nullptr;  ///< when to give up; empty: never
 };

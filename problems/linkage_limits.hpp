@@ -4,8 +4,10 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "analysis/four_bar.hpp"
+#include "problems/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
 namespace cognate::problems {
@@ -46,6 +48,24 @@ enum class RequiredClass {
   non_grashof
 };
 
+/// `[[constraints.clearance]]`: over the full turn of the crank a point stays inside a box (its
+/// working envelope) or outside (an obstacle). Sides may be infinite.
+struct Clearance {
+  MovingPoint point = MovingPoint::coupler_point;
+  bool inside = true;
+  Box box;
+};
+
+/// What a bound on the error limits: the root mean square (over the weights of a path, too) of a
+/// distance or of an angle, or the largest angle of a minimax problem.
+enum class ErrorMeasure { rms_length, rms_angle, largest_angle };
+
+/// `constraints.rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`: lengths or radians.
+struct ErrorLimit {
+  ErrorMeasure of = ErrorMeasure::rms_length;
+  double max = 0;
+};
+
 /// `[constraints]` common to linkages. The transmission angle is the angle BCD in [0, π].
 struct Constraints {
   std::optional<RequiredClass> required_class;
@@ -53,15 +73,27 @@ struct Constraints {
   std::optional<double> link_ratio_max;
   std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
   std::optional<Box> pivot_region;
+  /// Over the full turn of a crank of class crank_rocker or double_crank; see turn_limits.hpp.
+  std::vector<Clearance> clearances;
+  std::optional<double> peak_acceleration_max;  ///< of the coupler point (length/s²) or the rocker
+  std::optional<double> torque_ripple_max;      ///< greatest less least driving torque
+  Operation operation;                          ///< under which those two are meant
   bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
   /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
   /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
   std::optional<std::array<Range, 4>> proportions;
+  std::optional<ErrorLimit> error;
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;
   bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve keeps to it
 };
+
+/// Whether a limit over the full turn of the crank is among them.
+inline bool limits_turn(const Constraints& constraints) {
+  return !constraints.clearances.empty() || constraints.peak_acceleration_max ||
+         constraints.torque_ripple_max;
+}
 
 /// `solve.solver`.
 enum class SolverChoice {
@@ -81,11 +113,15 @@ enum class SolverChoice {
   ipopt
 };
 
+/// `solve.objectives`: what of a design is to be best. See measures.hpp.
+enum class Measure { error, transmission_angle, link_ratio, size };
+
 /// `[solve]`.
 struct Solve {
   SolverChoice solver = SolverChoice::automatic;
-  std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
-  int designs = 3;            ///< how many different designs to return, 1…100
+  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;                  ///< how many different designs to return, 1…100
+  std::vector<Measure> objectives;  ///< empty: the error alone
   synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
   double loss_scale = 1;            ///< the error from which the loss differs: length or radians
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops

@@ -12,6 +12,7 @@
 #include "problems/degrees.hpp"
 #include "problems/mechanism_metrics.hpp"
 #include "problems/names.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -276,6 +277,7 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
   Metrics metrics;
   if (const auto* linkage = std::get_if<FourBar>(&guided.type)) {
     metrics = metrics_of(guided, nullptr);
+    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, metrics);
     checks = check_constraints(problem.constraints, problem.bounds, Given{}, *linkage, metrics);
   } else {
     const NamedMechanism mechanism = named_mechanism(guided);
@@ -300,6 +302,9 @@ std::optional<Design> plain_design(const MotionProblem& problem, const DyadPair&
   design.mechanism = named_mechanism(guided);
   design.metrics = metrics_of(guided, &design.mechanism);
   if (!is_number(design.metrics)) return std::nullopt;
+  if (const auto& linkage = design.mechanism.four_bar) {
+    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, design.metrics);
+  }
   design.constraints =
       check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
   add_moving_bounds(problem, pair, design.constraints);
@@ -345,6 +350,24 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
   design->metrics.facts.push_back({"position_error_max", place.max});
   add_drive(guided, *design);
   return design;
+}
+
+std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design) {
+  if (!design.mechanism.four_bar) return std::nullopt;
+  const FourBar& linkage = *design.mechanism.four_bar;
+  const auto fact =
+      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
+  if (!linkage.coupler_point || fact == design.metrics.facts.end()) return std::nullopt;
+  const double angle = std::get<double>(fact->value) * (std::numbers::pi / 180);
+  const Pose body_in_link{*linkage.coupler_point, angle};
+  const auto link = [&](const Vec2d& in_link, const Vec2d& fixed, double length) {
+    GuidingDyad dyad =
+        synthesis::rr_dyad(problem.poses, synthesis::to_body(body_in_link, in_link), fixed);
+    dyad.length = length;
+    return dyad;
+  };
+  return DyadPair{link({0, 0}, linkage.pivot_a, linkage.crank),
+                  link({linkage.coupler, 0}, linkage.pivot_d, linkage.rocker)};
 }
 
 }  // namespace cognate::problems

@@ -56,6 +56,10 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
                                      std::span<const synthesis::Pose> reached,
                                      const std::string& origin);
 
+/// The dyads of a design that is a four-bar, its crank's first; the inverse of the former two.
+/// Empty of any other design.
+std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design);
+
 /// The mechanism with the names that users know its parts by; the body's origin is its coupler
 /// point, or a point "P" of its link.
 NamedMechanism named_mechanism(const synthesis::GuidedMechanism& guided);

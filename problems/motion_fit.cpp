@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -25,12 +26,20 @@ constexpr int kFinishingIterations = 200;
 /// wanted.
 constexpr std::size_t kDeepened = 24, kFinished = 2;
 constexpr double kFeasibility = 1e-9;
+/// Starts of a round, and the fewest and most of a search where the file does not say.
+constexpr int kRound = 100, kFewestStarts = 200, kMostStarts = 800;
+/// The best minimum counts as well known once so many starts have come to it.
+constexpr int kEnoughHits = 5;
+/// Explored minima closer than this, and refined ones, are the same up to what an unfinished
+/// refinement leaves open.
+constexpr double kSameFit = 1e-4, kSameMinimum = 1e-6;
 /// Starts are explored over at most so many poses.
 constexpr std::size_t kMostPoses = 40;
 
 struct Found {
   MotionMinimum minimum;
   bool valid = false;
+  int hits = 1;          ///< how many starts have come here
   double violation = 0;  ///< of the file's constraints by the finished design, defects included
 };
 
@@ -57,19 +66,18 @@ bool better(const MotionMinimum& a, const MotionMinimum& b) {
   return a.solution.objective < b.solution.objective;
 }
 
-/// Whether two minima are the same point up to what an unfinished refinement leaves open.
-bool close(const MotionMinimum& a, const MotionMinimum& b) {
+bool close(const MotionMinimum& a, const MotionMinimum& b, double tolerance) {
   if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
   if (a.form.sides != b.form.sides) return false;
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
     const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
-    if (difference > 1e-6 * (1 + std::abs(a.solution.x[i]))) return false;
+    if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
   }
   return true;
 }
 
 /// Sound designs first, then by the solver's measure.
-void sort_and_merge(std::vector<Found>& all) {
+void sort_and_merge(std::vector<Found>& all, double tolerance) {
   std::erase_if(all, [](const Found& found) { return !found.valid; });
   std::ranges::stable_sort(all, [](const Found& a, const Found& b) {
     const bool a_sound = a.violation == 0, b_sound = b.violation == 0;
@@ -77,9 +85,14 @@ void sort_and_merge(std::vector<Found>& all) {
   });
   std::vector<Found> distinct;
   for (Found& found : all) {
-    const bool known = std::ranges::any_of(
-        distinct, [&](const Found& other) { return close(other.minimum, found.minimum); });
-    if (!known) distinct.push_back(std::move(found));
+    const auto known = std::ranges::find_if(distinct, [&](const Found& other) {
+      return close(other.minimum, found.minimum, tolerance);
+    });
+    if (known == distinct.end()) {
+      distinct.push_back(std::move(found));
+    } else {
+      known->hits += found.hits;
+    }
   }
   all = std::move(distinct);
 }
@@ -97,7 +110,7 @@ void keep_best(std::vector<Found>& all, std::size_t most) {
 }
 
 /// The numbers of the poses that are looked at first: even steps, first and last among them.
-std::vector<std::size_t> kept_poses(std::size_t count) {
+std::vector<std::size_t> in_even_steps(std::size_t count) {
   const std::size_t kept = std::min(count, kMostPoses);
   std::vector<std::size_t> numbers(kept);
   for (std::size_t k = 0; k < kept; ++k) {
@@ -119,16 +132,16 @@ class MotionSearch {
   MotionSearch(const MotionProblem& scaled, double tolerance, const Run& run,
                const Deadline& deadline, Work& work)
       : whole_(scaled),
-        kept_(kept_poses(scaled.poses.size())),
-        coarse_(only(scaled, kept_)),
+        kept_poses_(in_even_steps(scaled.poses.size())),
+        coarse_(only(scaled, kept_poses_)),
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
         work_(work) {}
 
-  void explore_all(int count);
+  void explore(const std::vector<DyadPair>& known, std::optional<int> starts);
   void finish(Backend backend);
-  std::vector<MotionMinimum> take();
+  MotionSearchResult take();
 
  private:
   synthesis::Options options(int iterations, double tolerance) const {
@@ -141,6 +154,12 @@ class MotionSearch {
   }
 
   Found explored(const MotionStart& start) const;
+  void add_known(const std::vector<DyadPair>& known);
+  void add_round(const MotionStarts& starts, int first, int count, int most);
+  void add(std::vector<Found> fresh);
+  std::size_t kept(std::size_t reserve) const {
+    return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
+  }
   void carry_over(Found& found) const;
   void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
                    int iterations, double share);
@@ -148,12 +167,13 @@ class MotionSearch {
   void lower_best(const Found& found);
 
   const MotionProblem& whole_;
-  std::vector<std::size_t> kept_;
+  std::vector<std::size_t> kept_poses_;
   MotionProblem coarse_;
   double tolerance_;
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
+  SearchThoroughness thoroughness_;
   std::vector<Found> all_;
   std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
 };
@@ -182,23 +202,58 @@ void MotionSearch::count_work(const Solution& solution, std::size_t poses) {
   work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
 }
 
-void MotionSearch::explore_all(int count) {
-  const MotionStarts starts(coarse_, kept_, run_.seed, deadline_);
-  all_.resize(static_cast<std::size_t>(count));
+void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int> starts) {
+  add_known(known);
+  const int most = starts.value_or(kMostStarts);
+  std::optional<MotionStarts> source;
+  if (most > 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
+  int done = 0;
+  while (done < most && !deadline_.reached()) {
+    const int count = std::min(kRound, most - done);
+    add_round(*source, done, count, most);
+    done += count;
+    const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
+    if (!starts && done >= kFewestStarts && enough) break;
+  }
+  const auto seen_once = std::ranges::count(all_, 1, &Found::hits);
+  thoroughness_.starts = done;
+  thoroughness_.unseen = done > 0 ? double(seen_once) / done : 1;
+}
+
+void MotionSearch::add_known(const std::vector<DyadPair>& known) {
+  std::vector<Found> fresh(known.size());
+  parallel_for(static_cast<int>(known.size()), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    const auto i = static_cast<std::size_t>(index);
+    fresh[i] = explored({known[i], "search"});
+    fresh[i].hits = 0;  // no start of the search
+    lower_best(fresh[i]);
+  });
+  add(std::move(fresh));
+}
+
+void MotionSearch::add_round(const MotionStarts& starts, int first, int count, int most) {
+  std::vector<Found> fresh(static_cast<std::size_t>(count));
   std::atomic<int> done{0};
   parallel_for(count, run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    const auto start = starts.start(index);
+    const auto start = starts.start(first + index);
     if (!start) return;
-    Found& found = all_[static_cast<std::size_t>(index)];
+    Found& found = fresh[static_cast<std::size_t>(index)];
     found = explored(*start);
     ++done;
     lower_best(found);
-    if (thread == 0 && run_.progress) run_.progress(0.8 * done / count, best_);
+    if (thread == 0 && run_.progress) run_.progress(0.8 * (first + done) / most, best_);
   });
   work_.candidates += static_cast<std::uint64_t>(done);
-  for (const Found& found : all_) count_work(found.minimum.solution, coarse_.poses.size());
-  sort_and_merge(all_);
+  add(std::move(fresh));
+}
+
+void MotionSearch::add(std::vector<Found> fresh) {
+  for (const Found& found : fresh) count_work(found.minimum.solution, coarse_.poses.size());
+  std::ranges::move(fresh, std::back_inserter(all_));
+  sort_and_merge(all_, kSameFit);
+  keep_best(all_, kept(kDeepened));
 }
 
 /// From the kept poses to all: the same dyads, their sides looked at anew.
@@ -225,7 +280,7 @@ void MotionSearch::carry_over(Found& found) const {
 /// them unless it is worse.
 void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
                                int iterations, double share) {
-  keep_best(all_, reserve + 2 * static_cast<std::size_t>(whole_.solve.designs));
+  keep_best(all_, kept(reserve));
   std::vector<Solution> solutions(all_.size());
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
@@ -243,14 +298,14 @@ void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve
     if (thread == 0 && run_.progress) run_.progress(share, best_);
   });
   for (const Solution& solution : solutions) count_work(solution, problem.poses.size());
-  sort_and_merge(all_);
+  sort_and_merge(all_, kSameMinimum);
 }
 
 /// Brings the best to convergence at all poses, by `backend` in the end.
 void MotionSearch::finish(Backend backend) {
   refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, 0.85);
-  if (kept_.size() < whole_.poses.size()) {
-    keep_best(all_, kFinished + 2 * static_cast<std::size_t>(whole_.solve.designs));
+  if (kept_poses_.size() < whole_.poses.size()) {
+    keep_best(all_, kept(kFinished));
     for (Found& found : all_) carry_over(found);
     refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, 0.9);
   }
@@ -259,22 +314,23 @@ void MotionSearch::finish(Backend backend) {
   }
 }
 
-std::vector<MotionMinimum> MotionSearch::take() {
+MotionSearchResult MotionSearch::take() {
   std::erase_if(all_, [](const Found& found) {
     return !std::isfinite(found.minimum.solution.objective);  // does not close at every pose
   });
-  std::vector<MotionMinimum> minima;
-  for (Found& found : all_) minima.push_back(std::move(found.minimum));
-  return minima;
+  thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
+  MotionSearchResult result{{}, thoroughness_};
+  for (Found& found : all_) result.minima.push_back(std::move(found.minimum));
+  return result;
 }
 
 }  // namespace
 
-std::vector<MotionMinimum> search_motions(const MotionProblem& scaled, int starts, Backend backend,
-                                          double tolerance, const Run& run,
-                                          const Deadline& deadline, Work& work) {
+MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
+                                  std::optional<int> starts, Backend backend, double tolerance,
+                                  const Run& run, const Deadline& deadline, Work& work) {
   MotionSearch search(scaled, tolerance, run, deadline, work);
-  search.explore_all(starts);
+  search.explore(known, starts);
   search.finish(backend);
   return search.take();
 }

@@ -1,6 +1,7 @@
 /// @file The global search for motion generation by least squares.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "problems/motion_model.hpp"
 #include "problems/motion_problem.hpp"
 #include "problems/result.hpp"
+#include "problems/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -19,12 +21,19 @@ struct MotionMinimum {
   synthesis::Solution solution;
 };
 
-/// The minima that `starts` starts lead to, best first, feasible ones before others; equal for any
-/// number of threads. All starts are explored with few iterations of Gauss–Newton, of long lists of
-/// poses over a part of them; the best different ones are brought to convergence, and the best of
-/// these finished by `backend` where it is another. Counts what was done in `work`.
-std::vector<MotionMinimum> search_motions(const MotionProblem& scaled, int starts,
-                                          synthesis::Backend backend, double tolerance,
-                                          const Run& run, const Deadline& deadline, Work& work);
+struct MotionSearchResult {
+  std::vector<MotionMinimum> minima;  ///< best first, feasible ones before others
+  SearchThoroughness thoroughness;
+};
+
+/// Minima of a scaled problem; equal for any number of threads. Starts, beside the `known`
+/// pairs `starts` of them or until more promise nothing new, are explored with few iterations of
+/// Gauss–Newton, of long lists of poses over a part of them; the best different ones are brought to
+/// convergence, and the best of these finished by `backend` where it is another. Counts what was
+/// done in `work`.
+MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
+                                  std::optional<int> starts, synthesis::Backend backend,
+                                  double tolerance, const Run& run, const Deadline& deadline,
+                                  Work& work);
 
 }  // namespace cognate::problems

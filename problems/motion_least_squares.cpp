@@ -9,9 +9,11 @@
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
 #include "problems/conflict.hpp"
+#include "problems/error_limit.hpp"
 #include "problems/motion_dyads.hpp"
 #include "problems/motion_fit.hpp"
 #include "problems/motion_scale.hpp"
+#include "problems/objectives.hpp"
 #include "problems/verify.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
@@ -22,8 +24,8 @@ using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
 
-/// Every problem of the library and of the tests is solved from each of 100 seeds with fewer.
-constexpr int kDefaultStarts = 400;
+/// Starts with limits over the turn, of whose minima half as many were seen to miss the best.
+constexpr int kLimitedStarts = 1600;
 constexpr double kDefaultTolerance = 1e-13;
 /// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
 constexpr double kSameWithin = 1e-3;
@@ -102,6 +104,7 @@ class Designs {
                                      const std::string& origin) const {
     auto design = nearest_design(problem_, pair, reached, origin);
     if (!design || !std::isfinite(design->error.sum_of_squares)) return std::nullopt;
+    check_error(problem_, *design);
     const double amount = violation(design->constraints);
     return Candidate{pair, std::move(*design), amount};
   }
@@ -130,14 +133,19 @@ std::vector<MotionProblem> drives_of(const MotionProblem& problem) {
   return drives;
 }
 
-void add_designs(const MotionProblem& problem, int starts, const Run& run, const Deadline& deadline,
-                 Designs& designs, Work& work) {
+SearchThoroughness add_designs(const MotionProblem& problem, std::optional<int> starts,
+                               const Run& run, const Deadline& deadline, Designs& designs,
+                               Work& work) {
   const MotionScale scale(problem);
   const MotionProblem scaled = scale.into(problem);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   const double tolerance = problem.solve.tolerance.value_or(kDefaultTolerance);
-  const auto minima = search_motions(scaled, starts, solver, tolerance, run, deadline, work);
-  for (const MotionMinimum& minimum : minima) {
+  std::vector<DyadPair> known;
+  for (const Design& design : run.known) {
+    if (const auto pair = pair_of(problem, design)) known.push_back(scale.into(*pair));
+  }
+  const auto found = search_motions(scaled, known, starts, solver, tolerance, run, deadline, work);
+  for (const MotionMinimum& minimum : found.minima) {
     const MotionModel model(scaled, minimum.form);
     std::vector<Pose> reached = model.reached(minimum.solution.x);
     if (reached.empty()) continue;
@@ -145,6 +153,14 @@ void add_designs(const MotionProblem& problem, int starts, const Run& run, const
     designs.add(scale.out_of(model.pair(minimum.solution.x)), reached,
                 minimum.origin + refined_by(solver));
   }
+  return found.thoroughness;
+}
+
+/// Of two searches for the same thing.
+SearchThoroughness together(const SearchThoroughness& a, const SearchThoroughness& b) {
+  const double starts = std::max(1, a.starts + b.starts);
+  return {a.starts + b.starts, std::max(a.best_hits, b.best_hits),
+          (a.starts * a.unseen + b.starts * b.unseen) / starts};
 }
 
 /// What is special about the motion as a whole, for the user; empty for most.
@@ -170,12 +186,16 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
   Result result;
   Designs designs(problem, MotionScale(problem).size());
   const auto drives = drives_of(problem);
-  const int starts = problem.solve.starts.value_or(kDefaultStarts);
+  const int searches = static_cast<int>(drives.size());
+  std::optional<int> starts = problem.solve.starts;
+  if (!starts && limits_turn(problem.constraints)) starts = kLimitedStarts;
+  if (starts) starts = (*starts + searches - 1) / searches;
+  SearchThoroughness thoroughness;
   for (const MotionProblem& drive : drives) {
-    const int share =
-        (starts + static_cast<int>(drives.size()) - 1) / static_cast<int>(drives.size());
-    add_designs(drive, share, run, deadline, designs, result.work);
+    thoroughness =
+        together(thoroughness, add_designs(drive, starts, run, deadline, designs, result.work));
   }
+  result.facts = thoroughness.facts();
   const bool ended_early = deadline.reached();
   if (const std::string note = degeneracy(problem); !note.empty()) result.notes.push_back(note);
   result.designs = designs.take();
@@ -191,7 +211,9 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
 
 Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
   const Deadline deadline(run);
-  Result result = search(problem, run, deadline);
+  Result result = solve_objectives(
+      problem, run, deadline,
+      [&](const MotionProblem& one, const Run& own) { return search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;
   const auto solve_once = [&](const MotionProblem& other) {

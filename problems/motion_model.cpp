@@ -102,7 +102,8 @@ Constraints on_lengths(const MotionProblem& problem, const MotionForm& form) {
 MotionModel::MotionModel(const MotionProblem& problem, MotionForm form)
     : problem_(problem),
       form_(std::move(form)),
-      linkage_constraints_(on_lengths(problem, form_), 1.0) {
+      linkage_constraints_(on_lengths(problem, form_), 1.0),
+      turn_limits_(on_lengths(problem, form_), Accelerated::coupler_point) {
   list_variables();
   list_distance_limits();
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
@@ -236,7 +237,8 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
 }
 
 int MotionModel::constraint_count() const {
-  return linkage_constraints_.count() + static_cast<int>(distance_limits_.size());
+  return linkage_constraints_.count() + static_cast<int>(distance_limits_.size()) +
+         turn_limits_.count();
 }
 
 void MotionModel::constraints(std::span<const double> x, std::span<double> c,
@@ -282,6 +284,40 @@ void MotionModel::constraints(std::span<const double> x, std::span<double> c,
     Full slopes{};
     add_distance(slopes, limit.from, limit.to, limit.sign * along);
     set(links + k, slopes);
+  }
+  const std::size_t before_turn = links + distance_limits_.size();
+  limit_turn(v, c.subspan(before_turn),
+             jacobian.empty() ? jacobian : jacobian.subspan(before_turn * n));
+}
+
+/// The rows of the limits over the turn. The coupler point is the body's origin.
+void MotionModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
+  if (turn_limits_.count() == 0) return;
+  const Vec2d moving = point(v, kMoving1), fixed = point(v, kFixed1);
+  const Vec2d coupler = point(v, kMoving2) - moving, frame = point(v, kFixed2) - fixed;
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  const double length = std::max(norm(coupler), kLeast), apart = std::max(norm(frame), kLeast);
+  const Vec2d along = (1 / length) * coupler, turn = (1 / apart) * frame;
+  const Vec2d origin = -(conj(along) * moving);
+  // Im(K E) is (B − D) × (C − B).
+  const Assembly assembly = form_.sides.front() < 0 ? Assembly::open : Assembly::crossed;
+  std::vector<LimitSlopes> all(jacobian.empty() ? 0
+                                                : static_cast<std::size_t>(turn_limits_.count()));
+  turn_limits_.evaluate(
+      {{v[kLength1], length, v[kLength2], apart}, origin, fixed, angle_of(frame), assembly}, c,
+      all);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const auto& [crank, by_length, rocker, by_apart, by_u, by_v, by_x, by_y, by_angle] = all[row];
+    // By the coupler's direction in the body, and by that of the frame.
+    const double by_turning = by_u * origin.y - by_v * origin.x;
+    const Vec2d by_coupler = by_length * along + (by_turning / length) * perp(along);
+    const Vec2d by_frame = by_apart * turn + (by_angle / apart) * perp(turn);
+    const Vec2d by_moving = -(along * Vec2d{by_u, by_v}) - by_coupler;
+    const Full slopes{by_moving.x,  by_moving.y,  by_x - by_frame.x, by_y - by_frame.y, crank,
+                      by_coupler.x, by_coupler.y, by_frame.x,        by_frame.y,        rocker};
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      jacobian[row * free_.size() + i] = slopes[static_cast<std::size_t>(free_[i])];
+    }
   }
 }
 

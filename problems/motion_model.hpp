@@ -9,6 +9,7 @@
 #include "problems/linkage_constraints.hpp"
 #include "problems/motion_design.hpp"
 #include "problems/motion_problem.hpp"
+#include "problems/turn_limits.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::problems {
@@ -80,6 +81,7 @@ class MotionModel final : public synthesis::Model {
   void list_distance_limits();
   Full full(std::span<const double> x) const;
   Full dimensions_of(const DyadPair& pair) const;
+  void limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   std::optional<Station> station(const Full& v, std::size_t pose, double crank_angle) const;
   double nearest_crank_angle(const Full& v, std::size_t pose) const;
 
@@ -96,6 +98,7 @@ class MotionModel final : public synthesis::Model {
   std::vector<synthesis::Variable> variables_;
   std::vector<int> local_of_residual_;
   LinkageConstraints linkage_constraints_;
+  TurnLimits turn_limits_;
   std::vector<DistanceLimit> distance_limits_;
 };
 

@@ -53,9 +53,22 @@ MotionProblem MotionScale::into(MotionProblem problem) const {
   similarity_.shrink(problem.rocker);
   similarity_.move(problem.bounds);
   for (auto& box : problem.moving_bounds) similarity_.shrink(box);
-  similarity_.move(problem.constraints.pivot_region);
+  similarity_.move(problem.constraints);
   problem.angle_weight /= size();
   return problem;
+}
+
+GuidingDyad MotionScale::into(const GuidingDyad& dyad) const {
+  GuidingDyad moved = dyad;
+  moved.in_body = (1 / size()) * dyad.in_body;
+  moved.moving = similarity_.point(dyad.moving);
+  moved.fixed = similarity_.point(dyad.fixed);
+  moved.length = dyad.length / size();
+  return moved;
+}
+
+DyadPair MotionScale::into(const DyadPair& pair) const {
+  return {into(pair.first), into(pair.second)};
 }
 
 Pose MotionScale::out_of(const Pose& pose) const {

@@ -18,11 +18,14 @@ class MotionScale {
 
   MotionProblem into(MotionProblem problem) const;  ///< file units → scaled
 
+  DyadPair into(const DyadPair& pair) const;
+
   /// Scaled → file units; what the file gives comes out as written.
   synthesis::Pose out_of(const synthesis::Pose& pose) const;
   DyadPair out_of(const DyadPair& pair) const;
 
  private:
+  synthesis::GuidingDyad into(const synthesis::GuidingDyad& dyad) const;
   synthesis::GuidingDyad out_of(const synthesis::GuidingDyad& dyad) const;
 
   const MotionProblem& problem_;

@@ -19,6 +19,10 @@ constexpr Named<RequiredClass> kRequiredClasses[] = {
     {"triple-rocker", RequiredClass::triple_rocker},
     {"grashof", RequiredClass::grashof},
     {"non-grashof", RequiredClass::non_grashof}};
+constexpr Named<MovingPoint> kMovingPoints[] = {
+    {"coupler-point", MovingPoint::coupler_point}, {"B", MovingPoint::b}, {"C", MovingPoint::c}};
+constexpr Named<MovingLink> kMovingLinks[] = {
+    {"crank", MovingLink::crank}, {"coupler", MovingLink::coupler}, {"rocker", MovingLink::rocker}};
 constexpr Named<SolverChoice> kSolvers[] = {
     {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
     {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
@@ -27,7 +31,8 @@ constexpr Named<SolverChoice> kSolvers[] = {
     {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
     {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
     {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
-constexpr Named<Timing> kTimings[] = {{"free", Timing::free}, {"prescribed", Timing::prescribed}};
+constexpr Named<Timing> kTimings[] = {
+    {"free", Timing::free}, {"prescribed", Timing::prescribed}, {"mixed", Timing::mixed}};
 constexpr Named<CrankReference> kCrankReferences[] = {{"first", CrankReference::first},
                                                       {"frame", CrankReference::frame},
                                                       {"global", CrankReference::global}};
@@ -53,6 +58,14 @@ constexpr Named<PointSpacing> kPointSpacings[] = {{"chebyshev", PointSpacing::ch
                                                   {"equal-peaks", PointSpacing::equal_peaks}};
 constexpr Named<BestBy> kBestBy[] = {{"error", BestBy::error},
                                      {"transmission", BestBy::transmission}};
+constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
+                                        {"transmission_angle", Measure::transmission_angle},
+                                        {"link_ratio", Measure::link_ratio},
+                                        {"size", Measure::size}};
+constexpr Named<ErrorMeasure> kErrorMeasures[] = {
+    {"rms_error_max", ErrorMeasure::rms_length},
+    {"rms_error_deg_max", ErrorMeasure::rms_angle},
+    {"max_error_deg_max", ErrorMeasure::largest_angle}};
 constexpr Named<MechanismType> kMechanismTypes[] = {
     {"four-bar", MechanismType::four_bar},
     {"slider-crank", MechanismType::slider_crank},
@@ -107,6 +120,16 @@ std::span<const Named<MobilityClass>> names<MobilityClass>() {
 template <>
 std::span<const Named<RequiredClass>> names<RequiredClass>() {
   return kRequiredClasses;
+}
+
+template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>() {
+  return kMovingPoints;
+}
+
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>() {
+  return kMovingLinks;
 }
 
 template <>
@@ -167,6 +190,16 @@ std::span<const Named<PointSpacing>> names<PointSpacing>() {
 template <>
 std::span<const Named<BestBy>> names<BestBy>() {
   return kBestBy;
+}
+
+template <>
+std::span<const Named<Measure>> names<Measure>() {
+  return kMeasures;
+}
+
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>() {
+  return kErrorMeasures;
 }
 
 template <>

@@ -32,6 +32,10 @@ std::span<const Named<MobilityClass>> names<MobilityClass>();
 template <>
 std::span<const Named<RequiredClass>> names<RequiredClass>();
 template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>();
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>();
+template <>
 std::span<const Named<SolverChoice>> names<SolverChoice>();
 template <>
 std::span<const Named<Timing>> names<Timing>();
@@ -55,6 +59,10 @@ template <>
 std::span<const Named<BestBy>> names<BestBy>();
 template <>
 std::span<const Named<PointSpacing>> names<PointSpacing>();
+template <>
+std::span<const Named<Measure>> names<Measure>();
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>();
 template <>
 std::span<const Named<MechanismType>> names<MechanismType>();
 template <>

@@ -23,6 +23,8 @@ constexpr std::size_t kCandidatesPerStart = 256;
 constexpr int kExploringIterations = 80;
 constexpr double kExploringTolerance = 1e-10;
 constexpr int kDeepeningIterations = 600;
+/// With limits over the turn, whose evaluation costs more than that of most points.
+constexpr int kLimitedIterations = 120;
 constexpr double kDeepeningTolerance = 1e-13;
 /// Starts of a round, and the fewest and most of a search where the file does not say. The best
 /// minimum of the library's problems attracts one start in forty or more: 250 starts miss it from
@@ -118,6 +120,7 @@ class Explorer {
   std::vector<PathFound> take(SearchThoroughness& thoroughness) {
     const int most = exploration_.starts.value_or(kMostStarts);
     int done = 0;
+    add_known();
     while (done < most && !deadline_.reached()) {
       const int count = std::min(kRound, most - done);
       add_round(done, count, most);
@@ -164,6 +167,19 @@ class Explorer {
     add(std::move(fresh));
   }
 
+  /// Designs that the run begins with, by either sense of increments.
+  void add_known() {
+    std::vector<PathFound> fresh;
+    for (const Design& design : exploration_.run.known) {
+      for (const bool clockwise : {false, true}) {
+        if (clockwise && problem_.timing == Timing::free) continue;
+        fresh.push_back(placed(problem_, {four_bar(design), design.crank_angles, clockwise}));
+        fresh.back().hits = 0;
+      }
+    }
+    if (!fresh.empty()) add(std::move(fresh));
+  }
+
   void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
     fit_.tolerance = kExploringTolerance;
@@ -178,7 +194,8 @@ class Explorer {
     if (pool_.size() > exploration_.kept) pool_.resize(exploration_.kept);
     const auto done =
         std::stable_partition(pool_.begin(), pool_.end(), std::not_fn(&PathFound::deepened));
-    fit_.most_iterations = kDeepeningIterations;
+    fit_.most_iterations =
+        limits_turn(problem_.constraints) ? kLimitedIterations : kDeepeningIterations;
     fit_.tolerance = kDeepeningTolerance;
     fit({pool_.begin(), done});
     for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
@@ -186,10 +203,10 @@ class Explorer {
   }
 
   void fit(std::span<PathFound> some) {
-    if (problem_.solve.loss == synthesis::Loss::none) {
+    if (knows_lanes_) {
       fit_in_lanes(problem_, some, fit_);
     } else {
-      fit_by_loss(some);
+      fit_one_by_one(some);
     }
     count_work(some, problem_.points.size(), work_);
     if (problem_.constraints.full_turn) mark_strays(some);
@@ -205,8 +222,8 @@ class Explorer {
     });
   }
 
-  /// One by one: the lanes know no loss.
-  void fit_by_loss(std::span<PathFound> some) {
+  /// By the solver that refines them later, under all limits.
+  void fit_one_by_one(std::span<PathFound> some) {
     parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
       PathFound& found = some[index];
       if (!found.valid) return;
@@ -240,6 +257,10 @@ class Explorer {
   const PathExploration& exploration_;
   const Deadline& deadline_;
   Work& work_;
+  /// The lanes know no loss and no limits over the turn. What they would find without those has
+  /// been seen to hide better minima within them.
+  const bool knows_lanes_ =
+      problem_.solve.loss == synthesis::Loss::none && !limits_turn(problem_.constraints);
   synthesis::PathFitOptions fit_;
   std::vector<PathFound> pool_;
 };

@@ -11,6 +11,8 @@
 #include "problems/crank_sense.hpp"
 #include "problems/curve_following.hpp"
 #include "problems/degrees.hpp"
+#include "problems/error_limit.hpp"
+#include "problems/objectives.hpp"
 #include "problems/path_certificate.hpp"
 #include "problems/path_exact.hpp"
 #include "problems/path_scale.hpp"
@@ -18,6 +20,7 @@
 #include "problems/result.hpp"
 #include "problems/same_design.hpp"
 #include "problems/shape_placement.hpp"
+#include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -120,14 +123,13 @@ class Designs {
     design.error = path_error(linkage, targets, crank_angles);
     design.metrics = design_metrics(linkage, crank_angles,
                                     {problem_.order, problem_.timing == Timing::prescribed});
+    add_turn_metrics(problem_.constraints, linkage, Accelerated::coupler_point, design.metrics);
     design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
                                            linkage, design.metrics);
-    const bool sense_limited =
-        problem_.crank_sense != CrankSense::either &&
-        (problem_.timing == Timing::free || problem_.crank_reference == CrankReference::first);
-    if (sense_limited && problem_.timing == Timing::free) {
+    if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {
       design.constraints.push_back(check_sense(problem_.crank_sense, crank_angles));
     }
+    check_error(problem_, design);
     design.origin = origin_;
     return design;
   }
@@ -166,8 +168,12 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   const PathProblem scaled = scale.into(searched);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
   Result result;
+  Run scaled_run = run;
+  for (Design& design : scaled_run.known) {
+    design.mechanism.four_bar = scale.into(four_bar(design));
+  }
   const PathSearchResult found =
-      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), run,
+      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,
                    deadline, result.work);
   const bool ended_early = deadline.reached();
   Designs designs(problem, scale.size);
@@ -180,9 +186,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   }
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();
-  result.facts = {{"starts", double(found.thoroughness.starts)},
-                  {"best_hits", double(found.thoroughness.best_hits)},
-                  {"chance_of_unseen_minimum", found.thoroughness.unseen}};
+  result.facts = found.thoroughness.facts();
   if (problem.solve.certify && result.status == Status::solved) {
     double best = std::numeric_limits<double>::infinity();
     for (const Design& design : result.designs) {
@@ -203,7 +207,9 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
 Result solve(const PathProblem& problem, const Run& run) {
   if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
   const Deadline deadline(run);
-  Result result = solve_by_search(problem, run, deadline);
+  Result result = solve_objectives(
+      problem, run, deadline,
+      [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;
   tell_conflict(

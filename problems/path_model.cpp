@@ -59,18 +59,13 @@ PathModel::PathModel(const PathProblem& problem, Assembly assembly, bool clockwi
     : problem_(problem),
       assembly_(sign(assembly)),
       anchor_is_d_(problem.given.pivot_d && !problem.given.pivot_a),
-      linkage_constraints_(problem.constraints, 1.0) {
+      linkage_constraints_(problem.constraints, 1.0),
+      turn_limits_(problem.constraints, Accelerated::coupler_point) {
   problem_.given = with_frame_from_pivots(problem.given);
+  while (first_timed_ < problem.points.size() && !problem.is_timed(first_timed_)) ++first_timed_;
   list_variables();
-  if (timed()) {
-    list_increments(clockwise);
-  } else {
-    for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-      const double turn = 2 * std::numbers::pi;
-      variables_.push_back({"crank angle " + std::to_string(j), -1e3 * turn, 1e3 * turn, 1});
-      local_of_residual_.insert(local_of_residual_.end(), 2, static_cast<int>(j));
-    }
-  }
+  list_increments(clockwise);
+  list_local_angles();
   for (const double weight : problem_.weights) root_weight_.push_back(std::sqrt(weight));
   root_weight_.resize(problem_.points.size(), 1.0);
 }
@@ -110,17 +105,31 @@ void PathModel::list_variables() {
   const double turn = 2 * std::numbers::pi;
   add_variable(angle, given.frame_angle, intersect({-4 * turn, 4 * turn}, bounds.frame_angle),
                "frame angle");
-  const bool has_phase = timed() && problem_.crank_reference == CrankReference::first;
+  const bool any_timed = first_timed_ < problem_.points.size();
+  const bool has_phase = any_timed && problem_.crank_reference == CrankReference::first;
   add_variable(phase, has_phase ? std::nullopt : std::optional(0.0), {-4 * turn, 4 * turn},
                "phase");
 }
 
 void PathModel::list_increments(bool clockwise) {
   const bool relative = problem_.crank_reference == CrankReference::first;
-  for (const double angle : problem_.crank_angles) {
-    const double increment = relative ? angle - problem_.crank_angles.front() : angle;
+  const std::size_t n = problem_.points.size();
+  const double origin = relative && first_timed_ < n ? problem_.crank_angles[first_timed_] : 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double increment = problem_.is_timed(j) ? problem_.crank_angles[j] - origin : 0;
     increment_.push_back(relative && clockwise ? -increment : increment);
     increment_half_.push_back(unit(0.5 * increment_.back()));
+  }
+}
+
+void PathModel::list_local_angles() {
+  const double turns = 1e3 * 2 * std::numbers::pi;
+  for (std::size_t j = 0; j < problem_.points.size(); ++j) {
+    local_.push_back(problem_.is_timed(j) ? -1 : local_count_++);
+    local_of_residual_.insert(local_of_residual_.end(), 2, local_.back());
+    if (!is_timed(j)) {
+      variables_.push_back({"crank angle " + std::to_string(j), -turns, turns, 1});
+    }
   }
 }
 
@@ -140,16 +149,16 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
   const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = timed() ? unit(0.5 * timing_offset(v)) : Vec2d{1, 0};
+  const Vec2d offset_half = unit(0.5 * timing_offset(v));
   const Vec2d anchor{v[anchor_x], v[anchor_y]};
   // From the anchor to the crank pivot A, in the frame's axes.
   const Vec2d to_a{anchor_is_d_ ? -v[frame] : 0.0, 0.0};
-  const bool global = timed() && problem_.crank_reference == CrankReference::global;
+  const bool global = problem_.crank_reference == CrankReference::global;
   const std::size_t n = free_.size();
 
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const auto direction =
-        timed() ? crank_direction(increment_half_[j] * offset_half) : crank_direction(x[n + j]);
+    const auto direction = is_timed(j) ? crank_direction(increment_half_[j] * offset_half)
+                                       : crank_direction(local_angle(x, j));
     const auto at = closure.at(direction, assembly_);
     if (!(at.discriminant > 0)) return false;
     const Vec2d e1{direction.cos, direction.sin};
@@ -173,24 +182,23 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
         perp(at.coupler),
         conj(turn),
         perp(conj(turn)),
-        perp(to_a + arm) - (global ? 1.0 : 0.0) * by_theta,
-        by_theta};
+        perp(to_a + arm) - (is_timed(j) && global ? 1.0 : 0.0) * by_theta,
+        (is_timed(j) ? 1.0 : 0.0) * by_theta};
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2d derivative = w * (turn * in_frame[free_[i]]);
       jacobian[2 * j * n + i] = derivative.x;
       jacobian[(2 * j + 1) * n + i] = derivative.y;
     }
-    if (!timed()) {
-      const Vec2d derivative = w * (turn * by_theta);
-      local[2 * j] = derivative.x;
-      local[2 * j + 1] = derivative.y;
-    }
+    if (local.empty()) continue;
+    const Vec2d derivative = (is_timed(j) ? 0.0 : w) * (turn * by_theta);
+    local[2 * j] = derivative.x;
+    local[2 * j + 1] = derivative.y;
   }
   return true;
 }
 
 int PathModel::constraint_count() const {
-  return linkage_constraints_.count() + pivot_limits();
+  return linkage_constraints_.count() + pivot_limits() + turn_limits_.count();
 }
 
 /// The other pivot's box has four sides, of which only finite ones are constraints.
@@ -214,12 +222,22 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
     const Lengths<double>& g = gradient[k];
     set(k, {g.crank, g.coupler, g.rocker, g.frame});
   }
-  if (pivot_limits() == 0) return;
+  const auto rest = [&](std::size_t row) {
+    return jacobian.empty() ? jacobian : jacobian.subspan(row * n);
+  };
+  limit_pivot(v, c.subspan(links), rest(links));
+  const auto before_turn = links + static_cast<std::size_t>(pivot_limits());
+  limit_turn(v, c.subspan(before_turn), rest(before_turn));
+}
 
+/// The rows of the pivot that is not the anchor.
+void PathModel::limit_pivot(const Full& v, std::span<double> c, std::span<double> jacobian) const {
+  if (pivot_limits() == 0) return;
+  const std::size_t n = free_.size();
   const double away = anchor_is_d_ ? -1 : 1;
   const Vec2d turn = unit(v[angle]);
   const Vec2d pivot = Vec2d{v[anchor_x], v[anchor_y]} + (away * v[frame]) * turn;
-  std::size_t row = links;
+  std::size_t row = 0;
   const auto limit = [&](double distance, double toward, double Vec2d::*axis, Dimension anchor) {
     if (!std::isfinite(distance)) return;
     c[row] = distance;
@@ -228,7 +246,7 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
       slopes[anchor] = toward;
       slopes[frame] = toward * away * turn.*axis;
       slopes[angle] = toward * away * v[frame] * perp(turn).*axis;
-      set(row, slopes);
+      for (std::size_t i = 0; i < n; ++i) jacobian[row * n + i] = slopes[free_[i]];
     }
     ++row;
   };
@@ -236,6 +254,32 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
   limit(other_pivot_box_.max.x - pivot.x, -1, &Vec2d::x, anchor_x);
   limit(pivot.y - other_pivot_box_.min.y, 1, &Vec2d::y, anchor_y);
   limit(other_pivot_box_.max.y - pivot.y, -1, &Vec2d::y, anchor_y);
+}
+
+/// The rows of the limits over the turn, whose dimensions are the model's up to the anchor.
+void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
+  if (turn_limits_.count() == 0) return;
+  const std::size_t n = free_.size();
+  const Vec2d turn = unit(v[angle]), anchor{v[anchor_x], v[anchor_y]};
+  const Vec2d pivot_a = anchor_is_d_ ? anchor - v[frame] * turn : anchor;
+  std::vector<LimitSlopes> all(jacobian.empty() ? 0
+                                                : static_cast<std::size_t>(turn_limits_.count()));
+  turn_limits_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]},
+                         {v[point_u], v[point_v]},
+                         pivot_a,
+                         v[angle],
+                         assembly_ > 0 ? Assembly::open : Assembly::crossed},
+                        c, all);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    Full slopes{};
+    std::ranges::copy(all[row], slopes.begin());
+    if (anchor_is_d_) {
+      const Vec2d by_a{slopes[anchor_x], slopes[anchor_y]};
+      slopes[frame] -= dot(by_a, turn);
+      slopes[angle] -= v[frame] * dot(by_a, perp(turn));
+    }
+    for (std::size_t i = 0; i < n; ++i) jacobian[row * n + i] = slopes[free_[i]];
+  }
 }
 
 FourBar PathModel::linkage(std::span<const double> x) const {
@@ -255,7 +299,7 @@ std::vector<double> PathModel::crank_angles(std::span<const double> x) const {
   const Full v = full(x);
   std::vector<double> angles;
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const double from_frame = timed() ? increment_[j] + timing_offset(v) : x[free_.size() + j];
+    const double from_frame = is_timed(j) ? increment_[j] + timing_offset(v) : local_angle(x, j);
     angles.push_back(from_frame + v[angle]);
   }
   return angles;
@@ -266,16 +310,16 @@ std::vector<double> PathModel::variables_of(const FourBar& linkage,
   const Vec2d anchor = anchor_is_d_ ? linkage.pivot_d : linkage.pivot_a;
   const Vec2d point = linkage.coupler_point.value_or(Vec2d{});
   const double direction = frame_angle(linkage);
-  const double first = crank_angles.front() - direction;
-  const Full v{linkage.crank,  linkage.coupler,
-               linkage.rocker, lengths(linkage).frame,
-               point.x,        point.y,
-               anchor.x,       anchor.y,
-               direction,      timed() ? first - increment_.front() : 0};
+  const bool any_timed = first_timed_ < crank_angles.size();
+  const double offset =
+      any_timed ? crank_angles[first_timed_] - direction - increment_[first_timed_] : 0;
+  const Full v{linkage.crank, linkage.coupler, linkage.rocker, lengths(linkage).frame,
+               point.x,       point.y,         anchor.x,       anchor.y,
+               direction,     offset};
   std::vector<double> x;
   for (const int dimension : free_) x.push_back(v[dimension]);
-  if (!timed()) {
-    for (const double angle : crank_angles) x.push_back(angle - direction);
+  for (std::size_t j = 0; j < crank_angles.size(); ++j) {
+    if (!is_timed(j)) x.push_back(crank_angles[j] - direction);
   }
   return x;
 }

@@ -10,8 +10,8 @@ namespace {
 
 /// What the coupler point depends on: the six dimensions of the linkage, named as those of the
 /// model, the crank's angle from the frame and the frame's own.
-enum Parameter { kCrankAngle = 6, kTurn, kParameters };
-using PointHessian = std::array<std::array<double, kParameters>, kParameters>;
+enum Parameter { crank_angle = 6, frame_turn, parameter_count };
+using PointHessian = std::array<std::array<double, parameter_count>, parameter_count>;
 
 Vec2d unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -31,13 +31,13 @@ struct PathModel::PointCurvature {
     const Vec2d e1{direction.cos, direction.sin}, e2 = closure.coupler;
     const auto slope = closure_gradient(links, e1, closure).coupler;
     const auto second = synthesis::closure_hessian(links, e1, closure).coupler;
-    const std::array<int, 5> of_angle{crank, coupler, rocker, frame, kCrankAngle};
+    const std::array<int, 5> of_angle{crank, coupler, rocker, frame, crank_angle};
     const std::array<double, 5> phi{slope.crank, slope.coupler, slope.rocker, slope.frame,
                                     slope.crank_angle};
     const Vec2d q = e2 * Vec2d{u, v};
 
     PointHessian out{};
-    std::array<Vec2d, kTurn> first{};
+    std::array<Vec2d, frame_turn> first{};
     for (int i = 0; i < 5; ++i) {
       first[of_angle[i]] = phi[i] * perp(q);
       for (int j = 0; j < 5; ++j) {
@@ -47,18 +47,19 @@ struct PathModel::PointCurvature {
       out[of_angle[i]][point_u] = out[point_u][of_angle[i]] = by_u;
       out[of_angle[i]][point_v] = out[point_v][of_angle[i]] = by_v;
     }
-    out[crank][kCrankAngle] += dot(gamma, perp(e1));
-    out[kCrankAngle][crank] += dot(gamma, perp(e1));
-    out[kCrankAngle][kCrankAngle] -= dot(gamma, links.crank * e1);
+    out[crank][crank_angle] += dot(gamma, perp(e1));
+    out[crank_angle][crank] += dot(gamma, perp(e1));
+    out[crank_angle][crank_angle] -= dot(gamma, links.crank * e1);
 
     first[crank] = first[crank] + e1;
     first[frame].x += along_frame;
-    first[kCrankAngle] = first[kCrankAngle] + links.crank * perp(e1);
+    first[crank_angle] = first[crank_angle] + links.crank * perp(e1);
     first[point_u] = e2;
     first[point_v] = perp(e2);
-    for (int i = 0; i < kTurn; ++i) out[i][kTurn] = out[kTurn][i] = dot(gamma, perp(first[i]));
+    for (int i = 0; i < frame_turn; ++i)
+      out[i][frame_turn] = out[frame_turn][i] = dot(gamma, perp(first[i]));
     const Vec2d arm = Vec2d{along_frame * links.frame, 0} + links.crank * e1 + q;
-    out[kTurn][kTurn] = -dot(gamma, arm);
+    out[frame_turn][frame_turn] = -dot(gamma, arm);
     return out;
   }
 };
@@ -71,8 +72,8 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
   const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = timed() ? unit(0.5 * timing_offset(v)) : Vec2d{1, 0};
-  const bool global = timed() && problem_.crank_reference == CrankReference::global;
+  const Vec2d offset_half = unit(0.5 * timing_offset(v));
+  const bool global = problem_.crank_reference == CrankReference::global;
   const PointCurvature curvature{links, v[point_u], v[point_v], anchor_is_d_ ? -1.0 : 0.0};
 
   // How the parameters of a point follow from the dimensions.
@@ -80,9 +81,12 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
     int parameter, dimension;
     double slope;
   };
-  std::vector<Term> terms{{kCrankAngle, timed() ? int{phase} : kLocal, 1}, {kTurn, angle, 1}};
-  if (global) terms.push_back({kCrankAngle, angle, -1});
-  for (int i = crank; i <= point_v; ++i) terms.push_back({i, i, 1});
+  std::vector<Term> of_free{{crank_angle, kLocal, 1}, {frame_turn, angle, 1}};
+  std::vector<Term> of_timed{{crank_angle, phase, 1}, {frame_turn, angle, 1}};
+  if (global) of_timed.push_back({crank_angle, angle, -1});
+  for (std::vector<Term>* terms : {&of_free, &of_timed}) {
+    for (int i = crank; i <= point_v; ++i) terms->push_back({i, i, 1});
+  }
 
   std::vector<int> column(dimensions + 1, -1);
   for (std::size_t i = 0; i < free_.size(); ++i) column[free_[i]] = static_cast<int>(i);
@@ -93,13 +97,14 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   };
 
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const auto direction = timed() ? crank_direction(increment_half_[j] * offset_half)
-                                   : crank_direction(x[free_.size() + j]);
+    const auto direction = is_timed(j) ? crank_direction(increment_half_[j] * offset_half)
+                                       : crank_direction(local_angle(x, j));
     const auto at = closure.at(direction, assembly_);
     if (!(at.discriminant > 0)) return false;
     const Vec2d weight = root_weight_[j] * Vec2d{of_residuals[2 * j], of_residuals[2 * j + 1]};
     const PointHessian hessian = curvature.at(direction, at, conj(turn) * weight);
-    if (!timed()) column[kLocal] = static_cast<int>(free_.size() + j);
+    if (!is_timed(j)) column[kLocal] = static_cast<int>(free_.size()) + local_[j];
+    const std::vector<Term>& terms = is_timed(j) ? of_timed : of_free;
     for (const Term& a : terms) {
       for (const Term& b : terms) {
         add(a.dimension, b.dimension, a.slope * b.slope * hessian[a.parameter][b.parameter]);

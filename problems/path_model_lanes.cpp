@@ -35,8 +35,8 @@ synthesis::PathFit PathModel::lane_fit() const {
     fit.lower.push_back(variables_[i].lower);
     fit.upper.push_back(variables_[i].upper);
   }
-  fit.timed = timed();
-  fit.counted_from_x = timed() && problem_.crank_reference == CrankReference::global;
+  for (std::size_t j = 0; j < problem_.points.size(); ++j) fit.is_timed.push_back(is_timed(j));
+  fit.counted_from_x = problem_.crank_reference == CrankReference::global;
   fit.anchored_at_d = anchor_is_d_;
   const auto limits = linkage_constraints_.limits();
   fit.limits.assign(limits.begin(), limits.end());
@@ -51,12 +51,12 @@ synthesis::PathFitState PathModel::lane_state(std::span<const double> x) const {
   for (std::size_t i = 0; i < state.value.size(); ++i) state.value[i] = v[i];
   state.frame_x = std::cos(v[angle]);
   state.frame_y = std::sin(v[angle]);
-  const double offset = timed() ? timing_offset(v) : 0;
+  const double offset = timing_offset(v);
   state.half_phase_x = std::cos(0.5 * offset);
   state.half_phase_y = std::sin(0.5 * offset);
   state.assembly = assembly_;
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const double half = timed() ? 0.5 * increment_[j] : 0.5 * x[free_.size() + j];
+    const double half = 0.5 * (is_timed(j) ? increment_[j] : local_angle(x, j));
     state.crank_half.push_back(std::cos(half));
     state.crank_half.push_back(std::sin(half));
   }
@@ -75,9 +75,11 @@ std::vector<double> PathModel::variables_of(const synthesis::PathFitState& state
       x[i] = state.value[free_[i]];
     }
   }
-  for (std::size_t i = free_.size(), j = 0; i < x.size(); ++i, j += 2) {
-    const double angle_there = 2 * std::atan2(state.crank_half[j + 1], state.crank_half[j]);
-    x[i] = turned_near(angle_there, near[i]);
+  for (std::size_t j = 0; j < local_.size(); ++j) {
+    if (is_timed(j)) continue;
+    const std::size_t i = free_.size() + static_cast<std::size_t>(local_[j]);
+    const double there = 2 * std::atan2(state.crank_half[2 * j + 1], state.crank_half[2 * j]);
+    x[i] = turned_near(there, near[i]);
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = std::clamp(x[i], variables_[i].lower, variables_[i].upper);

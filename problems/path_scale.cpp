@@ -33,9 +33,21 @@ PathProblem PathScale::into(PathProblem problem) const {
   for (Vec2d& p : problem.points) p = similarity.point(p);
   similarity.move(problem.given);
   similarity.move(problem.bounds);
-  similarity.move(problem.constraints.pivot_region);
+  similarity.move(problem.constraints);
   problem.solve.loss_scale /= size;
   return problem;
+}
+
+FourBar PathScale::into(const FourBar& linkage) const {
+  const Similarity similarity{centre, size};
+  FourBar moved = linkage;
+  moved.pivot_a = similarity.point(linkage.pivot_a);
+  moved.pivot_d = similarity.point(linkage.pivot_d);
+  moved.crank /= size;
+  moved.coupler /= size;
+  moved.rocker /= size;
+  if (moved.coupler_point) moved.coupler_point = (1 / size) * *linkage.coupler_point;
+  return moved;
 }
 
 FourBar PathScale::out_of(const FourBar& linkage) const {

@@ -21,6 +21,9 @@ constexpr int kFinishingIterations = 200;
 /// long list and by a back end of the user's choice, beyond twice the designs wanted.
 constexpr std::size_t kDeepened = 64;
 constexpr std::size_t kFinished = 2;
+/// As `kDeepened` with limits over the turn, under which the explored starts have already come near
+/// their minima.
+constexpr std::size_t kLimitedDeepened = 16;
 /// Minima are one up to what an unfinished refinement leaves open.
 constexpr double kSameMinimum = 1e-6;
 
@@ -99,7 +102,9 @@ void PathSearch::lower_best(const PathFound& found) {
 }
 
 void PathSearch::explore() {
-  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(kDeepened), run_}, deadline_,
+  Run run = run_;
+  for (Design& design : run.known) design.crank_angles = thinning_.kept(design.crank_angles);
+  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(kDeepened), run}, deadline_,
                        work_, thoroughness_);
   for (const PathFound& found : all_) lower_best(found);
 }
@@ -121,7 +126,9 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
 /// Brings the best to convergence at all points, by `backend` in the end.
 void PathSearch::finish(synthesis::Backend backend) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
-  refine_best(thinning_.coarse(), kDeepened, gauss_newton, kDeepeningIterations, 0.8);
+  const bool limited = limits_turn(whole_.constraints);
+  refine_best(thinning_.coarse(), limited ? kLimitedDeepened : kDeepened, gauss_newton,
+              kDeepeningIterations, 0.8);
   if (!thinning_.is_whole()) {
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
     refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, 0.9);

@@ -8,6 +8,7 @@
 #include "problems/path_model.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
+#include "problems/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -26,16 +27,6 @@ struct PathMinimum {
 
 /// The model of which `minimum` is a minimum.
 PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum);
-
-/// How much of what can be found a search has seen.
-struct SearchThoroughness {
-  int starts = 0;
-  int best_hits = 0;  ///< how many of them led to the best minimum
-  /// Chance that one more start would lead to a minimum that was not seen, among those as good as
-  /// the ones that were kept: the share of starts whose minimum was seen once (Good 1953, "The
-  /// population frequencies of species and the estimation of population parameters").
-  double unseen = 1;
-};
 
 struct PathSearchResult {
   std::vector<PathMinimum> minima;  ///< best first, feasible ones before others

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/angle.hpp"
+#include "problems/crank_sense.hpp"
 #include "problems/link_ratios.hpp"
 
 namespace cognate::problems {
@@ -84,6 +86,8 @@ PathStarts::PathStarts(const PathProblem& scaled) : problem_(scaled) {
     y_.push_back(relative.y);
   }
   largest_ratio_ = largest_ratio(problem_.given, problem_.bounds);
+  const bool any_timed = problem_.timing != Timing::free;
+  while (any_timed && !problem_.is_timed(first_timed_)) ++first_timed_;
 }
 
 double PathStarts::gap(std::size_t from, std::size_t to) const {
@@ -109,10 +113,10 @@ std::vector<std::size_t> PathStarts::random_tour(std::mt19937_64& random) const 
   return tour;
 }
 
-/// Increments from point to point in proportion to a mixture of the distances between them and
-/// equal steps, disturbed at random; over the whole turn or a part of it.
-std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const {
-  const std::vector<std::size_t> tour = random_tour(random);
+/// For each step of the tour, the one back to its first point the last, a mixture of its length and
+/// equal steps, disturbed at random.
+std::vector<double> PathStarts::random_shares(std::mt19937_64& random,
+                                              const std::vector<std::size_t>& tour) const {
   const std::size_t n = tour.size();
   std::vector<double> gaps(n);
   for (std::size_t k = 0; k < n; ++k) gaps[k] = gap(tour[k], tour[(k + 1) % n]);
@@ -123,10 +127,18 @@ std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const
   for (std::size_t k = 0; k < n; ++k) {
     share[k] = (by_length * gaps[k] + (1 - by_length) * mean_gap) * std::exp(disturbance(random));
   }
+  if (gaps.back() == 0) share.back() = 0;
+  return share;
+}
+
+/// Increments from point to point in proportion to random shares, over the whole turn or a part.
+std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const {
+  const std::vector<std::size_t> tour = random_tour(random);
+  const std::size_t n = tour.size();
+  std::vector<double> share = random_shares(random, tour);
   // Over the whole turn the step from the last point back to the first takes its share.
   const bool whole_turn = random() % 2 == 0;
-  const bool repeated = gaps.back() == 0;
-  if (!whole_turn || repeated) share.back() = 0;
+  if (!whole_turn) share.back() = 0;
   const double sweep = whole_turn ? kTurn : uniform(random, 0.1, 1) * kTurn;
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   std::vector<double> angles(n);
@@ -136,6 +148,54 @@ std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const
     angle += sweep * share[k] / total;
   }
   return angles;
+}
+
+/// Angles at all points, of which some are timed: the others share the steps between those, and
+/// what is left of the turn, at random.
+std::vector<double> PathStarts::random_between(std::mt19937_64& random) const {
+  const std::size_t n = problem_.points.size();
+  std::vector<std::size_t> tour(n), timed;
+  std::iota(tour.begin(), tour.end(), std::size_t{0});
+  for (std::size_t j = 0; j < n; ++j) {
+    if (problem_.is_timed(j)) timed.push_back(j);
+  }
+  std::vector<double> share = random_shares(random, tour);
+  const bool whole_turn = random() % 2 == 0;
+  if (!whole_turn) share.back() *= std::exp(uniform(random, 0, 4));
+  auto senses = senses_between(problem_);
+  if (leaves_sense_open(problem_) && problem_.crank_sense != CrankSense::either) {
+    senses = {problem_.crank_sense == CrankSense::ccw, problem_.crank_sense == CrankSense::cw};
+  }
+  const bool forward = senses.forward && (!senses.backward || random() % 2 == 0);
+  const double sense = forward ? 1 : -1;
+
+  std::vector<double> angles = problem_.crank_angles;
+  for (std::size_t k = 0; k < timed.size(); ++k) {
+    const bool last = k + 1 == timed.size();
+    const std::size_t from = timed[k], to = last ? timed[0] + n : timed[k + 1];
+    const double end = problem_.crank_angles[to % n];
+    const double step = in_one_turn(sense * (end - angles[from]));
+    const double sweep = step > 0 ? step : kTurn;
+    double total = 0, part = 0;
+    for (std::size_t i = from; i < to; ++i) total += share[i % n];
+    for (std::size_t i = from; i + 1 < to; ++i) {
+      part += share[i % n];
+      angles[(i + 1) % n] = angles[from] + sense * sweep * part / total;
+    }
+  }
+  return angles;
+}
+
+std::vector<double> PathStarts::random_angles(std::mt19937_64& random) const {
+  switch (problem_.timing) {
+    case Timing::free:
+      return problem_.constraints.full_turn ? closed_increments(random) : random_increments(random);
+    case Timing::mixed:
+      return random_between(random);
+    case Timing::prescribed:
+      break;
+  }
+  return problem_.crank_angles;
 }
 
 /// Over a closed curve the crank turns once, and the path's speed changes smoothly, several times
@@ -173,12 +233,9 @@ PathStarts::CrankTiming PathStarts::random_timing(std::mt19937_64& random) const
   CrankTiming timing;
   timing.clockwise = increments && (problem_.crank_sense == CrankSense::cw ||
                                     (problem_.crank_sense == CrankSense::either && random() % 2));
-  const bool closed = problem_.constraints.full_turn;
-  timing.angles = problem_.timing == Timing::prescribed ? problem_.crank_angles
-                  : closed                              ? closed_increments(random)
-                                                        : random_increments(random);
+  timing.angles = random_angles(random);
   if (!increments) return timing;
-  const double first = timing.angles.front();
+  const double first = timing.angles[first_timed_];
   for (double& angle : timing.angles) angle = (timing.clockwise ? -1 : 1) * (angle - first);
   return timing;
 }
@@ -198,7 +255,7 @@ void PathStarts::set_limits(SeparableTarget& target) const {
 
 void PathStarts::set_direction(SeparableTarget& target) const {
   const bool global =
-      problem_.timing == Timing::prescribed && problem_.crank_reference == CrankReference::global;
+      problem_.timing != Timing::free && problem_.crank_reference == CrankReference::global;
   if (problem_.given.frame_angle) {
     target.direction = SeparableTarget::Direction::fixed;
     target.direction_cos = std::cos(*problem_.given.frame_angle);

@@ -19,8 +19,8 @@ struct PathStart {
   double error = 0;        ///< weighted sum of squares, at these crank angles
 };
 
-/// Draws designs for a scaled path problem. With free timing each draw has a random timing of its
-/// own, so that the linear unknowns can be eliminated there too.
+/// Draws designs for a scaled path problem. Where points are not timed each draw has a random
+/// timing of its own, so that the linear unknowns can be eliminated there too.
 class PathStarts {
  public:
   explicit PathStarts(const PathProblem& scaled);
@@ -36,7 +36,11 @@ class PathStarts {
 
   CrankTiming random_timing(std::mt19937_64& random) const;
   std::vector<std::size_t> random_tour(std::mt19937_64& random) const;
+  std::vector<double> random_shares(std::mt19937_64& random,
+                                    const std::vector<std::size_t>& tour) const;
   std::vector<double> random_increments(std::mt19937_64& random) const;
+  std::vector<double> random_between(std::mt19937_64& random) const;
+  std::vector<double> random_angles(std::mt19937_64& random) const;
   std::vector<double> closed_increments(std::mt19937_64& random) const;
   double gap(std::size_t from, std::size_t to) const;
   void set_limits(synthesis::SeparableTarget& target) const;
@@ -51,6 +55,7 @@ class PathStarts {
   std::vector<double> x_, y_, weight_;
   Vec2d origin_;  ///< what x_, y_ are relative to
   double largest_ratio_ = 100;
+  std::size_t first_timed_ = 0;  ///< the point from which increments count
 };
 
 }  // namespace cognate::problems

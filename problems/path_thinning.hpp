@@ -8,7 +8,8 @@
 
 namespace cognate::problems {
 
-/// At most a few dozen points of a problem in even steps, the first and last among them. A problem
+/// At most a few dozen points of a problem in even steps, the first and last among them, and as
+/// many of the points that alone are timed. A problem
 /// with fewer points, or with points in any order, stays as it is.
 class PathThinning {
  public:
@@ -16,6 +17,9 @@ class PathThinning {
 
   const PathProblem& coarse() const { return coarse_; }
   bool is_whole() const { return kept_.size() == whole_size_; }
+
+  /// Those of the kept points out of crank angles at all points.
+  std::vector<double> kept(const std::vector<double>& crank_angles) const;
 
   /// Crank angles at all points from those at the kept ones, linear in between.
   std::vector<double> interpolated(std::span<const double> crank_angles) const;

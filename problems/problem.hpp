@@ -17,7 +17,10 @@
 
 namespace cognate::problems {
 
-enum class Timing { free, prescribed };
+/// `mixed`: prescribed at some of the points.
+enum class Timing { free, prescribed, mixed };
+/// What stands in `target.crank_deg` at a point that is not timed.
+inline constexpr const char* kFreeAngle = "free";
 enum class CrankReference { first, frame, global };
 enum class CrankSense { either, ccw, cw };
 enum class PointOrder { cyclic, any };
@@ -36,9 +39,10 @@ struct PathProblem {
   /// `exact`: orientations of the coupler at the first of the points, which are `target.poses`.
   std::vector<double> pose_angles;
   Timing timing = Timing::free;
-  /// One for each point when timing is prescribed, else empty. With reference `first` only their
-  /// differences count.
+  /// One for each point, empty with free timing; those of points that are not timed are of no
+  /// account. With reference `first` only differences from that of the first timed point count.
   std::vector<double> crank_angles;
+  std::vector<bool> has_crank_angle;  ///< mixed timing: whether each point is timed, some are
   CrankReference crank_reference = CrankReference::first;
   CrankSense crank_sense = CrankSense::either;
   PointOrder order = PointOrder::cyclic;
@@ -47,6 +51,10 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+
+  bool is_timed(std::size_t point) const {
+    return timing == Timing::prescribed || (timing == Timing::mixed && has_crank_angle[point]);
+  }
 };
 
 /// Where the start angles of a function generator are taken from.

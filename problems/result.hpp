@@ -51,6 +51,9 @@ struct Metrics {
   double transmission_acute_min = 0;  ///< min(μ, π − μ) over the same motion, at its least
   std::optional<double> time_ratio;   ///< K; empty where the crank does not turn fully
   std::vector<Defect> defects;
+  /// Over the full turn, where the file limits them: of the coupler point (length/s²) or, of a
+  /// function, the rocker (rad/s²); greatest less least driving torque.
+  std::optional<double> peak_acceleration, torque_ripple;
   std::optional<double> input_start, output_start;      ///< function generation: α₀, φ₀
   std::optional<double> precision_residual, condition;  ///< exact synthesis: of what it solved
   std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds
@@ -126,6 +129,9 @@ struct Run {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   const std::atomic<bool>* interrupted = nullptr;
+  /// Designs that a search by optimisation begins with besides its own starts; with solve.starts =
+  /// 0, which no file can ask for, instead of them.
+  std::vector<Design> known{};
   std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
   /// Called now and then from one thread with the share done (0…1) and the best error so far.
   std::function<void(double share, double best)> progress;

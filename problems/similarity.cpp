@@ -38,4 +38,33 @@ void Similarity::move(Bounds& bounds) const {
   shrink(bounds.coupler_point);
 }
 
+namespace {
+
+void shrink_operation(Operation& operation, double size) {
+  const double square = size * size;
+  for (LinkMass& link : operation.links) {
+    link.mass_per_length *= size;
+    link.moment /= square;
+    link.centre.offset = (1 / size) * link.centre.offset;
+  }
+  for (WorkingLoad& load : operation.loads) {
+    load.at.offset = (1 / size) * load.at.offset;
+    load.force = (1 / size) * load.force;
+    load.torque /= square;
+  }
+  operation.gravity = (1 / size) * operation.gravity;
+}
+
+}  // namespace
+
+void Similarity::move(Constraints& constraints) const {
+  move(constraints.pivot_region);
+  for (Clearance& clearance : constraints.clearances) {
+    clearance.box = {point(clearance.box.min), point(clearance.box.max)};
+  }
+  shrink(constraints.peak_acceleration_max);
+  if (constraints.torque_ripple_max) *constraints.torque_ripple_max /= size * size;
+  shrink_operation(constraints.operation, size);
+}
+
 }  // namespace cognate::problems

@@ -23,6 +23,8 @@ struct Similarity {
   void move(std::optional<Box>& box) const;
   void move(Given& given) const;
   void move(Bounds& bounds) const;
+  /// Masses and times stay: a force is then divided by the size, a torque by its square.
+  void move(Constraints& constraints) const;
 };
 
 }  // namespace cognate::problems

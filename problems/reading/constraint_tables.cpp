@@ -72,6 +72,7 @@ std::string_view beyond_bounds(const Constraints& constraints) {
   if (constraints.link_ratio_max) return "constraints.link_ratio_max";
   if (constraints.time_ratio) return "constraints.time_ratio";
   if (constraints.pivot_region) return "constraints.pivot_region";
+  if (limits_turn(constraints)) return "limits over the full turn";
   return {};
 }
 

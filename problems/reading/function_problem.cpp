@@ -4,10 +4,13 @@
 
 #include <utility>
 
+#include "problems/error_limit.hpp"
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/function_goal.hpp"
 #include "problems/reading/function_target.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
+#include "problems/reading/turn_tables.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -227,6 +230,25 @@ bool read_target(TableReader& target, TableReader& solve, FunctionProblem& probl
   return true;
 }
 
+// The frame stands where one likes.
+TurnScope turn_scope(const FunctionProblem& problem) {
+  TurnScope scope{.has_place = false, .has_coupler_point = false};
+  if (problem.objective == FunctionObjective::exact) {
+    scope.refusal =
+        "is given with exact synthesis, whose designs meet the precision points whatever they do "
+        "between; leave it out";
+  }
+  return scope;
+}
+
+std::string_view certificate_refusal(const FunctionProblem& problem) {
+  if (problem.objective != FunctionObjective::least_squares) {
+    return "is true, but only designs of least squares can be certified; objective = "
+           "\"least-squares\" is wanted";
+  }
+  return limits_turn(problem.constraints) ? kTurnNotCertified : std::string_view{};
+}
+
 }  // namespace
 
 FunctionProblem read_function_problem(TableReader& document) {
@@ -245,16 +267,22 @@ FunctionProblem read_function_problem(TableReader& document) {
     read_four_bar_tables(mechanism, bounds, constraints, problem);
   }
   check_spacing(holder("spacing", target, solve), problem);
+  read_turn_limits(document, constraints, turn_scope(problem), problem.constraints);
   read_best_by(solve, problem);
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);
   read_loss(solve, beside_least_squares(problem.objective), problem.solve);
-  read_certificate(solve,
-                   problem.objective == FunctionObjective::least_squares
-                       ? ""
-                       : "is true, but only designs of least squares can be certified; "
-                         "objective = \"least-squares\" is wanted",
-                   problem.solve);
+  read_certificate(solve, certificate_refusal(problem), problem.solve);
+
+  const bool exact = problem.objective == FunctionObjective::exact;
+  read_objectives(constraints, solve,
+                  {.error = error_measure(problem),
+                   .exact = exact ? "is given with precision points, at which the error is 0; "
+                                    "leave it out"
+                                  : "",
+                   .has_sizes = false,
+                   .needs_full_turn = false},
+                  problem.constraints, problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

@@ -7,8 +7,10 @@
 
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/quantity_rules.hpp"
+#include "problems/reading/turn_tables.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -270,6 +272,17 @@ void check_solver(TableReader& solve, const MotionProblem& problem) {
               "pivots; every other solver can");
 }
 
+// What holds over the full turn is known of four-bars alone.
+void keep_to_links(TableReader& mechanism, MotionProblem& problem) {
+  if (!limits_turn(problem.constraints)) return;
+  if (mechanism.has("dyads") && problem.dyads != std::vector{DyadKind::rr}) {
+    mechanism.fault("dyads",
+                    "are not \"RR\" alone, but limits over the full turn of the crank are "
+                    "for four-bars; dyads = [\"RR\"] is wanted");
+  }
+  problem.dyads = {DyadKind::rr};
+}
+
 }  // namespace
 
 MotionProblem read_motion_problem(TableReader& document) {
@@ -309,9 +322,28 @@ MotionProblem read_motion_problem(TableReader& document) {
                                   "contains every given pivot is wanted",
                                   pivot.x, pivot.y));
   }
+  const bool exact = problem.method == MotionMethod::exact;
+  read_turn_limits(
+      document, constraints,
+      {.refusal = exact ? "is given with exact synthesis, whose designs meet the poses "
+                          "whatever they do between; method = \"least-squares\" is "
+                          "wanted"
+                        : ""},
+      problem.constraints);
+  keep_to_links(mechanism, problem);
   problem.designs_given = solve.has("designs");
   problem.solve = read_solve(solve, problem.constraints, false);
   check_solver(solve, problem);
+  const bool four_bars = problem.dyads == std::vector{DyadKind::rr};
+  read_objectives(constraints, solve,
+                  {.error = ErrorMeasure::rms_length,
+                   .exact = exact ? "is given, but the poses are met exactly; it goes with method "
+                                    "= \"least-squares\""
+                                  : "",
+                   .refusal = four_bars ? ""
+                                        : "has a measure of four-bars alone; mechanism.dyads = "
+                                          "[\"RR\"] is wanted besides"},
+                  problem.constraints, problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;

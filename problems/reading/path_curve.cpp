@@ -165,7 +165,10 @@ void finish_curve(TableReader& mechanism, TableReader& bounds, TableReader& cons
   };
   refuse(mechanism, "coupler_point");
   for (const std::string_view key : {"pivot_a", "pivot_d", "coupler_point"}) refuse(bounds, key);
-  refuse(constraints, "pivot_region");
+  for (const std::string_view key :
+       {"pivot_region", "clearance", "peak_acceleration_max", "torque_ripple_max"}) {
+    refuse(constraints, key);
+  }
 }
 
 }  // namespace cognate::problems::reading

@@ -79,10 +79,12 @@ void check_distinct(TableReader& target, const PathProblem& problem) {
 }
 
 void check_unused(TableReader& target, TableReader& solve, const PathProblem& problem) {
-  if (problem.timing == Timing::prescribed) {
-    target.fault("timing",
-                 "is \"prescribed\" with method = \"exact\", which meets the points at crank "
-                 "angles of its own; leave it out, or leave out method for least squares");
+  if (problem.timing != Timing::free) {
+    target.fault(
+        "timing",
+        fmt::format("is \"{}\" with method = \"exact\", which meets the points at crank "
+                    "angles of its own; leave it out, or leave out method for least squares",
+                    to_string(problem.timing)));
   }
   if (target.has("weights")) {
     target.fault("weights",

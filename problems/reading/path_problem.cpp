@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
+#include <utility>
 
+#include "problems/crank_sense.hpp"
+#include "problems/names.hpp"
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
+#include "problems/reading/objectives.hpp"
 #include "problems/reading/path_curve.hpp"
 #include "problems/reading/path_exact.hpp"
+#include "problems/reading/turn_tables.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -37,36 +42,66 @@ void read_points(TableReader& target, PathProblem& problem) {
 }
 
 // Equal neighbours would ask one position of the crank for two points.
-void check_crank_angles(TableReader& target, const std::vector<std::optional<double>>& degrees) {
-  for (std::size_t i = 1; i < degrees.size(); ++i) {
-    if (!degrees[i] || !degrees[i - 1]) continue;
-    if (std::abs(std::remainder(*degrees[i] - *degrees[i - 1], 360.0)) > 1e-9) continue;
+void check_crank_angles(TableReader& target, const std::vector<std::optional<double>>& degrees,
+                        const PathProblem& problem) {
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    if (problem.timing == Timing::mixed && !problem.has_crank_angle[i]) continue;
+    const auto last = std::exchange(before, i);
+    if (!last || !degrees[i] || !degrees[*last]) continue;
+    // A last point that repeats the first may come a whole turn later.
+    const bool neighbours = *last + 1 == i, round = *last == 0 && i + 1 == degrees.size();
+    if (round && !neighbours && degrees[i] != degrees[*last]) continue;
+    if (std::abs(std::remainder(*degrees[i] - *degrees[*last], 360.0)) > 1e-9) continue;
     target.faults().add(target.where("crank_deg", i),
                         fmt::format("entry {} of target.crank_deg, {}, is the same position of the "
                                     "crank as entry {}; neighbouring angles must differ by more "
                                     "than whole turns",
-                                    i + 1, *degrees[i], i));
+                                    i + 1, *degrees[i], *last + 1));
   }
+}
+
+// What is free between lies on the way from one timed point to the next.
+void check_one_sense(TableReader& target, const PathProblem& problem) {
+  const PossibleSenses senses = senses_between(problem);
+  if (senses.forward || senses.backward) return;
+  target.fault("crank_deg",
+               "gives angles that the crank does not pass one after the other within one turn; "
+               "with timing = \"mixed\" they must follow one another in one sense");
+}
+
+std::vector<std::optional<double>> read_degrees(TableReader& target, PathProblem& problem) {
+  constexpr std::string_view kKey = "crank_deg";
+  const Count count{.min = 1, .of = "angles"};
+  if (problem.timing == Timing::prescribed) return target.each_number(kKey, kAngle, count);
+  auto degrees = target.each_number_or(kKey, kFreeAngle, kAngle, count, problem.has_crank_angle);
+  const auto timed = std::ranges::count(problem.has_crank_angle, true);
+  if (!degrees.empty() && timed == 0) {
+    target.fault(kKey, "holds no angle; at least one is wanted, or timing = \"free\"");
+  }
+  return degrees;
 }
 
 void read_crank_angles(TableReader& target, PathProblem& problem) {
   constexpr std::string_view kKey = "crank_deg";
   if (!target.has(kKey)) {
-    target.fault("timing",
-                 "is \"prescribed\" without crank_deg; give one angle for each point in "
-                 "target.crank_deg, or timing = \"free\"");
+    target.fault("timing", fmt::format("is \"{}\" without crank_deg; give one angle for each point "
+                                       "in target.crank_deg, or timing = \"free\"",
+                                       to_string(problem.timing)));
     return;
   }
-  const auto degrees = target.each_number(kKey, kAngle, {.min = 1, .of = "angles"});
+  const auto degrees = read_degrees(target, problem);
   if (degrees.empty()) return;
   if (!problem.points.empty() && degrees.size() != problem.points.size()) {
     target.fault(kKey, fmt::format("has {} angles for {} points; one for each point is wanted",
                                    degrees.size(), problem.points.size()));
   }
-  check_crank_angles(target, degrees);
+  check_crank_angles(target, degrees, problem);
   for (const double angle : all_or_none(degrees).value_or(std::vector<double>{})) {
     problem.crank_angles.push_back(radians(angle));
   }
+  const bool whole = problem.crank_angles.size() == problem.points.size();
+  if (problem.timing == Timing::mixed && whole) check_one_sense(target, problem);
 }
 
 void read_timing(TableReader& target, PathProblem& problem) {
@@ -76,18 +111,20 @@ void read_timing(TableReader& target, PathProblem& problem) {
   problem.crank_sense = target.choice<CrankSense>("crank_sense").value_or(problem.crank_sense);
   problem.order = target.choice<PointOrder>("order").value_or(problem.order);
   target.know({"crank_deg"});
-  if (problem.timing == Timing::prescribed) {
+  if (problem.timing != Timing::free) {
     read_crank_angles(target, problem);
     if (problem.order == PointOrder::any) {
-      target.fault("order",
-                   "is \"any\" with prescribed timing, whose crank angles are the order; leave it "
-                   "out, or use timing = \"free\"");
+      target.fault("order", fmt::format("is \"any\" with {} timing, whose crank angles are the "
+                                        "order; leave it out, or use timing = \"free\"",
+                                        to_string(problem.timing)));
     }
     return;
   }
   for (const std::string_view key : {"crank_deg", "crank_reference"}) {
     if (!target.has(key)) continue;
-    target.fault(key, "is given with free timing; add timing = \"prescribed\" or leave it out");
+    target.fault(
+        key,
+        "is given with free timing; add timing = \"prescribed\" or \"mixed\", or leave it out");
   }
 }
 
@@ -122,17 +159,19 @@ void read_positions(TableReader& target, PathProblem& problem) {
   }
 }
 
-/// Dimensions that the file leaves open, and with free timing a crank angle for each point.
+/// Dimensions that the file leaves open, and a crank angle for each point that is not timed.
 int unknown_count(const PathProblem& problem) {
   const Given& given = problem.given;
   const bool both_pivots = given.pivot_a && given.pivot_d;
   const int lengths = !given.crank + !given.coupler + !given.rocker + !(given.frame || both_pivots);
   const int places = (given.coupler_point ? 0 : 2) + (given.pivot_a || given.pivot_d ? 0 : 2) +
                      !(given.frame_angle || both_pivots);
-  if (problem.timing == Timing::free) {
-    return lengths + places + static_cast<int>(problem.points.size());
-  }
-  return lengths + places + (problem.crank_reference == CrankReference::first);
+  const auto all = static_cast<std::ptrdiff_t>(problem.points.size());
+  const auto timed = problem.timing == Timing::mixed
+                         ? std::ranges::count(problem.has_crank_angle, true)
+                         : (problem.timing == Timing::free ? 0 : all);
+  const bool phase = timed > 0 && problem.crank_reference == CrankReference::first;
+  return lengths + places + phase + static_cast<int>(all - timed);
 }
 
 // The unknown crank angles of free timing are too many to be divided.
@@ -140,8 +179,22 @@ std::string_view certificate_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
     return "is true with method = \"exact\", whose designs meet the points; leave it out";
   }
-  if (problem.timing == Timing::free) {
-    return "is true with free timing; only paths with timing = \"prescribed\" can be certified";
+  if (limits_turn(problem.constraints)) return kTurnNotCertified;
+  if (problem.timing != Timing::prescribed) {
+    return "is true where crank angles are free; only paths with timing = \"prescribed\" can be "
+           "certified";
+  }
+  return {};
+}
+
+// Bounds on the error and what goes with them are in the file's unit.
+std::string_view error_limit_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is given with method = \"exact\", whose designs meet the points; leave it out";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\", whose figures are of different sizes; leave "
+           "it out, or take place = \"given\"";
   }
   return {};
 }
@@ -184,12 +237,20 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
+  read_turn_limits(document, constraints,
+                   {.refusal = exact ? "is given with method = \"exact\", whose designs meet the "
+                                       "points whatever they do between; leave it out"
+                                     : ""},
+                   problem.constraints);
   if (closed) finish_curve(mechanism, bounds, constraints, problem);
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);
+  read_objectives(constraints, solve,
+                  {.error = ErrorMeasure::rms_length, .exact = error_limit_refusal(problem)},
+                  problem.constraints, problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);

@@ -137,6 +137,25 @@ std::vector<std::optional<double>> TableReader::each_number(std::string_view key
   return values;
 }
 
+std::vector<std::optional<double>> TableReader::each_number_or(std::string_view key,
+                                                               std::string_view none,
+                                                               const NumberRule& rule,
+                                                               const Count& count,
+                                                               std::vector<bool>& is_number) {
+  const Array* entries = array(key, count, fmt::format("an array of numbers and \"{}\"", none));
+  if (!entries) return {};
+  std::vector<std::optional<double>> values(entries->size());
+  is_number.assign(entries->size(), true);
+  const std::size_t before = faults_->size();
+  for (std::size_t i = 0; i < entries->size() && faults_->size() - before < FaultList::kMost; ++i) {
+    const Node& entry = (*entries)[i];
+    const auto* word = std::get_if<std::string>(&entry.value);
+    is_number[i] = !(word && *word == none);
+    values[i] = is_number[i] ? number_at(entry, entry_name(i, name(key)), rule) : 0;
+  }
+  return values;
+}
+
 std::optional<std::vector<double>> TableReader::numbers(std::string_view key,
                                                         const NumberRule& rule,
                                                         const Count& count) {

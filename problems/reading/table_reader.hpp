@@ -59,6 +59,12 @@ class TableReader {
   std::vector<std::optional<double>> each_number(std::string_view key, const NumberRule& rule,
                                                  const Count& count);
 
+  /// As `each_number`, of which some may be the word `none` instead; `is_number` says which are
+  /// not.
+  std::vector<std::optional<double>> each_number_or(std::string_view key, std::string_view none,
+                                                    const NumberRule& rule, const Count& count,
+                                                    std::vector<bool>& is_number);
+
   /// `form` is how the two are written, "[x, y]".
   std::optional<Two> two(std::string_view key, const NumberRule& rule, std::string_view form);
   std::optional<std::vector<Two>> twos(std::string_view key, const NumberRule& rule,

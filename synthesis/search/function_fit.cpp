@@ -12,6 +12,7 @@ namespace {
 constexpr int kBlock = 64;
 
 struct Kernels {
+  void (*freudenstein)(const FreudensteinTask& task);
   void (*screen)(const FunctionScreenTask& task);
   void (*fit)(const FunctionFitTask& task);
 };
@@ -20,14 +21,14 @@ Kernels kernels_of(InstructionSet set) {
   switch (set) {
 #ifdef COGNATE_X86_KERNELS
     case InstructionSet::sse2:
-      return {sse2::screen_functions, sse2::fit_functions};
+      return {sse2::fit_freudenstein, sse2::screen_functions, sse2::fit_functions};
     case InstructionSet::avx2:
-      return {avx2::screen_functions, avx2::fit_functions};
+      return {avx2::fit_freudenstein, avx2::screen_functions, avx2::fit_functions};
     case InstructionSet::avx512:
-      return {avx512::screen_functions, avx512::fit_functions};
+      return {avx512::fit_freudenstein, avx512::screen_functions, avx512::fit_functions};
 #endif
     default:
-      return {scalar::screen_functions, scalar::fit_functions};
+      return {scalar::fit_freudenstein, scalar::screen_functions, scalar::fit_functions};
   }
 }
 
@@ -127,14 +128,24 @@ void fit_functions(const FunctionFit& problem, std::span<FunctionFitState> state
   });
 }
 
-void screen(std::span<const AnglePair> wanted, const std::optional<double>& output_start,
-            FunctionCandidates& candidates) {
+void fit_freudenstein(std::span<const AnglePair> wanted, int reweightings, StartAngles& starts) {
+  const Directions directions(wanted);
+  FreudensteinTask task{};
+  task.targets = directions.targets();
+  task.reweightings = reweightings;
+  task.count = static_cast<long>(starts.input_x.size());
+  task.input_x = starts.input_x.data();
+  task.input_y = starts.input_y.data();
+  task.output_x = starts.output_x.data();
+  task.output_y = starts.output_y.data();
+  for (std::size_t i = 0; i < starts.ratios.size(); ++i) task.ratio[i] = starts.ratios[i].data();
+  kernels_of(instruction_sets().back()).freudenstein(task);
+}
+
+void screen(std::span<const AnglePair> wanted, OutputStart start, FunctionCandidates& candidates) {
   const Directions directions(wanted);
   FunctionScreenTask task{};
   task.targets = directions.targets();
-  task.output_given = output_start.has_value();
-  task.output_x = std::cos(output_start.value_or(0));
-  task.output_y = std::sin(output_start.value_or(0));
   task.count = static_cast<long>(candidates.crank.size());
   task.crank = candidates.crank.data();
   task.coupler = candidates.coupler.data();
@@ -142,6 +153,10 @@ void screen(std::span<const AnglePair> wanted, const std::optional<double>& outp
   task.frame = candidates.frame.data();
   task.half_start_x = candidates.half_start_x.data();
   task.half_start_y = candidates.half_start_y.data();
+  if (start == OutputStart::given) {
+    task.output_start_x = candidates.output_start_x.data();
+    task.output_start_y = candidates.output_start_y.data();
+  }
   task.open = candidates.open.data();
   task.crossed = candidates.crossed.data();
   kernels_of(instruction_sets().back()).screen(task);

@@ -56,6 +56,25 @@ struct FunctionFitOptions {
 void fit_functions(const FunctionFit& problem, std::span<FunctionFitState> states,
                    const FunctionFitOptions& options);
 
+/// Start angles of input and output, as a structure of arrays; the size is a multiple of `lanes`.
+struct StartAngles {
+  static constexpr std::size_t lanes = 8;
+  explicit StartAngles(std::size_t count)
+      : input_x(count),
+        input_y(count),
+        output_x(count),
+        output_y(count),
+        ratios{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)} {
+  }
+  std::vector<double> input_x, input_y, output_x, output_y;  ///< their directions
+  std::array<std::vector<double>, 3> ratios;  ///< out: P₀, P₁, P₂; not finite where there are none
+};
+
+/// The ratios of Freudenstein's equation whose residuals over the wanted pairs are least for each
+/// of `starts`: first as they stand, then so many times over their slopes in the output angle,
+/// which makes them errors in that angle to first order.
+void fit_freudenstein(std::span<const AnglePair> wanted, int reweightings, StartAngles& starts);
+
 /// Linkages to be screened, as a structure of arrays; the size is a multiple of `lanes`.
 struct FunctionCandidates {
   static constexpr std::size_t lanes = 8;
@@ -66,16 +85,21 @@ struct FunctionCandidates {
         frame(count),
         half_start_x(count),
         half_start_y(count),
+        output_start_x(count),
+        output_start_y(count),
         open(count),
         crossed(count) {}
   std::vector<double> crank, coupler, rocker, frame;
-  std::vector<double> half_start_x, half_start_y;  ///< direction of half the input start angle
-  /// Out, of each assembly: mean square of 2 sin(e/2), e being the error with the output start
-  /// angle given or else the best; not a number where the linkage does not close.
+  std::vector<double> half_start_x, half_start_y;      ///< direction of half the input start angle
+  std::vector<double> output_start_x, output_start_y;  ///< that of the output's, where it is given
+  /// Out, of each assembly: mean square of 2 sin(e/2), e being the error; not a number where the
+  /// linkage does not close.
   std::vector<double> open, crossed;
 };
 
-void screen(std::span<const AnglePair> wanted, const std::optional<double>& output_start,
-            FunctionCandidates& candidates);
+/// What the output's start angle is: as given, or the best for each candidate.
+enum class OutputStart { given, best };
+
+void screen(std::span<const AnglePair> wanted, OutputStart start, FunctionCandidates& candidates);
 
 }  // namespace cognate::synthesis

@@ -2,9 +2,14 @@
 // COGNATE_ISA names it, see lane_numbers.hpp.
 #include "synthesis/search/function_fit_kernel.hpp"
 
+#include "synthesis/search/freudenstein_lanes.hpp"
 #include "synthesis/search/function_lanes.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
+
+void fit_freudenstein(const FreudensteinTask& task) {
+  fit_all(task);
+}
 
 void screen_functions(const FunctionScreenTask& task) {
   screen(task, 1, task.open);

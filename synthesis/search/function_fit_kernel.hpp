@@ -32,11 +32,18 @@ struct FunctionTargets {
 
 struct FunctionScreenTask {
   FunctionTargets targets;
-  bool output_given;  ///< the output start angle has the direction (output_x, output_y)
-  double output_x, output_y;
   long count;  ///< a multiple of eight
   const double *crank, *coupler, *rocker, *frame, *half_start_x, *half_start_y;
+  const double *output_start_x, *output_start_y;  ///< null: the best for each
   double *open, *crossed;  ///< out: mean square of the errors' chords; NaN if it does not close
+};
+
+struct FreudensteinTask {
+  FunctionTargets targets;
+  int reweightings;
+  long count;                                             ///< a multiple of eight
+  const double *input_x, *input_y, *output_x, *output_y;  ///< directions of the start angles
+  double* ratio[3];                                       ///< out: P₀, P₁, P₂
 };
 
 struct FunctionFitTask {
@@ -59,6 +66,7 @@ struct FunctionFitTask {
 
 #define COGNATE_DECLARE_FUNCTION_KERNELS(name)           \
   namespace name {                                       \
+  void fit_freudenstein(const FreudensteinTask& task);   \
   void screen_functions(const FunctionScreenTask& task); \
   void fit_functions(const FunctionFitTask& task);       \
   }

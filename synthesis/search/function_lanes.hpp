@@ -238,8 +238,10 @@ inline void screen(const FunctionScreenTask& task, double assembly, double* erro
       const Direction wanted{Real(task.targets.output_x[j]), Real(task.targets.output_y[j])};
       sum = sum + conj(wanted) * closure.at(sine, versine, Real(assembly)).rocker;
     }
-    const Direction given{Real(task.output_x), Real(task.output_y)};
-    const Real along = task.output_given ? dot(sum, given) : root(squared_norm(sum));
+    Real along = root(squared_norm(sum));
+    if (task.output_start_x) {
+      along = dot(sum, Direction{load(task.output_start_x + i), load(task.output_start_y + i)});
+    }
     store(Real(2.0 / count) * (Real(count) - along), errors + i);
   }
 }

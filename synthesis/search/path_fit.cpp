@@ -85,7 +85,8 @@ PathFitTask task_of(const PathFit& problem, const PathFitOptions& options) {
   task.unknown = problem.free.data();
   task.lower = problem.lower.data();
   task.upper = problem.upper.data();
-  task.timed = problem.timed;
+  task.is_timed = problem.is_timed.data();
+  task.any_free = std::ranges::count(problem.is_timed, 0) > 0;
   task.counted_from_x = problem.counted_from_x;
   task.anchored_at_d = problem.anchored_at_d;
   task.limits = problem.limits.data();

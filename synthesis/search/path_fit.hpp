@@ -15,14 +15,14 @@
 namespace cognate::synthesis {
 
 /// What is fitted: the unknowns of PathUnknown, those that are not free having the value of the
-/// start, so that coupler points come near the targets. With free timing each point's crank angle
-/// is an unknown besides; else the angles are fixed but for the phase.
+/// start, so that coupler points come near the targets. The crank angle of a point that is not
+/// timed is an unknown besides; those of timed points are fixed but for the phase.
 struct PathFit {
   std::vector<double> x, y, root_weight;  ///< of each target; errors are multiplied by the latter
   std::vector<int> free;                  ///< of PathUnknown, ascending
   std::vector<double> lower, upper;       ///< of each; infinite where there is no bound. Those of
                                           ///< the two angles are not kept.
-  bool timed = false;
+  std::vector<unsigned char> is_timed;    ///< of each target
   bool counted_from_x = false;  ///< prescribed crank angles are from the x axis, not from the frame
   bool anchored_at_d = false;   ///< the anchor is the pivot D, not A
   std::vector<LinkLimit> limits;
@@ -35,8 +35,8 @@ struct PathFitState {
   double frame_x = 1, frame_y = 0;            ///< direction from A to D
   double half_phase_x = 1, half_phase_y = 0;  ///< direction of half the phase
   double assembly = 1;                        ///< ±1
-  /// x and y of the direction of half the crank angle at each point: from the frame, or if the
-  /// angles are prescribed before the phase.
+  /// x and y of the direction of half the crank angle at each point: from the frame, or of a timed
+  /// point before the phase.
   std::vector<double> crank_half;
 
   /// Weighted sum of squares and penalties; not a number where the linkage does not close or has

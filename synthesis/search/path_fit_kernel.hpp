@@ -33,12 +33,13 @@ inline constexpr int kPathWorkPerPoint = 8 * (2 + 2 + path_unknowns + 2);
 struct PathFitTask {
   int points;
   const double *target_x, *target_y, *root_weight;
-  int unknowns;                 ///< that are free
-  const int* unknown;           ///< which they are, ascending
-  const double *lower, *upper;  ///< of each of them; infinite where there is no bound
-  bool timed;                   ///< crank angles are fixed but for the phase
-  bool counted_from_x;          ///< they are counted from the x axis, not from the frame
-  bool anchored_at_d;           ///< the anchor is D, not A
+  int unknowns;                   ///< that are free
+  const int* unknown;             ///< which they are, ascending
+  const double *lower, *upper;    ///< of each of them; infinite where there is no bound
+  const unsigned char* is_timed;  ///< of each point: its crank angle is fixed but for the phase
+  bool any_free;                  ///< whether a point is not timed
+  bool counted_from_x;  ///< crank angles of timed points are from the x axis, not from the frame
+  bool anchored_at_d;   ///< the anchor is D, not A
   const LinkLimit* limits;
   int limit_count;
   double box[4];   ///< x and y limits of the pivot that is not the anchor: min, max of each

@@ -2,8 +2,8 @@
 /// lane: the problem of a LaneFit. Include in kernels alone.
 ///
 /// Residuals and derivatives are taken in the axes of the frame, where the linkage moves: that
-/// changes neither |r|² nor JᵀJ. With free timing the crank angle of each point touches its own two
-/// residuals alone and is eliminated there. Directions are unit vectors; a step d turns them by
+/// changes neither |r|² nor JᵀJ. The crank angle of a point that is not timed touches its own
+/// two residuals alone and is eliminated there. Directions are unit vectors; a step d turns them by
 /// 2 arctan(d/2), which is d but for its cube, without trigonometry.
 #pragma once
 
@@ -49,7 +49,9 @@ class PathLanes {
     set_lane(here_.half_phase, lane, state + 10);
     set_lane(assembly_, lane, state[12]);
     const double* half = task_.crank_half + static_cast<long>(start) * 2 * task_.points;
-    for (int i = 0; i < 2 * task_.points; ++i) half_[i * kLanes + lane] = half[i];
+    for (int i = 0; i < 2 * task_.points; ++i) {
+      half_[i * kLanes + lane] = next_half_[i * kLanes + lane] = half[i];
+    }
     return true;
   }
 
@@ -79,7 +81,7 @@ class PathLanes {
       for (int axis = 0; axis < 2; ++axis) {
         equations.add(residual[axis], row[axis], task_.unknowns);
       }
-      if (!task_.timed) store_local(j, residual, row, local);
+      if (!task_.is_timed[j]) store_local(j, residual, row, local);
     }
     for (int i = 0; i < task_.limit_count; ++i) add_limit(task_.limits[i], equations);
     if (task_.boxed) add_box(equations);
@@ -88,9 +90,10 @@ class PathLanes {
   /// What is left of the equations when each crank angle takes its best, damped step.
   Real reduce(const Real& damping, NormalEquations& equations) const {
     Real gain(0.0);
-    if (task_.timed) return gain;
+    if (!task_.any_free) return gain;
     const Real more = Real(1.0) + damping;
     for (int j = 0; j < task_.points; ++j) {
+      if (task_.is_timed[j]) continue;
       const Real inverse = Real(1.0) / (load(local_square_ + j * kLanes) * more + Real(1e-300));
       const Real rhs = load(local_rhs_ + j * kLanes);
       Real row[path_unknowns];
@@ -119,15 +122,14 @@ class PathLanes {
     next_.frame = turned(turned(here_.frame, half * turn), half * turn);
     if (task_.counted_from_x) phase = phase - turn;
     next_.half_phase = turned(here_.half_phase, half * phase);
-    if (!task_.timed) attempt_locals(step, damping);
+    if (task_.any_free) attempt_locals(step, damping);
   }
 
   Real cost() const {
     const Linkage linkage(task_, next_);
-    const double* halves = task_.timed ? half_ : next_half_;
     Real sum(0.0);
     for (int j = 0; j < task_.points; ++j) {
-      const Place at(linkage, crank_half(j, next_, halves), assembly_);
+      const Place at(linkage, crank_half(j, next_, next_half_), assembly_);
       sum = sum + squared_norm(Real(task_.root_weight[j]) * (linkage.to_target(j) + at.arm));
     }
     for (int i = 0; i < task_.limit_count; ++i) {
@@ -144,7 +146,7 @@ class PathLanes {
     for (int i = 0; i < 8; ++i) here_.value[i] = choose(lanes, next_.value[i], here_.value[i]);
     here_.frame = choose(lanes, next_.frame, here_.frame);
     here_.half_phase = choose(lanes, next_.half_phase, here_.half_phase);
-    if (task_.timed) return;
+    if (!task_.any_free) return;
     for (int i = 0; i < 2 * task_.points; ++i) {
       double* at = half_ + i * kLanes;
       store(choose(lanes, load(next_half_ + i * kLanes), load(at)), at);
@@ -210,7 +212,7 @@ class PathLanes {
 
   Direction crank_half(int j, const State& state, const double* halves) const {
     const Direction half{load(halves + 2 * j * kLanes), load(halves + (2 * j + 1) * kLanes)};
-    return task_.timed ? half * state.half_phase : half;
+    return task_.is_timed[j] ? half * state.half_phase : half;
   }
 
   Vec2<Real> differentiate(const Linkage& linkage, int j, Real (&row)[2][path_unknowns],
@@ -222,7 +224,10 @@ class PathLanes {
     const Real weight(task_.root_weight[j]), zero(0.0);
     const Vec2<Real> whole = linkage.to_a + at.arm;
     const Vec2<Real> with_frame{Real(task_.anchored_at_d ? -1.0 : 0.0), zero};
-    const Vec2<Real> by_turn = task_.counted_from_x ? perp(whole) - by_theta : perp(whole);
+    const bool is_timed = task_.is_timed[j];
+    const bool against = is_timed && task_.counted_from_x;
+    const Vec2<Real> by_turn = against ? perp(whole) - by_theta : perp(whole);
+    const Vec2<Real> by_phase = is_timed ? by_theta : Vec2<Real>{zero, zero};
     const Vec2<Real> all[path_unknowns] = {at.crank + phi.crank * by_phi,
                                            phi.coupler * by_phi,
                                            phi.rocker * by_phi,
@@ -232,7 +237,7 @@ class PathLanes {
                                            linkage.axes,
                                            perp(linkage.axes),
                                            by_turn,
-                                           by_theta};
+                                           by_phase};
     for (int i = 0; i < task_.unknowns; ++i) {
       const Vec2<Real>& derivative = all[task_.unknown[i]];
       row[0][i] = weight * derivative.x;
@@ -259,6 +264,7 @@ class PathLanes {
   void attempt_locals(const Real* step, const Real& damping) {
     const Real more = Real(1.0) + damping, most(1.0 / 3), half(0.5);
     for (int j = 0; j < task_.points; ++j) {
+      if (task_.is_timed[j]) continue;
       Real along = load(local_rhs_ + j * kLanes);
       for (int i = 0; i < task_.unknowns; ++i) along = along + load_row(j, i) * step[i];
       const Real free = -along / (load(local_square_ + j * kLanes) * more + Real(1e-300));
@@ -321,7 +327,10 @@ class PathLanes {
     for (Real& value : here_.value) value = Real(1.0);
     here_.frame = here_.half_phase = {Real(1.0), Real(0.0)};
     assembly_ = Real(1.0);
-    for (int i = 0; i < 2 * task_.points; ++i) store(Real(0.6), half_ + i * kLanes);
+    for (int i = 0; i < 2 * task_.points; ++i) {
+      store(Real(0.6), half_ + i * kLanes);
+      store(Real(0.6), next_half_ + i * kLanes);
+    }
   }
 
   const PathFitTask& task_;

@@ -1,5 +1,5 @@
 /// Prints, as a Markdown table, what every published problem reaches by default settings beside
-/// what was published. Usage: records [seeds].
+/// what was published. Usage: records [seeds [part of a problem's name]].
 #include "tests/oracle/records.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -60,7 +61,8 @@ std::string published(const Record& record) {
   return text.empty() ? "–" : text;
 }
 
-void print(int seeds) {
+/// The problems whose name contains `part`.
+void print(int seeds, std::string_view part) {
   fmt::print(
       "# Published problems\n\n"
       "What `build/release/tests/records {}` printed: sums of squares (largest errors where they\n"
@@ -73,6 +75,7 @@ void print(int seeds) {
       "published |\n");
   fmt::print("|---|---|---|---|---|---|---|---|\n");
   for (const Record& record : read_records()) {
+    if (record.name.find(part) == std::string::npos) continue;
     const Row row = measure(record, seeds);
     fmt::print("| {} | {} | {} | {} | {}/{} | {:.2f} | {:.2f} | {} |\n", record.name, record.source,
                record.exact ? "0" : shown(record, record.best_known), row.error, row.reached, seeds,
@@ -87,8 +90,8 @@ void print(int seeds) {
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   if (seeds < 1) {
-    fmt::print(stderr, "usage: records [seeds]; seeds is a whole number from 1 on\n");
+    fmt::print(stderr, "usage: records [seeds [part of a name]]; seeds is a whole number from 1 on\n");
     return 2;
   }
-  cognate::print(seeds);
+  cognate::print(seeds, argc > 2 ? argv[2] : "");
 }

@@ -32,7 +32,7 @@ void require(bool holds) {
 void check(const PathProblem& problem) {
   require(problem.points.size() >= 3);
   require(problem.weights.size() == problem.points.size());
-  const bool timed = problem.timing == cognate::problems::Timing::prescribed;
+  const bool timed = problem.timing != cognate::problems::Timing::free;
   require(problem.crank_angles.size() == (timed ? problem.points.size() : 0));
 }
 

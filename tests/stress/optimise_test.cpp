@@ -111,7 +111,10 @@ PathProblem drawn_by(const testing::PlantedPath& planted, Timing timing) {
     problem.points.push_back(position.at);
   }
   problem.timing = timing;
-  if (timing == Timing::prescribed) problem.crank_angles = planted.crank_angles;
+  if (timing != Timing::free) problem.crank_angles = planted.crank_angles;
+  for (std::size_t j = 0; timing == Timing::mixed && j < problem.points.size(); ++j) {
+    problem.has_crank_angle.push_back(j % 3 == 1);
+  }
   problem.weights.assign(problem.points.size(), 1);
   return problem;
 }
@@ -122,7 +125,7 @@ double rms(const Design& design) {
 
 TEST(PlantedPaths, ComeBackToThePrecisionOfTheData) {
   std::mt19937_64 random(5);
-  for (const Timing timing : {Timing::prescribed, Timing::free}) {
+  for (const Timing timing : {Timing::prescribed, Timing::free, Timing::mixed}) {
     for (int i = 0; i < cases(12); ++i) {
       const auto planted = testing::random_crank_rocker(random, 12, 1.0);
       const Result result = solve(drawn_by(planted, timing), {});

@@ -54,6 +54,38 @@ TEST(Conflict, NamesEachConstraintThatAloneStandsInTheWay) {
   EXPECT_LT(ratio, 6.2);
 }
 
+TEST(Conflict, NamesLimitsOverTheTurn) {
+  Constraints constraints = loose();
+  constraints.required_class = RequiredClass::crank_rocker;
+  constraints.peak_acceleration_max = 10;
+  constraints.torque_ripple_max = 4;
+  constraints.clearances = {{MovingPoint::b, true, {{0, 0}, {2, 1}}},
+                            {MovingPoint::c, false, {{0, 0}, {4, 4}}}};
+  // Either the acceleration may be 30, or the box of B 3 wide, or that of C have a corner at 1; the
+  // torque is no help, and the class never gives way, for it is what a full turn is about.
+  const std::string text = explained(constraints, {}, [](const Constraints& c, const Bounds&) {
+    EXPECT_EQ(c.required_class, RequiredClass::crank_rocker);
+    const Box& wide = c.clearances[0].box;
+    const Clearance& obstacle = c.clearances[1];
+    return !c.peak_acceleration_max || *c.peak_acceleration_max >= 30 ||
+           wide.max.x - wide.min.x >= 3 || obstacle.inside || obstacle.box.min.x >= 1;
+  });
+  EXPECT_NE(text.find("Any one of these"), text.npos) << text;
+  EXPECT_EQ(text.find("torque"), text.npos) << text;
+  double most = 0, left = 0, right = 0, corner = 0;
+  ASSERT_EQ(std::sscanf(text.c_str() + text.find("clearance[1]"),
+                        "clearance[1] = inside [[%lf, %*f], [%lf, %*f]]; clearance[2] = outside "
+                        "[[%lf, %*f], [%*f, %*f]]; peak_acceleration_max = %lf",
+                        &left, &right, &corner, &most),
+            4)
+      << text;
+  EXPECT_NEAR(right - left, 3, 0.1);
+  EXPECT_GE(corner, 1);
+  EXPECT_LT(corner, 1.05);
+  EXPECT_GE(most, 30);
+  EXPECT_LT(most, 31);
+}
+
 TEST(Conflict, NamesTheFewestThatMustGiveWayTogether) {
   Constraints constraints = loose();
   constraints.required_class = RequiredClass::crank_rocker;

@@ -143,6 +143,59 @@ TEST(FunctionFit, ReachesTheSameOnEveryInstructionSet) {
   }
 }
 
+/// What `fit_freudenstein` finds for one pair of start angles, by the dense fit.
+std::optional<synthesis::FreudensteinRatios> dense_ratios(std::vector<synthesis::AnglePair> pairs,
+                                                          double input_start, double output_start,
+                                                          int reweightings) {
+  for (auto& pair : pairs) {
+    pair.input += input_start;
+    pair.output += output_start;
+  }
+  auto ratios = synthesis::freudenstein_fit(pairs);
+  for (int k = 0; ratios && k < reweightings; ++k) {
+    std::vector<double> weights;
+    double mean = 0;
+    for (const auto& [input, output] : pairs) {
+      const double slope =
+          ratios->p[0] * std::sin(output) + ratios->p[1] * std::sin(output - input);
+      weights.push_back(slope * slope);
+      mean += slope * slope / double(pairs.size());
+    }
+    for (double& weight : weights) weight = 1 / (weight + 1e-3 * mean);
+    ratios = synthesis::freudenstein_fit(pairs, weights);
+  }
+  return ratios;
+}
+
+TEST(FreudensteinLanes, FindTheRatiosOfTheDenseFit) {
+  const FunctionSamples samples = function_samples(parsed(""));
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> angle(-3, 3);
+  for (const int reweightings : {0, 2}) {
+    synthesis::StartAngles starts(200);
+    std::vector<std::array<double, 2>> angles;
+    for (std::size_t i = 0; i < 200; ++i) {
+      angles.push_back({angle(random), angle(random)});
+      starts.input_x[i] = std::cos(angles[i][0]);
+      starts.input_y[i] = std::sin(angles[i][0]);
+      starts.output_x[i] = std::cos(angles[i][1]);
+      starts.output_y[i] = std::sin(angles[i][1]);
+    }
+    fit_freudenstein(samples.samples, reweightings, starts);
+    int compared = 0;
+    for (std::size_t i = 0; i < 200; ++i) {
+      const auto dense = dense_ratios(samples.samples, angles[i][0], angles[i][1], reweightings);
+      if (!dense || dense->condition > 1e9) continue;
+      for (int k = 0; k < 3; ++k) {
+        const double size = std::abs(dense->p[0]) + std::abs(dense->p[1]) + std::abs(dense->p[2]);
+        EXPECT_NEAR(starts.ratios[k][i], dense->p[k], 1e-15 * dense->condition * size);
+      }
+      ++compared;
+    }
+    EXPECT_GT(compared, 150);
+  }
+}
+
 /// Against the structural errors themselves, with the best output start found by directions.
 TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
   const FunctionSamples samples = function_samples(parsed(""));
@@ -161,7 +214,7 @@ TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
     candidates.half_start_y[i] = std::sin(0.5 * g.input_start);
     all.push_back(g);
   }
-  screen(samples.samples, std::nullopt, candidates);
+  screen(samples.samples, synthesis::OutputStart::best, candidates);
   int closing = 0;
   for (std::size_t i = 0; i < 400; ++i) {
     for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {

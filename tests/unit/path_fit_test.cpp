@@ -33,6 +33,7 @@ PathProblem noisy(Timing timing, CrankReference reference) {
     problem.points.push_back({at.x + noise(random), at.y + noise(random)});
     const double from_frame = angle - frame_angle(linkage);
     if (timing == Timing::free) continue;
+    problem.has_crank_angle.push_back(problem.points.size() % 3 != 1);
     problem.crank_angles.push_back(reference == CrankReference::frame ? from_frame : angle);
   }
   return problem;
@@ -47,8 +48,10 @@ std::vector<Case> cases() {
   std::vector<Case> all{{"free", noisy(Timing::free, CrankReference::first)},
                         {"first", noisy(Timing::prescribed, CrankReference::first)},
                         {"frame", noisy(Timing::prescribed, CrankReference::frame)},
-                        {"global", noisy(Timing::prescribed, CrankReference::global)}};
-  for (const Timing timing : {Timing::free, Timing::prescribed}) {
+                        {"global", noisy(Timing::prescribed, CrankReference::global)},
+                        {"mixed, first", noisy(Timing::mixed, CrankReference::first)},
+                        {"mixed, frame", noisy(Timing::mixed, CrankReference::frame)}};
+  for (const Timing timing : {Timing::free, Timing::prescribed, Timing::mixed}) {
     PathProblem fixed = noisy(timing, CrankReference::global);
     fixed.given.pivot_d = linkage.pivot_d;
     fixed.given.coupler = linkage.coupler;

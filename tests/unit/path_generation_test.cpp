@@ -194,11 +194,40 @@ TEST(PathGeneration, KeepsTheTransmissionAngleWithoutAClass) {
   }
 }
 
+TEST(PathGeneration, KeepsCrankAnglesWhereSomePointsAreTimed) {
+  const auto crank_angles = angles(11, 0.3, 5.4);
+  for (const auto reference :
+       {CrankReference::first, CrankReference::frame, CrankReference::global}) {
+    PathProblem problem = timed(crank_angles, reference);
+    problem.timing = Timing::mixed;
+    for (int j = 0; j < 11; ++j) problem.has_crank_angle.push_back(j == 2 || j == 3 || j == 9);
+    const Result result = solve(problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    const Design& best = result.designs[0];
+    EXPECT_LT(best.error.sum_of_squares, 1e-18);
+    EXPECT_TRUE(best.metrics.defects.empty());
+    const auto turned = [&](int from, int to) {
+      const double wanted = crank_angles[to] - crank_angles[from];
+      const double found = best.crank_angles[to] - best.crank_angles[from];
+      return std::abs(std::remainder(std::abs(wanted) - std::abs(found), 2 * std::numbers::pi));
+    };
+    EXPECT_LT(std::min(turned(2, 3), 1.0), 1e-9);
+    if (reference == CrankReference::first) continue;
+    const double zero = reference == CrankReference::frame ? frame_angle(four_bar(best)) : 0;
+    for (const int j : {2, 3, 9}) {
+      const double off = best.crank_angles[j] - zero - problem.crank_angles[j];
+      EXPECT_NEAR(std::remainder(off, 2 * std::numbers::pi), 0, 1e-9) << "point " << j;
+    }
+  }
+}
+
 TEST(PathGeneration, TakesLongListsOfPoints) {
-  for (const auto timing : {Timing::free, Timing::prescribed}) {
+  for (const auto timing : {Timing::free, Timing::prescribed, Timing::mixed}) {
     const auto crank_angles = angles(800, 0.3, 6.1);
     PathProblem problem = timing == Timing::free ? on_curve(crank_angles)
                                                  : timed(crank_angles, CrankReference::first);
+    problem.timing = timing;
+    for (int j = 0; j < 800; ++j) problem.has_crank_angle.push_back(j % 100 == 77);
     problem.solve.starts = 150;
     const Result result = solve(problem, {});
     ASSERT_EQ(result.status, Status::solved);

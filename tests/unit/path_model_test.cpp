@@ -21,7 +21,8 @@ PathProblem planted(Timing timing, CrankReference reference = CrankReference::fi
   for (const double angle : angles) {
     problem.points.push_back(*Motion(linkage).at(angle)->coupler_point);
     const double from_frame = angle - frame_angle(linkage);
-    if (timing == Timing::prescribed) {
+    if (timing == Timing::mixed) problem.has_crank_angle = {false, true, false, true, true};
+    if (timing != Timing::free) {
       problem.crank_angles.push_back(reference == CrankReference::frame ? from_frame : angle);
     }
   }
@@ -37,8 +38,10 @@ std::vector<Case> cases() {
   std::vector<Case> all{{"free", planted(Timing::free)},
                         {"first", planted(Timing::prescribed, CrankReference::first)},
                         {"frame", planted(Timing::prescribed, CrankReference::frame)},
-                        {"global", planted(Timing::prescribed, CrankReference::global)}};
-  for (const Timing timing : {Timing::free, Timing::prescribed}) {
+                        {"global", planted(Timing::prescribed, CrankReference::global)},
+                        {"mixed, first", planted(Timing::mixed, CrankReference::first)},
+                        {"mixed, frame", planted(Timing::mixed, CrankReference::frame)}};
+  for (const Timing timing : {Timing::free, Timing::prescribed, Timing::mixed}) {
     PathProblem fixed = planted(timing, CrankReference::global);
     fixed.given.pivot_d = linkage.pivot_d;
     fixed.given.coupler = linkage.coupler;

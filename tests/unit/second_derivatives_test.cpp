@@ -71,15 +71,16 @@ PathProblem path(Timing timing, CrankReference reference) {
   problem.timing = timing;
   problem.crank_reference = reference;
   problem.weights = {1, 2, 0.5, 1, 3};
+  if (timing == Timing::mixed) problem.has_crank_angle = {false, true, false, true, true};
   for (const double angle : kAngles) {
     problem.points.push_back(*Motion(kLinkage).at(angle)->coupler_point + Vec2d{0.1, -0.2});
-    if (timing == Timing::prescribed) problem.crank_angles.push_back(angle);
+    if (timing != Timing::free) problem.crank_angles.push_back(angle);
   }
   return problem;
 }
 
 TEST(SecondDerivatives, OfPaths) {
-  for (const auto timing : {Timing::free, Timing::prescribed}) {
+  for (const auto timing : {Timing::free, Timing::prescribed, Timing::mixed}) {
     for (const auto reference :
          {CrankReference::first, CrankReference::frame, CrankReference::global}) {
       SCOPED_TRACE(static_cast<int>(reference));

@@ -2,10 +2,10 @@
 
 const FAMILY_UNITS = { deg: "°", rad: "rad" };
 
-// "least_transmission_deg": its words and its unit.
+// "least_transmission_deg", or "transmission_angle_deg.acute_min": its words and its unit.
 function familyLabel(name) {
-  const [, unit] = /_(deg|rad)$/.exec(name) ?? [];
-  const words = sentence(name.replace(/_(deg|rad)$/, "").replaceAll(/[_.]/g, " "));
+  const [, unit] = /_(deg|rad)(?=$|\.)/.exec(name) ?? [];
+  const words = sentence(name.replace(/_(deg|rad)(?=$|\.)/, "").replaceAll(/[_.]/g, " "));
   return unit ? `${words}, ${FAMILY_UNITS[unit]}` : words;
 }
 

@@ -1,0 +1,19 @@
+/// @file The first stage of a function search: many starts, each brought near its minimum.
+#pragma once
+
+#include <vector>
+
+#include "problems/function_found.hpp"
+#include "problems/thoroughness.hpp"
+
+namespace cognate::problems {
+
+/// The least-squares minima that starts lead to, best first, and how thorough the search was. Until
+/// more starts promise nothing new, or as many as the file says; `kept` minima go on. Penalties of
+/// violated limits are part of the objectives. What is passed must outlive what is returned.
+std::vector<FunctionFound> explore_functions(const ConfinedFunctions& confined,
+                                             const FunctionSamples& wanted, std::size_t kept,
+                                             const Run& run, const Deadline& deadline, Work& work,
+                                             SearchThoroughness& thoroughness);
+
+}  // namespace cognate::problems

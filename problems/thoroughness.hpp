@@ -1,0 +1,26 @@
+/// @file How much of what can be found a search has seen.
+#pragma once
+
+#include <vector>
+
+#include "problems/fact.hpp"
+
+namespace cognate::problems {
+
+struct SearchThoroughness {
+  int starts = 0;
+  int best_hits = 0;  ///< how many of them led to the best minimum
+  /// Chance that one more start would lead to a minimum that was not seen, among those as good as
+  /// the ones that were kept: the share of starts whose minimum was seen once (Good 1953, "The
+  /// population frequencies of species and the estimation of population parameters").
+  double unseen = 1;
+
+  /// What a result says of it.
+  std::vector<Fact> facts() const {
+    return {{"starts", double(starts)},
+            {"best_hits", double(best_hits)},
+            {"chance_of_unseen_minimum", unseen}};
+  }
+};
+
+}  // namespace cognate::problems

@@ -1,0 +1,81 @@
+/// Searches that begin with designs that are known: what such a design already reaches is reached
+/// without any start of their own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "problems/read.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Solves, and solves again from the best design alone; the errors must agree.
+template <class AnyProblem>
+void expect_come_back(const std::string& text) {
+  auto parsed = parse_problem(text);
+  ASSERT_TRUE(parsed) << text;
+  auto problem = std::get<AnyProblem>(*parsed);
+  Run run;
+  const Result first = solve(problem, run);
+  ASSERT_EQ(first.status, Status::solved) << text;
+  run.known = {first.designs.front()};
+  problem.solve.starts = 0;
+  const Result again = solve(problem, run);
+  ASSERT_EQ(again.status, Status::solved) << text;
+  const double error = first.designs.front().error.rms;
+  ASSERT_GT(error, 1e-6);
+  EXPECT_NEAR(again.designs.front().error.rms, error, 1e-7 * error);
+  run.known.clear();
+  EXPECT_TRUE(solve(problem, run).designs.empty()) << "there is no start at all";
+}
+
+/// A long list of points of an oval, and crank angles that go with them.
+std::string oval(int count, bool timed, double sense) {
+  std::string points, angles;
+  for (int i = 0; i < count; ++i) {
+    const double t = 5.5 * i / count;
+    points += "[" + std::to_string(3 + 2 * std::cos(t)) + ", " +
+              std::to_string(1 + std::sin(t) + 0.3 * std::cos(2 * t)) + "], ";
+    angles += std::to_string(sense * t / 0.0174532925) + ", ";
+  }
+  std::string text = "kind = \"path-generation\"\n[target]\npoints = [" + points + "]\n";
+  if (timed) text += "timing = \"prescribed\"\ncrank_deg = [" + angles + "]\n";
+  return text +
+         "[bounds]\nlength = [0.2, 20]\n[constraints]\nclass = \"crank-rocker\"\n"
+         "[solve]\ndesigns = 1\n";
+}
+
+TEST(KnownDesignsTest, OfPaths) {
+  expect_come_back<PathProblem>(oval(12, false, 1));
+  expect_come_back<PathProblem>(oval(12, true, 1));
+  expect_come_back<PathProblem>(oval(12, true, -1));
+}
+
+TEST(KnownDesignsTest, OfLongPaths) {
+  expect_come_back<PathProblem>(oval(90, false, 1));
+  expect_come_back<PathProblem>(oval(90, true, 1));
+}
+
+TEST(KnownDesignsTest, OfFunctions) {
+  expect_come_back<FunctionProblem>(
+      "kind = \"function-generation\"\n[target]\nfunction = \"log10(x)\"\ndomain = [1, 10]\n"
+      "input_range_deg = 90\noutput_range_deg = 90\n[solve]\ndesigns = 1\n");
+}
+
+TEST(KnownDesignsTest, OfMotions) {
+  expect_come_back<MotionProblem>(R"(kind = "motion-generation"
+[target]
+poses = [[-1, -1, 90], [-1.2, -0.5, 77], [-1.4, 0.3, 55], [-1.2, 1.3, 30], [-0.5, 1.9, 10],
+         [0.3, 1.6, 10], [1.1, 0.4, 55], [2, 0, 90]]
+method = "least-squares"
+[mechanism]
+dyads = ["RR"]
+[solve]
+designs = 1
+)");
+}
+
+}  // namespace
+}  // namespace cognate::problems
