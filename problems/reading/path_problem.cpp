@@ -187,6 +187,18 @@ std::string_view certificate_refusal(const PathProblem& problem) {
   return {};
 }
 
+// Bounds on the error and what goes with them are in the file's unit.
+std::string_view error_limit_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is given with method = \"exact\", whose designs meet the points; leave it out";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\", whose figures are of different sizes; leave "
+           "it out, or take place = \"given\"";
+  }
+  return {};
+}
+
 }  // namespace
 
 PathProblem read_path_problem(TableReader& document, const std::filesystem::path& folder) {
@@ -237,10 +249,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);
   read_objectives(constraints, solve,
-                  {.error = ErrorMeasure::rms_length,
-                   .exact = exact ? "is given with method = \"exact\", whose designs meet the "
-                                    "points; leave it out"
-                                  : ""},
+                  {.error = ErrorMeasure::rms_length, .exact = error_limit_refusal(problem)},
                   problem.constraints, problem.solve);
   if (exact) {
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);

@@ -96,7 +96,18 @@ const FaultCase kFaults[] = {
      {{4, 1, "exclude a crank that turns fully"}}},
     {"Certified",
      with_target(kSquare + "[solve]\ncertify = true\n"),
-     {{5, 11, "is true with free timing"}}},
+     {{5, 11, "can be certified"}}},
+    {"SimilarWithErrorLimit",
+     with_target(kSquare + "place = \"similar\"\n[constraints]\nrms_error_max = 1\n"),
+     {{6, 17, "take place = \"given\""}}},
+    {"SimilarWithObjectives",
+     with_target(kSquare + "place = \"similar\"\n[constraints]\nclass = \"crank-rocker\"\n"
+                           "[solve]\nobjectives = [\"error\", \"link_ratio\"]\n"),
+     {{8, 14, "take place = \"given\""}}},
+    {"SimilarWithAWorkingEnvelope",
+     with_target(kSquare + "place = \"similar\"\n[constraints]\nclass = \"crank-rocker\"\n"
+                           "peak_acceleration_max = 3\n"),
+     {{7, 25, "place = \"similar\""}}},
     {"SimilarWithPlaces",
      with_target(kSquare + "place = \"similar\"\n[mechanism]\ncoupler_point = [1, 1]\n[bounds]\n"
                            "pivot_a = [[0, 0], [1, 1]]\n[constraints]\npivot_region = [[0, 0], [1, "
