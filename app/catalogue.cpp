@@ -22,7 +22,8 @@ constexpr Entry kSolveOptions[] = {
      "path-, function- and motion-generation by least squares or minimax: [\"error\"] (default); "
      "[\"error\", MEASURE]: a Pareto front of so many designs (default 12); [MEASURE]: its best "
      "within a bound on the error. MEASURE: \"transmission_angle\" (the least acute one, greatest), "
-     "\"link_ratio\" (longest over shortest link, least), \"size\" (longest link, least)"},
+     "\"link_ratio\" (longest over shortest link, least), \"size\" (longest link, least), "
+     "\"peak_acceleration\" or \"torque_ripple\" (over the full turn, least)"},
     {"loss",
      "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
      "that gross errors in the target do not govern"},
@@ -43,8 +44,8 @@ constexpr Metric kMetrics[] = {
     {"time_ratio", "1", "time of the slower over the quicker stroke; null without limits"},
     {"defects", "", "which of circuit, branch, order the design has; empty when sound"},
     {"peak_acceleration", "length/s2 or rad/s2",
-     "greatest over the turn, of the coupler point or of a function's rocker, where it is limited"},
-    {"torque_ripple", "N m", "greatest less least driving torque, where it is limited"},
+     "greatest over the turn, of the coupler point or of a function's rocker, where asked for"},
+    {"torque_ripple", "N m", "greatest less least driving torque, where asked for"},
     {"input_start_deg", "deg", "input angle at the start, from A to D (functions)"},
     {"output_start_deg", "deg", "output angle at the start, from A to D (functions)"},
     {"precision_residual", "1", "what an exact synthesis leaves of its equations"},

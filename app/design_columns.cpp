@@ -183,6 +183,10 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
   columns.add_if_any("transmission [deg]", Align::left, transmission_text);
   columns.add_if_any("time ratio", Align::right,
                      [](const Design& d) { return number(d.metrics.time_ratio, 4); });
+  columns.add_if_any("peak acceleration", Align::right,
+                     [](const Design& d) { return number(d.metrics.peak_acceleration, 4); });
+  columns.add_if_any("torque ripple", Align::right,
+                     [](const Design& d) { return number(d.metrics.torque_ripple, 4); });
   columns.add_dimensions();
   if (choice.coupler_point) {
     columns.add_if_any("coupler point", Align::left, coupler_point_text);

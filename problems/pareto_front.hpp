@@ -76,6 +76,7 @@ class FrontSearch {
   FrontPoint stepped_back(const FrontPoint& last, double way);
   std::vector<Design> beside(double level) const;
   void insert(FrontPoint point);
+  bool has_top() const;
   double top(double from) const;
   const FrontPoint& last_within(double most) const;
   double distance(const FrontPoint& a, const FrontPoint& b) const;

@@ -18,16 +18,22 @@ constexpr double kBetween[] = {0.5, 0.25, 0.12, 0.06, 0.03};
 constexpr double kRoot = 1e-8;
 /// How far before the end of a front points are looked at, the last being the end itself.
 constexpr double kBack[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-/// Where no best value of a measure is known, levels up to this much better are looked at: for
-/// lengths and ratios a factor of a thousand.
+/// Where no best value of a measure is known, levels up to this much better are looked at, for
+/// lengths and ratios a factor of a thousand; and as much beyond those if there is something, so
+/// many times.
 constexpr double kReach = 6.9;
+constexpr int kReaches = 6;
 
 }  // namespace
 
-/// A level beyond all that can be, or beyond what is looked at.
+/// Whether a level is known that no design passes.
+bool FrontSearch::has_top() const {
+  return std::isfinite(problem_.rule.level(problem_.rule.best));
+}
+
+/// That level, or one that is looked at first.
 double FrontSearch::top(double from) const {
-  const double best = problem_.rule.level(problem_.rule.best);
-  return std::isfinite(best) ? best : from + kReach;
+  return has_top() ? problem_.rule.level(problem_.rule.best) : from + kReach;
 }
 
 /// The greatest level at which the error is at most so much, closed in on.
@@ -41,6 +47,7 @@ class FrontSearch::Root {
   }
 
   void find() {
+    if (!front_.has_top()) reach_out();
     for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low_ + high_), true);
     for (int look = 0; look < kLooks; ++look) {
       while (is_open()) probe(0.5 * (low_ + high_), false);
@@ -56,6 +63,14 @@ class FrontSearch::Root {
 
  private:
   bool is_open() const { return high_ - low_ > kRoot * way_ && !front_.deadline_.reached(); }
+
+  /// As far as fresh searches find anything.
+  void reach_out() {
+    const double begin = low_;
+    for (int reach = 0; reach < kReaches && probe(high_, true); ++reach) high_ = low_ + kReach;
+    way_ = high_ - begin;
+    failed_ = {high_};
+  }
 
   bool probe(double level, bool afresh) {
     std::vector<Design> known = best_.minima;

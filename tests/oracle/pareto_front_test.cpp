@@ -61,6 +61,24 @@ struct Parabola {
   }
   double least_transmission() const { return std::min(transmission(4), transmission(6)); }
 
+  /// The rocker's greatest angular acceleration at the unit crank speed, by second differences.
+  double peak_acceleration() const {
+    constexpr double kStep = 1e-3;
+    double greatest = 0;
+    for (int i = 0; i < 180; ++i) {
+      const double x = i * std::numbers::pi / 90;
+      const double bend = output(x + kStep) - 2 * output(x) + output(x - kStep);
+      greatest = std::max(greatest, std::abs(bend) / (kStep * kStep));
+    }
+    return greatest;
+  }
+
+  /// The rocker's angle from D→A, clockwise, at the crank angle x from the frame.
+  double output(double x) const {
+    const double d = std::sqrt(26 - 10 * std::cos(x));
+    return angle_between(d, rocker, coupler) + std::atan2(std::sin(x), 5 - std::cos(x));
+  }
+
   static double angle_between(double a, double b, double opposite) {
     return std::acos(std::clamp((a * a + b * b - opposite * opposite) / (2 * a * b), -1.0, 1.0));
   }
@@ -138,6 +156,35 @@ TEST(ParetoFrontTest, NoLinkageOfAGridIsBetterInBothThanTheFront) {
     if (p + 1 == front.size()) continue;
     EXPECT_LT(nearest[p], 1.25 * front[p].second + 2e-3) << p;
   }
+}
+
+/// Along the whole front, from an optimum near a change point, whose peaks are without bound, to
+/// the calmest linkage.
+TEST(ParetoFrontTest, NoLinkageOfAGridIsCalmerAtTheSameError) {
+  const Result result =
+      solved(parabola(kCrankRocker + kFewStarts +
+                      "objectives = [\"error\", \"peak_acceleration\"]\ndesigns = 10\n"));
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_GE(result.designs.size(), 8u);
+  std::vector<std::pair<double, double>> grid;  // peak and error
+  double calmest = 1e9;
+  constexpr int kSteps = 60;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int k = 0; k <= kSteps; ++k) {
+      const Parabola linkage{1 + 7.0 * i / kSteps, 1 + 7.0 * k / kSteps};
+      if (!linkage.is_crank_rocker()) continue;
+      grid.emplace_back(linkage.peak_acceleration(), linkage.rms());
+      calmest = std::min(calmest, grid.back().first);
+    }
+  }
+  for (const Design& design : result.designs) {
+    const double peak = design.metrics.peak_acceleration.value(), error = design.error.rms;
+    if (peak < 5) EXPECT_NEAR(parabola_of(design).peak_acceleration(), peak, 2e-3 * peak);
+    for (const auto& [other_peak, other_error] : grid) {
+      EXPECT_FALSE(other_peak < 0.999 * peak && other_error < 0.999 * error) << peak;
+    }
+  }
+  EXPECT_LT(result.designs.back().metrics.peak_acceleration.value(), 1.001 * calmest);
 }
 
 TEST(ParetoFrontTest, EndsAreTheBestOfEitherObjective) {
