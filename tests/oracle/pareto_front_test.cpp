@@ -179,7 +179,9 @@ TEST(ParetoFrontTest, NoLinkageOfAGridIsCalmerAtTheSameError) {
   }
   for (const Design& design : result.designs) {
     const double peak = design.metrics.peak_acceleration.value(), error = design.error.rms;
-    if (peak < 5) EXPECT_NEAR(parabola_of(design).peak_acceleration(), peak, 2e-3 * peak);
+    if (peak < 5) {  // the differences see no narrower peaks
+      EXPECT_NEAR(parabola_of(design).peak_acceleration(), peak, 2e-3 * peak);
+    }
     for (const auto& [other_peak, other_error] : grid) {
       EXPECT_FALSE(other_peak < 0.999 * peak && other_error < 0.999 * error) << peak;
     }
