@@ -21,7 +21,8 @@ constexpr Entry kSolveOptions[] = {
     {"objectives",
      "path-, function- and motion-generation by least squares or minimax: [\"error\"] (default); "
      "[\"error\", MEASURE]: a Pareto front of so many designs (default 12); [MEASURE]: its best "
-     "within a bound on the error. MEASURE: \"transmission_angle\" (the least acute one, greatest), "
+     "within a bound on the error. MEASURE: \"transmission_angle\" (the least acute one, "
+     "greatest), "
      "\"link_ratio\" (longest over shortest link, least), \"size\" (longest link, least), "
      "\"peak_acceleration\" or \"torque_ripple\" (over the full turn, least)"},
     {"loss",

@@ -27,7 +27,7 @@ ordered_json axes(const problems::LinkPlace& place) {
 }
 
 ordered_json offset(const problems::LinkPlace& place) {
-  return to_json(place.share == 1 ? -place.offset : place.offset);
+  return to_json(place.share == 1 ? Vec2d{} - place.offset : place.offset);
 }
 
 ordered_json link_table(problems::MovingLink link, const problems::LinkMass& mass) {

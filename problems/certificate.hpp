@@ -6,6 +6,12 @@
 
 namespace cognate::problems {
 
+/// The note of a result whose file asks for a certificate in vain.
+inline constexpr const char* kNothingToCertify =
+    "There is no certificate: the search has not found a design that meets every constraint, or "
+    "was "
+    "ended early.";
+
 /// What a branch and bound over all designs of `domain` proved. Errors are what the search
 /// minimises: the weighted sum of squares in the target's unit.
 struct Certificate {

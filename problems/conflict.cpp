@@ -78,11 +78,19 @@ Relaxation of_length(std::string key, std::optional<Range> Bounds::*bound) {
           [bound](const Limits& limits) { return text(*(limits.bounds.*bound)); }};
 }
 
+/// A length by which to move the sides of a range, of which one may be infinite.
+double width_of(double low, double high) {
+  constexpr double kLeast = 1e-3;
+  if (std::isfinite(high - low)) return std::max(high - low, kLeast);
+  return std::max(
+      {std::isfinite(low) ? std::abs(low) : 0, std::isfinite(high) ? std::abs(high) : 0, kLeast});
+}
+
 /// A rectangle grows about its middle.
 Box grown(const Box& box, double share) {
   const double reach = share < 1 ? share / (1 - share) : std::numeric_limits<double>::infinity();
   const auto grow = [&](double& low, double& high) {
-    const double by = reach * std::max(high - low, 1e-3);
+    const double by = reach * width_of(low, high);
     low -= by;
     high += by;
   };
@@ -127,8 +135,17 @@ Relaxation of_most(std::string key, std::optional<double> Constraints::*most) {
 
 /// An obstacle shrinks to its middle; given up, it and an envelope are everywhere and nowhere.
 Box shrunk(const Box& box, double share) {
-  const Vec2d by = (0.5 * share) * (box.max - box.min);
-  return {box.min + by, box.max - by};
+  const auto shrink = [&](double& low, double& high) {
+    const bool bounded = std::isfinite(high - low);
+    const double by =
+        bounded ? 0.5 * share * (high - low) : share / (1 - share) * width_of(low, high);
+    low += by;
+    high -= by;
+  };
+  Box all = box;
+  shrink(all.min.x, all.max.x);
+  shrink(all.min.y, all.max.y);
+  return all;
 }
 
 Relaxation of_clearance(std::size_t index) {
@@ -152,13 +169,10 @@ Relaxation of_clearance(std::size_t index) {
 /// What holds over the full turn, which only a turning crank can keep to: the class stays.
 void add_turn_limits(const Constraints& constraints, std::vector<Relaxation>& all) {
   for (std::size_t i = 0; i < constraints.clearances.size(); ++i) all.push_back(of_clearance(i));
-  const auto limits = [](const std::optional<double>& most) {
-    return most && std::isfinite(*most);
-  };
-  if (limits(constraints.peak_acceleration_max)) {
+  if (is_limit(constraints.peak_acceleration_max)) {
     all.push_back(of_most("peak_acceleration_max", &Constraints::peak_acceleration_max));
   }
-  if (limits(constraints.torque_ripple_max)) {
+  if (is_limit(constraints.torque_ripple_max)) {
     all.push_back(of_most("torque_ripple_max", &Constraints::torque_ripple_max));
   }
 }

@@ -100,14 +100,14 @@ class Checks {
   }
 
   void check_clearances(const std::vector<Clearance>& clearances) {
+    double allowed = allowance(0);
+    for (const Vec2d& pivot : {linkage_.pivot_a, linkage_.pivot_d}) {
+      allowed = std::max({allowed, allowance(pivot.x), allowance(pivot.y)});
+    }
     for (std::size_t i = 0; i < clearances.size(); ++i) {
-      const auto& [min, max] = clearances[i].box;
-      double allowed = allowance(0);
-      for (const double side : {min.x, min.y, max.x, max.y}) {
-        allowed = std::max(allowed, allowance(side));
-      }
       const double distance = clearance_distance(linkage_, clearances[i]);
       add("clearance[" + std::to_string(i + 1) + "]", distance, 0.0, distance >= -allowed);
+      checks_.back().missing = std::max(0.0, -distance / longest_);
     }
   }
 
@@ -251,10 +251,10 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
   checks.check_clearances(constraints.clearances);
-  if (const auto& most = constraints.peak_acceleration_max; most && std::isfinite(*most)) {
+  if (const auto& most = constraints.peak_acceleration_max; is_limit(most)) {
     checks.check_most("peak_acceleration_max", metrics.peak_acceleration, *most);
   }
-  if (const auto& most = constraints.torque_ripple_max; most && std::isfinite(*most)) {
+  if (const auto& most = constraints.torque_ripple_max; is_limit(most)) {
     checks.check_most("torque_ripple_max", metrics.torque_ripple, *most);
   }
   if (constraints.no_branch_defect) {
@@ -276,7 +276,7 @@ double violation(std::span<const ConstraintCheck> checks) {
   for (const ConstraintCheck& check : checks) {
     if (check.satisfied) continue;
     const auto* number = std::get_if<double>(&check.value);
-    const double amount = number ? relative_distance(*number, check) : 1.0;
+    const double amount = check.missing.value_or(number ? relative_distance(*number, check) : 1.0);
     // A value that is no number is as far off as can be.
     largest = std::isnan(amount) ? kInfinity : std::max(largest, amount);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "problems/length_ranges.hpp"
+#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -12,9 +13,6 @@ namespace {
 using synthesis::FunctionBound;
 using synthesis::LimitOfOutput;
 using synthesis::ProportionBox;
-
-/// Sums of squares below this are rounding: the function is met.
-constexpr double kMetExactly = 1e-20;
 
 std::optional<LimitOfOutput> limit_of(FunctionStart start) {
   if (start == FunctionStart::free) return std::nullopt;

@@ -20,6 +20,8 @@ constexpr int kRound = 64, kFewestStarts = 128, kMostStarts = 256;
 /// The best minimum counts as well known once so many starts have come to it.
 constexpr int kEnoughHits = 5;
 constexpr int kIterations = 150;
+/// Weight of violated limits among the errors.
+constexpr double kPenalty = 10;
 /// Fits that end closer than this in the logarithms of lengths and in angles are one.
 constexpr double kSameFit = 1e-4;
 
@@ -138,9 +140,10 @@ class Explorer {
                         sign(assembly)});
     }
     fit_functions(model.lane_fit(), states,
-                  {.most_iterations = kIterations, .threads = run_.threads, .stop = [this] {
-                     return deadline_.reached();
-                   }});
+                  {.most_iterations = kIterations,
+                   .penalty = kPenalty,
+                   .threads = run_.threads,
+                   .stop = [this] { return deadline_.reached(); }});
     for (std::size_t i = 0; i < all.size(); ++i) take_over(states[i], all[i]);
   }
 
@@ -164,7 +167,11 @@ class Explorer {
       FunctionFound along = starts[i];
       refiner_.refine(along, wanted_, Objective::sum_of_squares, Backend::gauss_newton,
                       kIterations);
-      if (!along.valid || is_better(all[i], along)) return;
+      if (!along.valid) return;
+      const double missing = kPenalty * along.violation;
+      along.objective += missing * missing;
+      along.violation = 0;
+      if (all[i].objective < along.objective) return;
       along.evaluations += all[i].evaluations;
       along.gradients += all[i].gradients;
       along.iterations += all[i].iterations;

@@ -61,16 +61,22 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
       best_designs(std::move(designs), by_loss ? std::nullopt : std::optional(problem.objective),
                    problem.solve.designs);
   result.status = status(result, deadline, ended_early);
-  if (problem.solve.certify && result.status == Status::solved) {
-    const double best = result.designs.front().error.sum_of_squares;
-    result.certificate = certify(problem, wanted, best, run, deadline);
-  }
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes over the whole range; wider bounds, free start angles "
         "or more starts may help.");
   }
   return result;
+}
+
+void add_certificate(const FunctionProblem& problem, const Run& run, const Deadline& deadline,
+                     Result& result) {
+  if (result.status != Status::solved) {
+    result.notes.emplace_back(kNothingToCertify);
+    return;
+  }
+  const double best = result.designs.front().error.sum_of_squares;
+  result.certificate = certify(problem, function_samples(problem), best, run, deadline);
 }
 
 }  // namespace
@@ -90,6 +96,7 @@ Result solve(const FunctionProblem& problem, const Run& run) {
       return solve_by_search(other, silent, deadline);
     };
     tell_conflict(problem, deadline, solve_once, result);
+    if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});

@@ -58,7 +58,7 @@ class Search {
   void finish_least_squares();
   void finish_minimax();
   void finish_by_choice(Objective objective);
-  void reassess(FunctionFound& found) const;
+  void reassess(FunctionFound& found, Objective objective) const;
   void exchange(FunctionFound& found) const;
 
   ConfinedFunctions confined_;
@@ -77,16 +77,20 @@ void Search::keep_best(std::size_t reserve) {
   if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
 }
 
-/// Puts the error and the violated limits themselves in place of what a fit in lanes made of them.
-void Search::reassess(FunctionFound& found) const {
-  const FunctionModel model(*found.problem, wanted_, found.generator.assembly,
-                            Objective::sum_of_squares, found.limited);
+/// Puts the objective and the violated limits in place of what was known of another objective.
+void Search::reassess(FunctionFound& found, Objective objective) const {
+  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective,
+                            found.limited);
   const std::vector<double> x = model.variables_of(found.generator);
   std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
   found.generator = model.generator(x);
   found.valid = model.residuals(x, residuals, {}, {});
   if (!found.valid) return;
-  found.objective = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+  found.objective =
+      objective == Objective::sum_of_squares
+          ? std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0)
+          : std::abs(*std::ranges::max_element(residuals, {},
+                                               [](double residual) { return std::abs(residual); }));
   model.constraints(x, limits, {});
   found.violation = 0;
   for (const double c : limits) found.violation = std::max(found.violation, -c);
@@ -129,7 +133,7 @@ void Search::finish_by_choice(Objective objective) {
 void Search::finish_least_squares() {
   keep_best(kDeepened);
   if (confined_.plain().solve.loss == synthesis::Loss::none) {
-    for (FunctionFound& found : all_) reassess(found);
+    for (FunctionFound& found : all_) reassess(found, Objective::sum_of_squares);
   }
   refine_all(Objective::sum_of_squares, Backend::gauss_newton, kDeepeningIterations, {0.7, 0.9});
   finish_by_choice(Objective::sum_of_squares);
@@ -137,7 +141,7 @@ void Search::finish_least_squares() {
 
 void Search::finish_minimax() {
   keep_best(kMinimaxReserve);
-  for (FunctionFound& found : all_) found.valid = false;  // its objective was another
+  for (FunctionFound& found : all_) reassess(found, Objective::max_abs);
   refine_all(Objective::max_abs, Backend::gauss_newton, kTurningIterations, {0.5, 0.7});
   keep_best(kFinished);
   refine_all(Objective::max_abs, Backend::gauss_newton, kMinimaxIterations, {0.7, 0.9});

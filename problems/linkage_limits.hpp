@@ -91,13 +91,15 @@ struct Constraints {
   bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve keeps to it
 };
 
+/// Whether a greatest value is given, and less than infinite.
+inline bool is_limit(const std::optional<double>& most) {
+  return most && std::isfinite(*most);
+}
+
 /// Whether a limit over the full turn of the crank is among them.
 inline bool limits_turn(const Constraints& constraints) {
-  const auto limits = [](const std::optional<double>& most) {
-    return most && std::isfinite(*most);
-  };
-  return !constraints.clearances.empty() || limits(constraints.peak_acceleration_max) ||
-         limits(constraints.torque_ripple_max);
+  return !constraints.clearances.empty() || is_limit(constraints.peak_acceleration_max) ||
+         is_limit(constraints.torque_ripple_max);
 }
 
 /// `solve.solver`.

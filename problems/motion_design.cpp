@@ -355,8 +355,7 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
 std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design) {
   if (!design.mechanism.four_bar) return std::nullopt;
   const FourBar& linkage = *design.mechanism.four_bar;
-  const auto fact =
-      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
+  const auto fact = std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
   if (!linkage.coupler_point || fact == design.metrics.facts.end()) return std::nullopt;
   const double angle = std::get<double>(fact->value) * (std::numbers::pi / 180);
   const Pose body_in_link{*linkage.coupler_point, angle};

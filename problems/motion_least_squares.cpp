@@ -30,8 +30,6 @@ constexpr int kLimitedStarts = 1600;
 constexpr double kDefaultTolerance = 1e-13;
 /// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
 constexpr double kSameWithin = 1e-3;
-/// Sums of squares below this share of the motion's squared size are rounding.
-constexpr double kMetExactly = 1e-20;
 
 bool is_same(const GuidingDyad& a, const GuidingDyad& b, double size) {
   if (a.kind != b.kind) return false;

@@ -208,7 +208,7 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
     r[3 * j] = miss.x;
     r[3 * j + 1] = miss.y;
     r[3 * j + 2] = weight * angle_of(at->turn * conj(unit(problem_.poses[j].angle)));
-    if (jacobian.empty()) continue;
+    if (jacobian.empty() && local.empty()) continue;
 
     const TurnSlopes slopes = turn_slopes(form_.second, second, first, at->pin, at->turn);
     // The body's angle by each dimension: −F'/F'ψ; the pin's way, and the arm's besides turning.

@@ -47,7 +47,7 @@ class FrontReport {
         measure(first));
   }
 
-  std::string end(const std::vector<FrontPoint>& points) const {
+  std::string end(const std::vector<FrontPoint>& points, bool by_error) const {
     const FrontPoint& last = points.back();
     if (points.size() == 1) {
       return fmt::format("One design is best in both: {} is {:.7g}, the error {:.7g}.", words(),
@@ -55,8 +55,12 @@ class FrontReport {
     }
     const std::string at = fmt::format("The front ends where {} is {:.7g} and the error {:.7g}",
                                        words(), measure(last), error(last));
-    if (task_.limit) return fmt::format("{}: beyond it the error exceeds {}.", at, limit_words());
-    return at + ": beyond it no design was found that meets every constraint.";
+    if (task_.limit && by_error) {
+      return fmt::format("{}: beyond it the error exceeds {}.", at, limit_words());
+    }
+    return at +
+           ": beyond it, but for a millionth of the way, no design was found that meets every "
+           "constraint.";
   }
 
   std::string best(const FrontPoint& point) const {
@@ -121,8 +125,9 @@ Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const
   }
   FrontPoint last = search.points().front();
   const bool is_met = last.error == 0;
-  if (task.with_error && is_met) last = search.go_to(0);
-  last = search.go_to(most);
+  const auto end = task.with_error ? LastPoint::before_an_upright_end : LastPoint::greatest_level;
+  if (task.with_error && is_met) last = search.go_to(0, end);
+  last = search.go_to(most, end);
   if (task.with_error) search.fill(task.designs);
   const auto& points = search.points();
   result.status = status(deadline);
@@ -131,7 +136,7 @@ Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const
     result.families = {report.family(points)};
     if (result.status == Status::solved) {
       if (is_met) result.notes.push_back(report.beginning(points.front()));
-      result.notes.push_back(report.end(points));
+      result.notes.push_back(report.end(points, search.ended_by_error()));
     }
   } else {
     result.designs = {report.design_of(last)};

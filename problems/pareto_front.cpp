@@ -75,6 +75,7 @@ Result FrontSearch::begin() {
 /// The best design whose level is at least `bound`; none where none is found, or in time.
 std::optional<FrontPoint> FrontSearch::solved(double bound, const std::vector<Design>& known,
                                               bool afresh) {
+  if (deadline_.reached()) return std::nullopt;
   DesignLimits limits = problem_.limits;
   const bool bounded = std::isfinite(bound);
   if (bounded && !problem_.rule.limit(limits, problem_.rule.value_at(bound))) return std::nullopt;
@@ -162,7 +163,11 @@ void FrontSearch::settle() {
       auto point = solved(bound, beside(known->level), false);
       if (!point || !(point->error < known->error * (1 - kSameError))) continue;
       gain = std::max(gain, 1 - point->error / known->error);
-      points_.erase(known);
+      if (point->level >= known->level - kSameLevel) {
+        points_.erase(known);
+      } else {
+        known->bound = known->level;  // the best of the levels between is the new one
+      }
       insert(*std::move(point));
     }
     if (gain < 1e-7) return;

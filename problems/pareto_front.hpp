@@ -40,6 +40,8 @@ struct FrontPoint {
 /// Adds the best and some other minima of a point to `designs`.
 void add_minima(const FrontPoint& point, std::vector<Design>& designs);
 
+enum class LastPoint { before_an_upright_end, greatest_level };
+
 /// Points of the front that are known, best error first: none is as good as another in both.
 ///
 /// The front falls or rises monotonically, since what keeps to a bound keeps to every looser one:
@@ -56,9 +58,12 @@ class FrontSearch {
   /// Adds the point of the greatest level whose error is at most `most`, and returns it: a search
   /// for the root of the error, which grows with the level, to 1e-8 of the levels looked at. Fresh
   /// searches narrow it down, and look beyond it in the end. Where nothing is found beyond at all,
-  /// the front may end upright: the point is then that of a level less by 1e-6 of those looked at.
-  /// At least one point is known whose error is no greater.
-  FrontPoint go_to(double most);
+  /// the front may end upright: the point before that is of a level less by 1e-6 of those looked
+  /// at. At least one point is known whose error is no greater.
+  FrontPoint go_to(double most, LastPoint last);
+
+  /// Whether beyond the point last gone to something was found, of too great an error.
+  bool ended_by_error() const { return ended_by_error_; }
 
   /// Adds points between those that are known, in the widest gaps first, until `count` of them
   /// can lie evenly along the front; then leaves so many.
@@ -91,6 +96,7 @@ class FrontSearch {
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
+  bool ended_by_error_ = false;
   int searches_ = 0;  ///< problems solved
   double share_ = 0;  ///< done, for progress
   std::vector<FrontPoint> points_;

@@ -47,6 +47,7 @@ class FrontSearch::Root {
   }
 
   void find() {
+    if (!std::isfinite(low_)) return;  // nothing is better than a measure of 0
     if (!front_.has_top()) reach_out();
     for (int i = 0; i < kCoarse && is_open(); ++i) probe(0.5 * (low_ + high_), true);
     for (int look = 0; look < kLooks; ++look) {
@@ -143,11 +144,13 @@ FrontPoint FrontSearch::stepped_back(const FrontPoint& last, double way) {
   return points_.back();
 }
 
-FrontPoint FrontSearch::go_to(double most) {
+FrontPoint FrontSearch::go_to(double most, LastPoint last) {
   Root root(*this, most);
   root.find();
-  const bool ends = !root.is_crossed() && root.best().level > points_.front().level;
-  const FrontPoint best = ends ? stepped_back(root.best(), root.way()) : root.best();
+  ended_by_error_ = root.is_crossed();
+  const bool ends = !ended_by_error_ && root.best().level > points_.front().level;
+  const bool before = ends && last == LastPoint::before_an_upright_end;
+  const FrontPoint best = before ? stepped_back(root.best(), root.way()) : root.best();
   insert(best);
   return best;
 }

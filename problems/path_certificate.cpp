@@ -20,8 +20,6 @@ using synthesis::ProportionBox;
 using synthesis::TimedPath;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Sums of squares below this share of the path's squared size are rounding: the points are met.
-constexpr double kMetExactly = 1e-20;
 /// Where the file has no bounds of the coupler point it is taken to lie within so many times the
 /// path's size of B.
 constexpr double kFarthestPoint = 300;

@@ -9,6 +9,7 @@
 #include "problems/path_exact_starts.hpp"
 #include "problems/path_starts.hpp"
 #include "problems/path_straying.hpp"
+#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -34,8 +35,6 @@ constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 1000;
 constexpr double kSameFit = 1e-4;
 /// The best minimum counts as well known once so many starts have come to it.
 constexpr int kEnoughHits = 5;
-/// Costs below are rounding, the path being of size 1.
-constexpr double kMet = 1e-20;
 
 std::mt19937_64 generator(std::uint64_t seed, int start) {
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
@@ -156,7 +155,7 @@ class Explorer {
 
   /// Linkages through nine of the points, where the search has not met all of them.
   void add_exact() {
-    const bool met = !pool_.empty() && pool_.front().cost < kMet;
+    const bool met = !pool_.empty() && pool_.front().cost < kMetExactly;
     if (met || !has_exact_starts(problem_) || deadline_.reached()) return;
     std::vector<PathFound> fresh;
     for (const PathStart& start : exact_starts(problem_, exploration_.run, deadline_)) {
@@ -167,12 +166,19 @@ class Explorer {
     add(std::move(fresh));
   }
 
-  /// Designs that the run begins with, by either sense of increments.
+  bool may_count(bool clockwise) const {
+    const bool increments =
+        problem_.timing != Timing::free && problem_.crank_reference == CrankReference::first;
+    if (!increments) return !clockwise;
+    return problem_.crank_sense != (clockwise ? CrankSense::ccw : CrankSense::cw);
+  }
+
+  /// Designs that the run begins with, by each sense of increments that there may be.
   void add_known() {
     std::vector<PathFound> fresh;
     for (const Design& design : exploration_.run.known) {
       for (const bool clockwise : {false, true}) {
-        if (clockwise && problem_.timing == Timing::free) continue;
+        if (!may_count(clockwise)) continue;
         fresh.push_back(placed(problem_, {four_bar(design), design.crank_angles, clockwise}));
         fresh.back().hits = 0;
       }
@@ -247,7 +253,7 @@ class Explorer {
 
   bool knows_enough() const {
     if (pool_.empty()) return false;
-    const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMet;
+    const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMetExactly;
     return met || pool_.front().hits >= kEnoughHits;
   }
 

@@ -2,6 +2,7 @@
 /// SIMD lanes.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problems/path_found.hpp"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analysis/angle.hpp"
 #include "analysis/cognates.hpp"
@@ -29,8 +30,6 @@ namespace {
 constexpr double kDefaultTolerance = 1e-13;
 /// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
 constexpr double kSameWithin = 1e-3;
-/// Sums of squares below this share of the path's squared size are rounding: the points are met.
-constexpr double kMetExactly = 1e-20;
 
 class Designs {
  public:
@@ -45,6 +44,10 @@ class Designs {
     const auto cognate = timed_cognate(linkage);
     if (!cognate) return;
     const double turned = frame_angle(*cognate) - frame_angle(linkage);
+    const bool from_x_axis =
+        problem_.timing != Timing::free && problem_.crank_reference == CrankReference::global;
+    const double whole_turn = 2 * std::numbers::pi;
+    if (from_x_axis && std::abs(std::remainder(turned, whole_turn)) > kCheckTolerance) return;
     std::vector<double> angles = crank_angles;
     for (double& angle : angles) angle = in_one_turn(angle + turned);
     Design design = verified(*cognate, angles);
@@ -95,9 +98,7 @@ class Designs {
     std::vector<double> angles = crank_angles;
     for (double& angle : angles) angle = in_one_turn(angle + placement.turn);
     Design design = verified(placed(problem_, linkage, placement), targets, angles);
-    design.error.sum_of_squares /= placement.scale * placement.scale;
-    design.error.rms /= placement.scale;
-    design.error.max /= placement.scale;
+    design.error = path_error(linkage, problem_.points, crank_angles);
     design.placement = placement;
     design.metrics.facts = {{"target_scale", placement.scale},
                             {"target_turn_deg", degrees(placement.turn)},
@@ -187,19 +188,25 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();
   result.facts = found.thoroughness.facts();
-  if (problem.solve.certify && result.status == Status::solved) {
-    double best = std::numeric_limits<double>::infinity();
-    for (const Design& design : result.designs) {
-      best = std::min(best, path_objective(problem, design));
-    }
-    result.certificate = certify(problem, best, run, deadline);
-  }
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes at every target point; wider bounds or more starts may "
         "help.");
   }
   return result;
+}
+
+void add_certificate(const PathProblem& problem, const Run& run, const Deadline& deadline,
+                     Result& result) {
+  if (result.status != Status::solved) {
+    result.notes.emplace_back(kNothingToCertify);
+    return;
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const Design& design : result.designs) {
+    best = std::min(best, path_objective(problem, design));
+  }
+  result.certificate = certify(problem, best, run, deadline);
 }
 
 }  // namespace
@@ -215,6 +222,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   tell_conflict(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
+  if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);

@@ -168,7 +168,7 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
     const Vec2d error = w * (anchor + turn * (to_a + arm) - problem_.points[j]);
     r[2 * j] = error.x;
     r[2 * j + 1] = error.y;
-    if (jacobian.empty()) continue;
+    if (jacobian.empty() && local.empty()) continue;
 
     const auto phi = closure_gradient(links, e1, at).coupler;
     const Vec2d by_phi = perp(q);

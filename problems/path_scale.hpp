@@ -14,7 +14,7 @@ struct PathScale {
 
   explicit PathScale(const PathProblem& problem);
 
-  PathProblem into(PathProblem problem) const;   ///< file units → path units
+  PathProblem into(PathProblem problem) const;  ///< file units → path units
   FourBar into(const FourBar& linkage) const;
   FourBar out_of(const FourBar& linkage) const;  ///< path units → file units
 

@@ -175,7 +175,8 @@ std::vector<double> PathStarts::random_between(std::mt19937_64& random) const {
     const std::size_t from = timed[k], to = last ? timed[0] + n : timed[k + 1];
     const double end = problem_.crank_angles[to % n];
     const double step = in_one_turn(sense * (end - angles[from]));
-    const double sweep = step > 0 ? step : kTurn;
+    constexpr double kNoStep = 1e-9;  // a last point that repeats the first, to rounding
+    const double sweep = step > kNoStep ? step : kTurn;
     double total = 0, part = 0;
     for (std::size_t i = from; i < to; ++i) total += share[i % n];
     for (std::size_t i = from; i + 1 < to; ++i) {

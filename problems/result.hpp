@@ -35,6 +35,8 @@ struct ConstraintCheck {
   std::variant<double, std::string> value;
   std::variant<double, std::string, Range> bound;
   bool satisfied = true;
+  /// By how much it is missed, relative to the linkage, where the bound itself has no size.
+  std::optional<double> missing{};
 };
 
 enum class Defect { circuit, branch, order };

@@ -158,7 +158,8 @@ class TurnTable {
     const int toward = here.slope < 0 ? 1 : -1;
     const int other = best + toward;
     const bool inside = other >= begin && other <= begin + kPerSector;
-    if (here.slope == 0 || !inside || !std::isfinite(values.at(at(other)))) {
+    const bool slopes = std::isfinite(here.slope) && here.slope != 0;
+    if (!slopes || !inside || !std::isfinite(values.at(at(other)))) {
       return extreme(quantity, best, here, here, with_slopes);
     }
     Sloping there = sloping(quantity, best, toward * step_);

@@ -41,7 +41,7 @@ double scale_of(const std::array<Range, 4>& limits, const Lengths<double>& links
     least = std::max(least, limits[i].min / lengths[i]);
     greatest = std::min(greatest, limits[i].max / lengths[i]);
   }
-  return least <= greatest ? std::clamp(1.0, least, greatest) : std::sqrt(least * greatest);
+  return least <= greatest ? std::clamp(1.0, least, greatest) : least * std::sqrt(greatest / least);
 }
 
 /// The least turn that brings the frame's direction `angle` to what the file wants.

@@ -1,6 +1,7 @@
 #include "problems/turn_limits.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "problems/sector_extremes.hpp"
@@ -94,9 +95,12 @@ class Rows {
     }
   }
 
-  /// What is left of 1 by `r`, whose slopes are `sign` times those given; infinite: not known.
+  /// What is left of 1 by `r`, whose slopes are `sign` times those given; −∞ where the linkage does
+  /// not close. What overflows is beyond any limit.
   void add_share(double r, double sign, const LimitSlopes& slopes) {
-    if (!std::isfinite(r)) return add(1, 0, {});
+    constexpr double kBeyond = -700;  // −ln r of the largest numbers
+    if (r == -std::numeric_limits<double>::infinity()) return add(1, 0, {});
+    if (!std::isfinite(r)) return add(kBeyond, 0, {});
     add((r < 1 ? 1 - r : -std::log(r)) - kMargin, r < 1 ? -sign : -sign / r, slopes);
   }
 

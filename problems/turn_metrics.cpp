@@ -46,6 +46,7 @@ double least_between(const Function& function, double from, double to) {
 template <class Function>
 double least_over_turn(const FourBar& linkage, const Function& function) {
   constexpr int kAngles = 720;
+  constexpr std::size_t kMostRefined = 24;
   constexpr double kStep = 2 * std::numbers::pi / kAngles;
   const double begin = frame_angle(linkage);
   std::array<double, kAngles> values{};
@@ -56,9 +57,15 @@ double least_over_turn(const FourBar& linkage, const Function& function) {
   const auto value = [&](int k) {
     return values.at(static_cast<std::size_t>((k + kAngles) % kAngles));
   };
-  double least = kInfinity;
+  std::vector<int> minima;
   for (int k = 0; k < kAngles; ++k) {
-    if (value(k) > value(k - 1) || value(k) > value(k + 1)) continue;
+    if (value(k) <= value(k - 1) && value(k) <= value(k + 1)) minima.push_back(k);
+  }
+  // What is constant but for rounding has hundreds.
+  std::ranges::sort(minima, {}, value);
+  if (minima.size() > kMostRefined) minima.resize(kMostRefined);
+  double least = kInfinity;
+  for (const int k : minima) {
     const double refined =
         least_between(function, begin + kStep * (k - 1), begin + kStep * (k + 1));
     least = std::min({least, value(k), refined});

@@ -60,7 +60,7 @@ struct PointTurning {
   Vec2<T> place, rate, bend;
 };
 
-/// Of the point that stands `arm` from the point `from` of a turning link, in the frame's axes.
+/// Of the point that stands `in_link` from the point `from` of a turning link, in the frame's axes.
 template <class T>
 PointTurning<T> carried(const PointTurning<T>& from, const LinkTurning<T>& link,
                         const Vec2<T>& in_link) {

@@ -37,6 +37,10 @@ Metrics design_metrics(const FourBar& linkage, std::span<const CrankPosition> po
 /// coordinates, of the limit for ratios, of one radian for angles.
 inline constexpr double kCheckTolerance = 1e-9;
 
+/// Sums of squares up to this share of the target's squared size (of 1 rad² for functions) are
+/// rounding: the target is met.
+inline constexpr double kMetExactly = 1e-20;
+
 /// What a length must exceed where its lower bound is 0, relative to the longest link.
 inline constexpr double kLeastLinkRatio = 1e-6;
 

@@ -46,16 +46,25 @@ ordered_json poses_json(const std::vector<synthesis::Pose>& poses) {
   return list;
 }
 
-/// Vertices of a closed curve, of very many some.
+/// Whether the curve turns by more than some degrees at a vertex.
+bool is_corner(const std::vector<Vec2d>& all, std::size_t k) {
+  constexpr double kTangent = 0.1;
+  const Vec2d before = all[k] - all[(k + all.size() - 1) % all.size()];
+  const Vec2d after = all[(k + 1) % all.size()] - all[k];
+  return !(std::abs(cross(before, after)) <= kTangent * dot(before, after));
+}
+
+/// Vertices of a closed curve, of very many some: corners, and others in even steps.
 ordered_json drawn_curve(const problems::ClosedCurve& curve) {
   constexpr std::size_t kMostDrawn = 1000;
   const auto& all = curve.vertices();
-  const std::size_t count = std::min(all.size(), kMostDrawn);
+  const std::size_t step = (all.size() + kMostDrawn - 1) / kMostDrawn;
+  std::size_t corners = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) corners += is_corner(all, k);
   ordered_json vertices = ordered_json::array();
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2d& vertex = all[k * all.size() / count];
-    vertices.push_back(point_json(
-        {round_to_digits(vertex.x, kDrawnDigits), round_to_digits(vertex.y, kDrawnDigits)}));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool kept = corners <= kMostDrawn && is_corner(all, k);
+    if (kept || k % step == 0) vertices.push_back(point_json(all[k]));
   }
   return vertices;
 }

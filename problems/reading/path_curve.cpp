@@ -146,6 +146,12 @@ void read_curve(TableReader& target, const std::filesystem::path& folder, PathPr
   if (!curve) return;
   curve->place = place;
   problem.points = curve->curve.equally_spaced(samples);
+  const double apart = 1e-9 * curve->curve.length();
+  if (std::ranges::all_of(problem.points, [&](const Vec2d& point) {
+        return norm(point - problem.points.front()) <= apart;
+      })) {
+    target.fault("samples", "all fall on one point of the curve; another number of them is wanted");
+  }
   problem.weights.assign(problem.points.size(), 1.0);
   problem.constraints.full_turn = true;
   problem.curve = *std::move(curve);

@@ -70,6 +70,20 @@ void check_one_sense(TableReader& target, const PathProblem& problem) {
                "with timing = \"mixed\" they must follow one another in one sense");
 }
 
+// Angles that are no increments have a sense of their own.
+void check_sense(TableReader& target, const PathProblem& problem) {
+  if (problem.crank_reference == CrankReference::first) return;
+  const PossibleSenses senses = senses_between(problem);
+  const bool possible = problem.crank_sense == CrankSense::either ||
+                        (problem.crank_sense == CrankSense::ccw && senses.forward) ||
+                        (problem.crank_sense == CrankSense::cw && senses.backward);
+  if (possible) return;
+  target.fault(
+      "crank_sense",
+      "is not the sense in which the crank passes the angles of crank_deg within one turn; "
+      "the other, or none, is wanted");
+}
+
 std::vector<std::optional<double>> read_degrees(TableReader& target, PathProblem& problem) {
   constexpr std::string_view kKey = "crank_deg";
   const Count count{.min = 1, .of = "angles"};
@@ -100,8 +114,10 @@ void read_crank_angles(TableReader& target, PathProblem& problem) {
   for (const double angle : all_or_none(degrees).value_or(std::vector<double>{})) {
     problem.crank_angles.push_back(radians(angle));
   }
-  const bool whole = problem.crank_angles.size() == problem.points.size();
-  if (problem.timing == Timing::mixed && whole) check_one_sense(target, problem);
+  if (problem.crank_angles.size() != problem.points.size()) return;
+  const std::size_t before = target.faults().size();
+  if (problem.timing == Timing::mixed) check_one_sense(target, problem);
+  if (target.faults().size() == before) check_sense(target, problem);
 }
 
 void read_timing(TableReader& target, PathProblem& problem) {
@@ -242,7 +258,11 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
                                        "points whatever they do between; leave it out"
                                      : ""},
                    problem.constraints);
-  if (closed) finish_curve(mechanism, bounds, constraints, problem);
+  if (closed) {
+    finish_curve(mechanism, bounds, constraints, problem);
+  } else if (constraints.has("no_extra_loop")) {
+    constraints.fault("no_extra_loop", "is given without a closed curve; leave it out");
+  }
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <pugixml.hpp>
 #include <string_view>
 #include <system_error>
@@ -24,30 +25,39 @@ std::string_view local_name(const pugi::xml_node& node) {
   return name.substr(name.find(':') + 1);
 }
 
-bool is_drawn(pugi::xml_node node) {
+/// Whether what the element holds is drawn where it stands.
+bool draws(const pugi::xml_node& node) {
   constexpr std::string_view kUndrawn[] = {"defs", "symbol", "clipPath",
                                            "mask", "marker", "pattern"};
-  for (; node; node = node.parent()) {
-    if (std::ranges::find(kUndrawn, local_name(node)) != std::end(kUndrawn)) return false;
-  }
-  return true;
+  return std::ranges::find(kUndrawn, local_name(node)) == std::end(kUndrawn);
 }
 
 bool is_transformed(pugi::xml_node node) {
   for (; node; node = node.parent()) {
-    if (node.attribute("transform")) return true;
+    const std::string_view style = node.attribute("style").value();
+    if (node.attribute("transform") || style.find("transform") != std::string_view::npos) {
+      return true;
+    }
   }
   return false;
 }
 
-/// Every path of a document; pugixml walks without recursion.
+/// Every path of a document, and those of them that are drawn; pugixml walks without recursion.
 class Paths final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node& node) override {
-    if (local_name(node) == "path") all.push_back(node);
+    const auto level = static_cast<std::size_t>(depth());
+    drawn_to_.resize(level);
+    drawn_to_.push_back((level == 0 || drawn_to_.back()) && draws(node));
+    if (local_name(node) != "path") return true;
+    all.push_back(node);
+    if (drawn_to_.back()) drawn.push_back(node);
     return true;
   }
-  std::vector<pugi::xml_node> all;
+  std::vector<pugi::xml_node> all, drawn;
+
+ private:
+  std::vector<bool> drawn_to_;  ///< of each element from the root to where the walk is
 };
 
 std::string ids_of(const std::vector<pugi::xml_node>& paths) {
@@ -59,12 +69,15 @@ std::string ids_of(const std::vector<pugi::xml_node>& paths) {
   return ids.empty() ? "none of them has an id" : "ids are " + quoted_list(ids);
 }
 
-tl::expected<pugi::xml_node, std::string> chosen(const std::vector<pugi::xml_node>& all,
+tl::expected<pugi::xml_node, std::string> chosen(const Paths& paths,
                                                  const std::optional<std::string>& id) {
-  std::vector<pugi::xml_node> fitting;
-  for (const pugi::xml_node& path : all) {
-    const bool fits = id ? path.attribute("id").value() == *id : is_drawn(path);
-    if (fits) fitting.push_back(path);
+  const std::vector<pugi::xml_node>& all = paths.all;
+  std::vector<pugi::xml_node> fitting = paths.drawn;
+  if (id) {
+    fitting.clear();
+    std::ranges::copy_if(all, std::back_inserter(fitting), [&](const pugi::xml_node& path) {
+      return path.attribute("id") && path.attribute("id").value() == *id;
+    });
   }
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
@@ -97,8 +110,8 @@ tl::expected<std::string, std::string> path_data_of(const std::filesystem::path&
   }
   Paths paths;
   document.traverse(paths);
-  return chosen(paths.all, id)
-      .and_then([](const pugi::xml_node& path) -> tl::expected<std::string, std::string> {
+  return chosen(paths, id).and_then(
+      [](const pugi::xml_node& path) -> tl::expected<std::string, std::string> {
         if (is_transformed(path)) {
           return tl::unexpected<std::string>(
               "has a transform on this path or around it, which is not applied; a path without any "

@@ -277,7 +277,10 @@ std::optional<Box> TableReader::box(std::string_view key) {
   if (!corners) return std::nullopt;
   const Two& min = corners->front();
   const Two& max = corners->back();
-  if (min[0] > max[0] || min[1] > max[1]) {
+  const auto is_empty = [](double low, double high) {
+    return low > high || (low == high && std::isinf(low));
+  };
+  if (is_empty(min[0], max[0]) || is_empty(min[1], max[1])) {
     fault(key, fmt::format("is an empty region; {} with min <= max is wanted", kForm));
     return std::nullopt;
   }

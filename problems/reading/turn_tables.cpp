@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "problems/names.hpp"
@@ -46,6 +49,12 @@ void read_clearance(TableReader& clearance, const TurnScope& scope, Constraints&
   clearance.finish();
   if (!box) return;
   limit.box = *box;
+  const auto& [min, max] = *box;
+  const std::array sides{min.x, min.y, max.x, max.y};
+  if (std::ranges::none_of(sides, [](double side) { return std::isfinite(side); })) {
+    clearance.fault(limit.inside ? "inside" : "outside",
+                    "is the whole plane; at least one finite side is wanted");
+  }
   if (!limit.inside) read_obstacle(clearance, limit);
   limits.clearances.push_back(limit);
 }

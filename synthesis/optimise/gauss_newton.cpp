@@ -66,6 +66,7 @@ class Solver {
   RowMatrix jacobian_, constraint_jacobian_;
   VectorXd local_slope_;              ///< ∂r/∂(its local variable), scaled
   VectorXd diagonal_, local_square_;  ///< of JᵀJ
+  double largest_square() const { return globals_ > 0 ? diagonal_.maxCoeff() : 0; }
   MatrixXd hessian_, qp_matrix_;
   VectorXd gradient_, qp_offset_, local_rhs_;
   MatrixXd local_rows_;  ///< Σ over the rows of a local variable of slope · row of J
@@ -162,14 +163,14 @@ void Solver::reduce_least_squares(double damping) {
       gradient_ -= (inverse * local_rhs_[local]) * local_rows_.row(local).transpose();
     }
   }
-  const double floor = 1e-14 * diagonal_.maxCoeff() + 1e-300;
+  const double floor = 1e-14 * largest_square() + 1e-300;
   hessian_.diagonal() += damping * diagonal_ + VectorXd::Constant(globals_, floor);
 }
 
 /// Madsen's step: the last unknown is the bound t ≥ 0 on all |rᵢ + Jᵢ dx|. In place of t it
 /// minimises t + t²/2m, m the largest residual now: as good where t ≥ 0, and strictly convex.
 void Solver::reduce_minimax(double damping) {
-  const double largest = std::max(diagonal_.maxCoeff(), 1e-300);
+  const double largest = std::max(largest_square(), 1e-300);
   const double size = std::max(now_.cost, 1e-300);
   hessian_.setZero(globals_ + 1, globals_ + 1);
   hessian_.diagonal().head(globals_) =
@@ -294,6 +295,7 @@ Solution Solver::finish(Stop stop, int iterations) const {
 
 Solution Solver::run() {
   if (!evaluate(now_)) return finish(Stop::no_value, 0);
+  if (globals_ + locals_ == 0) return finish(Stop::converged, 0);
   const double floor = 1e-32 * (1 + now_.cost);
   double damping = 1e-3, growth = 2;
   bool moved = true;

@@ -44,8 +44,8 @@ class Model {
 
   /// Residuals at `x`, and where asked for their derivatives: `jacobian` is row-major,
   /// residual_count × global count, `local` has one entry for each residual. Either both are empty
-  /// or `jacobian` is full (`local` too if there are local variables). Returns false where x has no
-  /// value (the linkage does not close there); the outputs are then unspecified.
+  /// or both are full, which for want of global or of local variables may mean empty. Returns false
+  /// where x has no value (the linkage does not close there); the outputs are then unspecified.
   virtual bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
                          std::span<double> local) const = 0;
 

@@ -11,9 +11,10 @@ constexpr double kLeastSquare = 1e-10;
 
 /// k(1 − k).
 Interval product_of(const Interval& k) {
-  const double a = k.low * (1 - k.low), b = k.high * (1 - k.high);
+  const auto at = [](double end) { return Interval(end) * (Interval(1) - Interval(end)); };
+  const Interval a = at(k.low), b = at(k.high);
   const bool holds_half = k.low <= 0.5 && k.high >= 0.5;
-  return outward(std::min(a, b), holds_half ? 0.25 : std::max(a, b));
+  return {std::min(a.low, b.low), holds_half ? 0.25 : std::max(a.high, b.high)};
 }
 
 Interval inner_of(const Interval& k, Proportions proportions) {
@@ -28,7 +29,8 @@ Interval inner_of(const Interval& k, Proportions proportions) {
 Interval inverse_of(const ProportionBox& box) {
   const Interval& side = box.side[2];
   if (box.proportions != Proportions::any) return clamped(cos(side), 0, 1);
-  return outward(side.low / (1 - side.low), side.high / (1 - side.high));
+  const auto at = [](double end) { return Interval(end) / (Interval(1) - Interval(end)); };
+  return {at(side.low).low, at(side.high).high};
 }
 
 Interval difference_of(const ProportionBox& box, const Interval& inner) {
@@ -69,15 +71,6 @@ ProportionRanges ranges_of(const ProportionBox& box) {
   const Interval& k = box.side[0];
   const Interval inner = inner_of(k, box.proportions);
   return {k, Interval(1) - k, difference_of(box, inner), inverse_of(box), inner, 1};
-}
-
-Proportion proportion_at(const ProportionBox& box, const std::array<double, kBoxSides>& point) {
-  const double k = point[0];
-  const bool turning = box.proportions != Proportions::any;
-  const double difference = turning ? std::abs(2 * k - 1) * std::cos(point[1]) : point[1];
-  const double inverse = turning ? std::cos(point[2]) : point[2] / (1 - point[2]);
-  const double sum = 1 / inverse;
-  return {1 - k, 0.5 * (sum + difference), 0.5 * (sum - difference), k};
 }
 
 struct BoxDirections::Place {

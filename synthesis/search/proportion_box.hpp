@@ -46,12 +46,6 @@ struct ProportionRanges {
 
 ProportionRanges ranges_of(const ProportionBox& box);
 
-/// Link lengths, with frame + crank = 1, at a point of `box`. s must not be zero.
-struct Proportion {
-  double crank = 0, coupler = 0, rocker = 0, frame = 0;
-};
-Proportion proportion_at(const ProportionBox& box, const std::array<double, kBoxSides>& point);
-
 /// The direction of a link over a box at one crank angle. At the box's middle it is `middle`, up to
 /// `radius`; for t in [−1, 1]⁴, at middle + t·half width, its angle exceeds that of `middle` by
 /// slope·t, up to `radius`.

@@ -90,7 +90,8 @@ void print(int seeds, std::string_view part) {
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   if (seeds < 1) {
-    fmt::print(stderr, "usage: records [seeds [part of a name]]; seeds is a whole number from 1 on\n");
+    fmt::print(stderr,
+               "usage: records [seeds [part of a name]]; seeds is a whole number from 1 on\n");
     return 2;
   }
   cognate::print(seeds, argc > 2 ? argv[2] : "");

@@ -1,5 +1,6 @@
 // Closed curves in problem files: polylines, path data, drawings beside the file, and their faults.
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +16,17 @@ namespace {
 
 std::string with_target(const std::string& lines) {
   return "kind = \"path-generation\"\n[target]\n" + lines;
+}
+
+/// Out from a point and back again, in as many directions as samples are asked for.
+std::string spikes() {
+  std::string text;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = i * std::numbers::pi / 6;
+    text += fmt::format("{}[1, 1], [{:.17g}, {:.17g}]", i > 0 ? ", " : "",
+                        1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle));
+  }
+  return text;
 }
 
 PathProblem read_well(const std::string& text) {
@@ -85,9 +97,12 @@ const FaultCase kFaults[] = {
     {"SamplesOfPoints",
      with_target("points = [[0, 0], [1, 0], [1, 1]]\nsamples = 20\n"),
      {{4, 11, "without a closed curve"}}},
+    {"SamplesOnOnePoint",
+     with_target("samples = 12\ncurve = [" + spikes() + "]\n"),
+     {{3, 11, "all fall on one point of the curve"}}},
     {"LoopOfPoints",
      with_target("points = [[0, 0], [1, 0], [1, 1]]\n[constraints]\nno_extra_loop = true\n"),
-     {{5, 1, "no_extra_loop"}}},
+     {{5, 17, "no_extra_loop is given without a closed curve"}}},
     {"CrankThatRocks",
      with_target(kSquare + "[constraints]\nclass = \"double-rocker\"\n"),
      {{5, 9, "traced in a full turn"}}},
@@ -187,6 +202,7 @@ TEST_F(Drawings, FaultsAreToldAtTheKey) {
                "has 2 paths; svg_id = \"...\" chooses by id, and ids are");
   expect_fault(svg(kTriangle), "no such <path> among 1; ids are \"t\"", "svg_id = \"u\"\n");
   expect_fault(svg("<g transform='scale(2)'>" + kTriangle + "</g>"), "has a transform");
+  expect_fault(svg("<g style='transform:scale(2)'>" + kTriangle + "</g>"), "has a transform");
   expect_fault(svg("<path/>"), "draws nothing");
   expect_fault(svg("<path d='M 0 0 L 1 0 1 1'/>"), "a closed curve is wanted");
 }

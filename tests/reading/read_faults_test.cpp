@@ -149,6 +149,10 @@ const std::vector<FaultCase> kPathCases = {
      "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 0], [2, 1], [3, 1], [4, 0]]\n"
      "timing = \"mixed\"\ncrank_deg = [0, 200, \"free\", 100, 300]\n",
      {{5, 13, "does not pass one after the other within one turn"}}},
+    {"CrankSenseAgainstTheAngles",
+     path("timing = \"prescribed\"\ncrank_reference = \"frame\"\ncrank_deg = [0, -30, -60]\n"
+          "crank_sense = \"ccw\"\n"),
+     {{7, 15, "is not the sense in which the crank passes the angles"}}},
     {"TimingMisspelt",
      path("timing = \"fre\"\n"),
      {{4, 10, "\"fre\", perhaps for \"free\"; allowed are \"free\", \"prescribed\""}}},

@@ -50,8 +50,21 @@ TEST(ReadLibraryTest, EveryPathByLeastSquaresAsksForACrankRocker) {
     const auto problem = std::get<PathProblem>(read_or_fail(entry.path()));
     if (problem.method == PathMethod::exact) continue;
     EXPECT_EQ(problem.constraints.required_class, RequiredClass::crank_rocker) << entry.path();
-    EXPECT_EQ(problem.weights, std::vector<double>(problem.points.size(), 1.0)) << entry.path();
+    EXPECT_EQ(problem.weights.size(), problem.points.size()) << entry.path();
     EXPECT_FALSE(problem.title.empty()) << entry.path();
+  }
+}
+
+TEST(ReadLibraryTest, PointsOfAMixedPathAreTimedWhereTheFileSaysSo) {
+  const PathProblem problem = path("walking-leg");
+  EXPECT_EQ(problem.timing, Timing::mixed);
+  ASSERT_EQ(problem.points.size(), 8u);
+  for (std::size_t j = 0; j < 8; ++j) {
+    EXPECT_EQ(problem.is_timed(j), j < 5);
+    EXPECT_EQ(problem.weights[j], j < 5 ? 10 : 1);
+    if (j < 5) {
+      EXPECT_DOUBLE_EQ(problem.crank_angles[j], 45.0 * double(j) * kDegree);
+    }
   }
 }
 

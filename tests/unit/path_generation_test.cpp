@@ -221,6 +221,35 @@ TEST(PathGeneration, KeepsCrankAnglesWhereSomePointsAreTimed) {
   }
 }
 
+TEST(PathGeneration, EveryDesignKeepsCrankAnglesCountedFromTheXAxis) {
+  const auto crank_angles = angles(9, 0.3, 5.4);
+  PathProblem problem = timed(crank_angles, CrankReference::global);
+  problem.solve.designs = 6;
+  const Result result = solve(problem, {});
+  ASSERT_EQ(result.status, Status::solved);
+  for (const Design& design : result.designs) {
+    for (std::size_t j = 0; j < crank_angles.size(); ++j) {
+      EXPECT_NEAR(std::remainder(design.crank_angles[j] - crank_angles[j], 2 * std::numbers::pi), 0,
+                  1e-9);
+    }
+  }
+}
+
+TEST(PathGeneration, AWholeTurnEndsWhereItBeganWithSomePointsTimed) {
+  for (const auto reference : {CrankReference::frame, CrankReference::global}) {
+    PathProblem problem = timed(angles(10, 0.35, 0.35 + 2 * std::numbers::pi), reference);
+    problem.timing = Timing::mixed;
+    problem.points.back() = problem.points.front();
+    // As a reader makes them of 20 and 380 degrees, say: to rounding a whole turn.
+    problem.crank_angles.back() =
+        std::nextafter(problem.crank_angles.front() + 2 * std::numbers::pi, 100);
+    for (int j = 0; j < 10; ++j) problem.has_crank_angle.push_back(j == 0 || j == 9);
+    const Result result = solve(problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_LT(result.designs[0].error.max, 1e-8);
+  }
+}
+
 TEST(PathGeneration, TakesLongListsOfPoints) {
   for (const auto timing : {Timing::free, Timing::prescribed, Timing::mixed}) {
     const auto crank_angles = angles(800, 0.3, 6.1);

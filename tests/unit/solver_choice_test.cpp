@@ -30,6 +30,12 @@ class SolverChoiceTest : public testing::TestWithParam<SolverChoice> {
     const bool other = GetParam() != SolverChoice::automatic;
     const std::string name(other ? to_string(GetParam()) : "gauss-newton");
     EXPECT_NE(one.designs.front().origin.find(name), std::string::npos);
+    // The solver named goes on from what Gauss-Newton has found.
+    if (other && GetParam() != SolverChoice::gauss_newton) {
+      problem.solve.solver = SolverChoice::gauss_newton;
+      const Result without = solve(problem, {.seed = 5, .threads = 1});
+      EXPECT_GT(one.work.positions, without.work.positions);
+    }
     return one;
   }
 };
@@ -63,6 +69,50 @@ TEST_P(SolverChoiceTest, MeetsAPlantedFunction) {
   const Result result = solved(problem);
   ASSERT_EQ(result.status, Status::solved);
   EXPECT_LT(result.designs.front().error.max, 1e-6);
+}
+
+TEST_P(SolverChoiceTest, LeavesWhatIsGivenWhole) {
+  for (const Timing timing : {Timing::free, Timing::mixed, Timing::prescribed}) {
+    PathProblem problem;
+    problem.timing = timing;
+    problem.crank_reference = CrankReference::global;
+    for (int j = 0; j < 5; ++j) {
+      if (timing != Timing::free) problem.crank_angles.push_back(0.3 + 0.7 * j);
+      problem.has_crank_angle.push_back(j % 2 == 0);
+      problem.points.push_back(*Motion(kPlanted).at(0.3 + 0.7 * j)->coupler_point);
+    }
+    problem.weights.assign(problem.points.size(), 1);
+    problem.given = {.crank = kPlanted.crank,
+                     .coupler = kPlanted.coupler,
+                     .rocker = kPlanted.rocker,
+                     .pivot_a = kPlanted.pivot_a,
+                     .pivot_d = kPlanted.pivot_d,
+                     .coupler_point = kPlanted.coupler_point};
+    problem.solve.solver = GetParam();
+    problem.solve.starts = 20;
+    const Result result = solve(problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_LT(result.designs.front().error.max, 1e-7);
+  }
+}
+
+TEST_P(SolverChoiceTest, MeasuresAFunctionGeneratorGivenWhole) {
+  FunctionProblem problem;
+  problem.target = AnglePairs{{0, 0}, {0.3, 0.1}, {0.6, 0.25}};
+  problem.given = {.crank = 1, .coupler = 3, .rocker = 2.5, .frame = 3.2};
+  problem.input_start = 0.5;
+  problem.output_start = 1.6;
+  problem.solve.solver = GetParam();
+  const Result result = solve(problem, {});
+  ASSERT_FALSE(result.designs.empty());
+  const FourBar linkage = four_bar(result.designs.front());
+  double squares = 0;
+  for (const auto& [input, output] : std::get<AnglePairs>(problem.target)) {
+    const Vec2d c = Motion(linkage).at(0.5 + input)->c - linkage.pivot_d;
+    const double error = std::atan2(c.y, c.x) - 1.6 - output;
+    squares += error * error;
+  }
+  EXPECT_NEAR(result.designs.front().error.sum_of_squares, squares, 1e-12);
 }
 
 std::vector<SolverChoice> all_solvers() {
