@@ -14,8 +14,6 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::BoxBound;
-using synthesis::PathBound;
 using synthesis::ProportionBox;
 using synthesis::TimedPath;
 

@@ -39,8 +39,8 @@ struct Workspace {
   std::vector<Line> lines;
 
   explicit Workspace(std::size_t points)
-      : state(kBlock * kPathStateSize),
-        crank_half(kBlock * 2 * points),
+      : state(std::size_t{kBlock} * kPathStateSize),
+        crank_half(2 * points * kBlock),
         cost(kBlock),
         iterations(kBlock),
         lines(points * kPathWorkPerPoint * sizeof(double) / sizeof(Line)) {}
