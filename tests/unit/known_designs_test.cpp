@@ -53,6 +53,29 @@ TEST(KnownDesignsTest, OfPaths) {
   expect_come_back<PathProblem>(oval(12, true, -1));
 }
 
+/// A design whose crank turns the other way is no start for increments that count clockwise.
+TEST(KnownDesignsTest, KeepToTheSenseAskedFor) {
+  auto parsed = parse_problem(oval(12, true, 1));
+  ASSERT_TRUE(parsed);
+  auto problem = std::get<PathProblem>(*parsed);
+  problem.crank_sense = CrankSense::ccw;
+  problems::Run run;
+  const Result ccw = solve(problem, run);
+  ASSERT_EQ(ccw.status, Status::solved);
+  run.known = {ccw.designs.front()};
+  problem.crank_sense = CrankSense::cw;
+  problem.solve.starts = 0;
+  problem.solve.designs = 6;
+  const Result turned = solve(problem, run);
+  EXPECT_FALSE(turned.designs.empty());
+  for (const Design& design : turned.designs) {
+    for (std::size_t i = 1; i < design.crank_angles.size(); ++i) {
+      EXPECT_LT(std::remainder(design.crank_angles[i] - design.crank_angles[i - 1], 6.283185307),
+                0);
+    }
+  }
+}
+
 TEST(KnownDesignsTest, OfLongPaths) {
   expect_come_back<PathProblem>(oval(90, false, 1));
   expect_come_back<PathProblem>(oval(90, true, 1));

@@ -374,10 +374,8 @@ const auto set_lengths = [](FourBar& linkage, const Vec2d& at) {
   linkage.rocker = at.y;
 };
 
-TEST(TurnLimits, TheBestPointInsideABoxIsThatOfAGrid) {
-  GridSearch grid;
-  const Clearance clearance{
-      MovingPoint::coupler_point, true, {{-3, -3}, {grid.furthest() - 0.2, 3}}};
+/// The best coupler point under a clearance that the planted linkage breaks.
+void expect_best_point(GridSearch& grid, const Clearance& clearance) {
   ASSERT_LT(clearance_distance(grid.planted, clearance), -0.05);
   grid.problem.constraints.clearances = {clearance};
   grid.problem.given.coupler = grid.planted.coupler;
@@ -388,18 +386,16 @@ TEST(TurnLimits, TheBestPointInsideABoxIsThatOfAGrid) {
   grid.expect(best, "clearance[1]");
 }
 
+TEST(TurnLimits, TheBestPointInsideABoxIsThatOfAGrid) {
+  GridSearch grid;
+  expect_best_point(grid,
+                    {MovingPoint::coupler_point, true, {{-3, -3}, {grid.furthest() - 0.2, 3}}});
+}
+
 TEST(TurnLimits, TheBestPointBesideAnObstacleIsThatOfAGrid) {
   GridSearch grid;
-  const Clearance clearance{
-      MovingPoint::coupler_point, false, {{grid.furthest() - 0.2, -1}, {4, 4}}};
-  ASSERT_LT(clearance_distance(grid.planted, clearance), -0.05);
-  grid.problem.constraints.clearances = {clearance};
-  grid.problem.given.coupler = grid.planted.coupler;
-  grid.problem.given.rocker = grid.planted.rocker;
-  const double best = grid.best(
-      set_point, [&](const FourBar& l) { return clearance_distance(l, clearance) >= 0; },
-      {1.2, 0.9}, 0.8);
-  grid.expect(best, "clearance[1]");
+  expect_best_point(grid,
+                    {MovingPoint::coupler_point, false, {{grid.furthest() - 0.2, -1}, {4, 4}}});
 }
 
 TEST(TurnLimits, TheCalmestLinksAreThoseOfAGrid) {
