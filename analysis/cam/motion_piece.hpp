@@ -1,0 +1,76 @@
+/// @file A smooth piece of a follower's motion.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "analysis/cam/half_turns.hpp"
+
+namespace cognate::cam {
+
+/// Displacement of a follower and its derivatives by the cam angle in radians: lengths for a
+/// translating follower, radians for an oscillating one.
+template <class T>
+struct FollowerMotion {
+  T displacement{};
+  T velocity{};
+  T acceleration{};
+  T jerk{};
+};
+
+/// amplitude · sin(π (rate·t + phase)).
+template <class T>
+struct Sinusoid {
+  T amplitude{};
+  T rate{};
+  T phase{};
+};
+
+/// Displacement over [begin, begin + span] of the cam angle, with t = (δ − begin) / span in [0, 1]
+/// and x = 2t − 1:
+///
+///   s = Σ polynomial[k] xᵏ + Σ sinusoids[i].
+///
+/// Every motion law is made of such pieces, the ends of each exact to the last digit: powers of ±1
+/// and sines of whole quarter turns have no rounding error.
+template <class T>
+struct MotionPiece {
+  static constexpr std::size_t kMostTerms = 16;
+
+  T begin{};
+  T span{};
+  std::array<T, kMostTerms> polynomial{};
+  std::array<Sinusoid<T>, 2> sinusoids{};
+  int terms = 0;  ///< of the polynomial
+  int sinusoid_count = 0;
+  int segment = 0;  ///< of the programme it belongs to
+};
+
+/// The motion at t in [0, 1] of `piece`.
+template <class T>
+FollowerMotion<T> motion_at(const MotionPiece<T>& piece, const T& t) {
+  const T x = T(2) * t - T(1);
+  T s(0), v(0), a(0), j(0);
+  for (int k = piece.terms - 1; k >= 0; --k) {  // Horner's scheme for all derivatives at once
+    j = j * x + T(3) * a;
+    a = a * x + T(2) * v;
+    v = v * x + s;
+    s = s * x + piece.polynomial[static_cast<std::size_t>(k)];
+  }
+  v = T(2) * v;
+  a = T(4) * a;
+  j = T(8) * j;
+  for (int i = 0; i < piece.sinusoid_count; ++i) {
+    const auto& wave = piece.sinusoids[static_cast<std::size_t>(i)];
+    const auto [sine, cosine] = sine_cosine_of_half_turns(wave.rate * t + wave.phase);
+    const T w = T(pi_of<T>()) * wave.rate;
+    s = s + wave.amplitude * sine;
+    v = v + wave.amplitude * w * cosine;
+    a = a - wave.amplitude * w * w * sine;
+    j = j - wave.amplitude * w * w * w * cosine;
+  }
+  const T per_angle = T(1) / piece.span;
+  return {s, v * per_angle, a * per_angle * per_angle, j * per_angle * per_angle * per_angle};
+}
+
+}  // namespace cognate::cam
