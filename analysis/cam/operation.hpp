@@ -1,0 +1,20 @@
+/// @file How a cam runs: speed, masses, springs, loads, materials.
+#pragma once
+
+namespace cognate::cam {
+
+/// What a follower must be pushed with, and what it is pushed by. Of an oscillating follower all is
+/// about its pivot: moments, a moment of inertia, a spring's rate by the angle.
+struct Operation {
+  double speed = 0;    ///< of the cam, rad/s, constant
+  double inertia = 0;  ///< mass in kg; kg·m² about the pivot
+  double spring_rate = 0;
+  double preload = 0;  ///< of the spring at displacement 0
+  double load = 0;     ///< against the rise, constant
+
+  /// Line contact (Hertz 1882), where stress is asked for.
+  double width = 0;        ///< of the contact
+  double modulus_sum = 0;  ///< (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
+};
+
+}  // namespace cognate::cam

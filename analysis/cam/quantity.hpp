@@ -1,0 +1,134 @@
+/// @file What can be asked of a cam at one position, as analytic functions of the cam angle.
+#pragma once
+
+#include <cmath>
+
+#include "analysis/cam/contact.hpp"
+#include "analysis/cam/operation.hpp"
+
+namespace cognate::cam {
+
+enum class Quantity {
+  pressure_angle,   ///< rad; positive where the cam pushes along with its own surface's motion
+  pitch_curvature,  ///< of the roller's centre's path, positive where convex
+  face_radius,      ///< radius of curvature of a profile for a flat face
+  reach,            ///< of the contact along a flat face
+  squared_radius,   ///< of the profile, its distance from the cam's centre
+  roller_speed,     ///< of the roller about its own axis, over the cam's speed
+  demand,           ///< force (moment) along the motion that the cam must give the follower
+  contact_force,    ///< along the normal; negative where the follower would lift off
+  torque,           ///< that drives the cam
+  squared_stress    ///< Hertzian pressure of line contact, squared
+};
+
+/// A cam with its follower, ready to be evaluated.
+template <class T>
+struct CamSystem {
+  CamFollower<T> follower;
+  T start{};  ///< `starting_place(follower)`
+  Operation operation{};
+};
+
+/// Mass times acceleration, spring and load: what the cam must overcome along the motion. Negative
+/// where the follower must be held back.
+template <class T>
+T demand(const Operation& o, const FollowerMotion<T>& m) {
+  return T(o.inertia * o.speed * o.speed) * m.acceleration + T(o.spring_rate) * m.displacement +
+         T(o.preload + o.load);
+}
+
+/// Force over demand: 1 / cos α, over the arm where moments are demanded.
+template <class T>
+T force_ratio(const CamSystem<T>& cam, const T& across, const T& along) {
+  using std::sqrt;
+  const auto type = cam.follower.type;
+  if (type == FollowerType::oscillating_flat) return T(1) / along;
+  const T ratio = sqrt(across * across + along * along) / along;
+  return type == FollowerType::oscillating_roller ? ratio / cam.follower.dimensions.arm : ratio;
+}
+
+/// Speed of a roller about its axis as seen from the follower, over that of the cam: rolling
+/// without sliding.
+template <class T>
+T roller_speed(const CamSystem<T>& cam, const RollerState<T>& state, const FollowerMotion<T>& m) {
+  using std::sqrt;
+  const T& radius = cam.follower.dimensions.roller_radius;
+  const T length = sqrt(squared_norm(state.tangent));
+  // The cam's surface passes the roller's centre with −tangent, less what the radius turns.
+  const T spin = (radius - length) / radius;
+  const bool swings = cam.follower.type == FollowerType::oscillating_roller;
+  return swings ? spin + T(sign_of(cam.follower.side)) * m.velocity : spin;
+}
+
+/// Curvature of the profile that a roller of `radius` touches from outside.
+template <class T>
+T profile_curvature(const T& pitch, const T& radius) {
+  return pitch / (T(1) - radius * pitch);
+}
+
+template <class T>
+T roller_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+  using std::atan2;
+  using std::sqrt;
+  const auto state = roller_state(cam.follower, cam.start, m);
+  const T& radius = cam.follower.dimensions.roller_radius;
+  switch (quantity) {
+    case Quantity::pressure_angle:
+      return atan2(state.across, state.along);
+    case Quantity::pitch_curvature:
+      return pitch_curvature(state);
+    case Quantity::squared_radius: {
+      const T length = sqrt(squared_norm(state.tangent));
+      return squared_norm(state.centre - (radius / length) * perp(state.tangent));
+    }
+    case Quantity::roller_speed:
+      return roller_speed(cam, state, m);
+    case Quantity::contact_force:
+      return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
+    case Quantity::squared_stress: {
+      const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
+      const T relative = profile_curvature(pitch_curvature(state), radius) + T(1) / radius;
+      const Operation& o = cam.operation;
+      return force * relative * T(1 / (pi_of<double>() * o.width * o.modulus_sum));
+    }
+    default:
+      return T(0);
+  }
+}
+
+template <class T>
+T face_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+  using std::atan2;
+  const auto state = face_state(cam.follower, cam.start, m);
+  switch (quantity) {
+    case Quantity::pressure_angle:
+      return atan2(state.across, state.along);
+    case Quantity::face_radius:
+      return state.radius;
+    case Quantity::reach:
+      return state.reach;
+    case Quantity::squared_radius:
+      return squared_norm(state.contact);
+    case Quantity::contact_force:
+      return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
+    case Quantity::squared_stress: {
+      const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
+      const Operation& o = cam.operation;
+      return force / state.radius * T(1 / (pi_of<double>() * o.width * o.modulus_sum));
+    }
+    default:
+      return T(0);
+  }
+}
+
+/// `quantity` of `cam` where its follower's motion is `m`. What a follower does not have (the reach
+/// of a roller, the pitch curvature of a flat face) is 0.
+template <class T>
+T value_of(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+  if (quantity == Quantity::demand) return demand(cam.operation, m);
+  if (quantity == Quantity::torque) return demand(cam.operation, m) * m.velocity;
+  return is_flat(cam.follower.type) ? face_quantity(quantity, cam, m)
+                                    : roller_quantity(quantity, cam, m);
+}
+
+}  // namespace cognate::cam
