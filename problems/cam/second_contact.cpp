@@ -26,10 +26,8 @@ std::vector<double> borders(const cam::MotionProgramme& programme) {
 cam::MotionProgramme complement(const cam::MotionProgramme& programme) {
   auto pieces = programme.pieces();
   for (auto& piece : pieces) {
-    for (double& coefficient : piece.polynomial) coefficient = -coefficient;
-    for (auto& wave : piece.sinusoids) wave.amplitude = -wave.amplitude;
-    piece.polynomial[0] += programme.highest();
-    piece.terms = std::max(piece.terms, 1);
+    piece.offset = programme.highest() - piece.offset;
+    piece.scale = -piece.scale;
   }
   return cam::MotionProgramme(std::move(pieces));
 }
