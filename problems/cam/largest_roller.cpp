@@ -10,9 +10,9 @@
 namespace cognate::problems {
 namespace {
 
-/// What a roller measures at most where the file does not say (Li & Xu 2011, chapter 4: 0.1 to
-/// 0.5).
-constexpr double kUsualShare = 0.4;
+/// What a roller measures at most where the file does not say: of the base radius (usual are 0.1 to
+/// 0.5), and of the pitch curve's radius.
+constexpr double kOfBase = 0.4, kOfCurvature = 0.8;
 
 double least_radius(const CamProblem& problem) {
   return std::max(0.0, problem.length(CamDimension::roller_radius).bounds.min);
