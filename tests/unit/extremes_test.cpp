@@ -115,6 +115,38 @@ TEST(Extremes, ExtremesOnAJointOfSubintervalsComeOnce) {
   EXPECT_EQ(zeros_of(sine, -kPi, kPi).size(), 79U);
 }
 
+TEST(Extremes, PlacesOfExtremesComeBeforeSamplesOfTheSameValue) {
+  // At 0, a sample and a joint, the value is the same in double precision.
+  const auto one = [](double x) { return std::cos(x - 1e-9); };
+  EXPECT_NEAR(extremes(one, -1, 1, 1).greatest.at, 1e-9, 1e-13);
+  const auto many = [](double x) { return std::cos(40 * (x - 1e-9)); };
+  std::vector<double> places{-kPi};
+  for (int i = -39; i <= 40; ++i) places.push_back(i * kPi / 40 + (i < 40 ? 1e-9 : 0));
+  expect_places(local_of(many, -kPi, kPi), places, 1e-12);
+}
+
+TEST(Extremes, PlacesAreExactWhateverTheWidthOfTheWave) {
+  double worst = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const double a = 0.02 + 0.009 * i;
+    const auto f = [=](double x) { return 2 * a * x / (x * x + a * a); };
+    const std::vector<Extreme> found = local_of(f, -1, 1.3);
+    ASSERT_EQ(found.size(), 4U) << a;
+    worst = std::max({worst, std::abs(found[1].at + a) / a, std::abs(found[2].at - a) / a});
+  }
+  EXPECT_LT(worst, 1e-12);
+}
+
+TEST(Extremes, NoiseOfTheFunctionIsNotResolved) {
+  Counted noisy{[](double x) { return std::sin(x) + 3e-13 * std::sin(1e9 * x); }};
+  expect_places(local_of(noisy, 0, 6), {0, kPi / 2, 1.5 * kPi, 6}, 1e-8);
+  EXPECT_LE(noisy.count, 400);
+  // Here it is the rounding of x that makes 1 - 0.99999 wrong by 1e-11.
+  Counted steep{[](double x) { return 1 / (x - 0.99999); }};
+  expect_places(local_of(steep, 1, 2), {1, 2}, 0);
+  EXPECT_LE(steep.count, 2000);
+}
+
 TEST(Extremes, PolesJustOutside) {
   Counted pole{[](double x) { return 1 / (x + 1e-3); }};
   expect_places(local_of(pole, 0, 1, 1), {0, 1}, 0);
@@ -193,7 +225,7 @@ struct Waves {
 
   /// Zeros of a derivative on [0, 2π) by a fine grid and halving, in extended precision.
   std::vector<double> zeros(int order) const {
-    constexpr int kGrid = 4000;
+    constexpr int kGrid = 2000;
     std::vector<double> found;
     const auto at = [](int i) { return 2 * std::numbers::pi_v<long double> * i / kGrid; };
     for (int i = 0; i < kGrid; ++i) {
