@@ -39,7 +39,7 @@ struct Extremes {
 /// and cost time. `scale` is the size of f on all of the problem: waves smaller than about 1e-13 of
 /// it are rounding, not extremes. A function that is constant to rounding has only its ends.
 ///
-/// f is represented by Chebyshev interpolants of degree 16 on as many subintervals as it needs for
+/// f is represented by Chebyshev interpolants of degree 24 on as many subintervals as it needs for
 /// rounding accuracy (checked between the nodes), and the zeros of their derivatives are isolated
 /// by bounds on Chebyshev series, so that none is lost: no grid. Values are f's own at these
 /// places.
