@@ -1,4 +1,4 @@
-#include "problems/reading/cam_limits.hpp"
+#include "problems/reading/cam_constraints.hpp"
 
 #include <fmt/core.h>
 
