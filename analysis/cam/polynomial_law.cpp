@@ -27,7 +27,7 @@ std::vector<MotionCondition> all_conditions(const MotionSegment& segment) {
   }
   if (conditions.size() > static_cast<std::size_t>(kMost)) return {};
   for (const auto& [at, order, value] : conditions) {
-    if (!(at >= 0 && at <= 1) || order < 0 || !std::isfinite(value)) return {};
+    if (!(at >= 0 && at <= 1) || order < 0 || order >= kMost || !std::isfinite(value)) return {};
   }
   return conditions;
 }
