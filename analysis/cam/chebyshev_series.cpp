@@ -1,6 +1,7 @@
 #include "analysis/cam/chebyshev_series.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace cognate::cam {
 namespace {
@@ -125,20 +126,21 @@ ChebyshevSeries derivative(const ChebyshevSeries& series) {
 }
 
 double bracketed_zero(const ChebyshevSeries& series, double a, double b, bool rises) {
-  constexpr double kClose = 4e-16;
-  constexpr int kSteps = 120;  // most are two or three; halving alone takes 54
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  constexpr int kSteps = 60;  // most are three or four; halving alone takes 53
+  const double rounding = kEpsilon * (std::abs(series[0]) + variation_bound(series));
   double t = a + (b - a) / 2, last_step = b - a;
-  for (int i = 0; i < kSteps && b - a > kClose; ++i) {
+  for (int i = 0; i < kSteps && b - a > 2 * kEpsilon; ++i) {
     const auto [value, slope] = value_and_slope(series, t);
     (is_positive(value) == rises ? b : a) = t;
-    double next = t - value / slope;
-    const bool is_slow = 2 * std::abs(next - t) > last_step;
-    if (!(a <= next && next <= b) || is_slow) next = a + (b - a) / 2;
+    double next = std::clamp(t - value / slope, a, b);  // the zero may be at an end
+    if (std::abs(value) <= rounding) return std::isnan(next) ? t : next;
+    const double step = std::abs(next - t);
+    if (!(step > 0 && 2 * step <= last_step)) next = a + (b - a) / 2;
     last_step = std::abs(next - t);
     t = next;
-    if (last_step <= kClose) break;
   }
-  return std::clamp(t, a, b);
+  return t;
 }
 
 }  // namespace cognate::cam

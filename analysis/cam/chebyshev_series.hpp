@@ -64,7 +64,7 @@ inline bool has_no_zero(const ChebyshevSeries& series) {
 }
 
 /// The place between a < b where the series passes through 0, its sign at a being `rises` ? - : +
-/// and the opposite at b: Newton's steps, halving where they leave the bracket or are slow.
+/// and the opposite at b: Newton's steps, kept inside, or halving where they are slow.
 double bracketed_zero(const ChebyshevSeries& series, double a, double b, bool rises);
 
 /// Whether a value counts as positive: 0 does not, so that of two neighbouring pieces exactly one
