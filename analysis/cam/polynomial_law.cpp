@@ -113,7 +113,7 @@ bool append_polynomial(const MotionSegment& segment, double begin, double start,
   const double unit = unit_of(conditions, segment.rise, segment.over);
   const auto [rows, values] = equations(conditions, segment.over, unit);
   const Eigen::FullPivLU<Matrix> factors(rows);
-  if (!(factors.rcond() >= kLeastReciprocalCondition)) return false;
+  if (!factors.isInvertible() || !(factors.rcond() >= kLeastReciprocalCondition)) return false;
   Vector chebyshev = factors.solve(values);
   chebyshev += factors.solve(values - rows * chebyshev);
   const Real residual = (values - rows * chebyshev).cwiseAbs().maxCoeff();

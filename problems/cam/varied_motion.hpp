@@ -64,12 +64,13 @@ class VariedMotion {
       varied.span = T(piece.span / segment.over) * over;
       std::ranges::transform(piece.polynomial, varied.polynomial.begin(),
                              [](double c) { return T(c); });
-      varied.polynomial[0] = varied.polynomial[0] + level;
+      varied.offset = T(piece.offset) + level;
+      varied.scale = T(piece.scale);
       for (std::size_t k = 0; k < piece.sinusoids.size(); ++k) {
         const auto& wave = piece.sinusoids[k];
         varied.sinusoids[k] = {T(wave.amplitude), T(wave.rate), T(wave.phase)};
       }
-      varied.terms = std::max(piece.terms, 1);
+      varied.terms = piece.terms;
       varied.sinusoid_count = piece.sinusoid_count;
       varied.segment = index;
       pieces_.push_back(varied);
