@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@
 
 #include "analysis/cam/turn_extremes.hpp"
 #include "app/json_values.hpp"
-#include "app/problem_tables.hpp"
+#include "app/problem_json.hpp"
 #include "app/result_json.hpp"
 #include "app/version.hpp"
 #include "problems/names.hpp"
@@ -45,8 +46,8 @@ CamProblem settled(const CamProblem& problem, const CamDesign& design) {
 
 /// 90° less the pressure angle, whose sign tells the two sides of 90° apart.
 ordered_json transmission_json(const cam::Cam& cam) {
-  const auto pressure = turn_extremes(cam.programme, cam::Stretch::whole, cam.system,
-                                      cam::Quantity::pressure_angle);
+  const auto pressure =
+      turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::pressure_angle);
   const double least = kRightAngle - (pressure ? pressure->greatest.value : 0);
   const double most = kRightAngle - (pressure ? pressure->least.value : 0);
   return {{"min", degrees(least)},
@@ -142,14 +143,12 @@ ordered_json jumps_json(const CamResult& result) {
 }  // namespace
 
 ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
-  const ordered_json tables = tables_of(settled(problem, design));
+  const ordered_json tables = to_json(settled(problem, design));
   ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};
-  for (const char* name : {"follower", "mechanism"}) {
-    if (!tables.contains(name)) continue;
-    for (const auto& [key, value] : tables[name].items()) {
-      if (key != "type") mechanism[key] = value;
-    }
+  for (const char* key : {"side", "closure", "breadth", "arms_deg"}) {
+    if (tables["follower"].contains(key)) mechanism[key] = tables["follower"][key];
   }
+  mechanism.update(tables["mechanism"]);
   mechanism["motion"] = tables["motion"];
   const bool pressed = problem.second.closure == cam::Closure::force;
   if (problem.has_operation && pressed && !problem.preload) {
@@ -165,7 +164,7 @@ tl::expected<ordered_json, std::string> result_document(const CamProblem& proble
                            {"version", version()},
                            {"seed", seed},
                            {"status", to_string(result.status)},
-                           {"problem", tables_of(problem)}};
+                           {"problem", to_json(problem)}};
   document["designs"] = ordered_json::array();
   for (const auto& design : result.designs) {
     document["designs"].push_back(design_json(problem, design));
