@@ -52,8 +52,7 @@ ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProbl
       file, options,
       {.run = solve,
        .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {{".report.html",
-                  [&](const auto& document) { return report_html(document, problem, result); }}},
+       .files = {},
        .when_interrupted = kInterrupted,
        .table = [&](bool colour) { return cam_table(problem, result, colour); },
        .exit_status = [&] { return status_of(result); }});
