@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 namespace cognate::cam {
 
@@ -12,10 +11,12 @@ struct SineCosine {
   T cosine{};
 };
 
-/// π to the precision of T, which may be wider than a double.
+/// π to the precision of T, which may be far wider than a double, or carry derivatives: the sum of
+/// four doubles that hold π's first 212 bits.
 template <class T>
 T pi_of() {
-  return T(3.141592653589793238462643383279502884L);
+  return T(0x1.921fb54442d18p+1) +
+         (T(0x1.1a62633145c07p-53) + (T(-0x1.f1976b7ed8fbcp-109) + T(0x1.4cf98e804177dp-163)));
 }
 
 /// sin(π x) and cos(π x). x is taken to the nearest quarter turn first, which loses nothing, so

@@ -29,16 +29,19 @@ struct Sinusoid {
 /// Displacement over [begin, begin + span] of the cam angle, with t = (δ − begin) / span in [0, 1]
 /// and x = 2t − 1:
 ///
-///   s = Σ polynomial[k] xᵏ + Σ sinusoids[i].
+///   s = offset + scale · (Σ polynomial[k] xᵏ + Σ sinusoids[i]).
 ///
-/// Every motion law is made of such pieces, the ends of each exact to the last digit: powers of ±1
-/// and sines of whole quarter turns have no rounding error.
+/// Every motion law is made of such pieces. The laws of unit rise have coefficients without
+/// rounding errors, and powers of ±1 and sines of whole quarter turns have none either: with the
+/// start as offset and the rise as scale the ends of a segment are exact to the last digit.
 template <class T>
 struct MotionPiece {
   static constexpr std::size_t kMostTerms = 16;
 
   T begin{};
   T span{};
+  T offset{};
+  T scale = T(1);
   std::array<T, kMostTerms> polynomial{};
   std::array<Sinusoid<T>, 2> sinusoids{};
   int terms = 0;  ///< of the polynomial
@@ -63,14 +66,15 @@ FollowerMotion<T> motion_at(const MotionPiece<T>& piece, const T& t) {
   for (int i = 0; i < piece.sinusoid_count; ++i) {
     const auto& wave = piece.sinusoids[static_cast<std::size_t>(i)];
     const auto [sine, cosine] = sine_cosine_of_half_turns(wave.rate * t + wave.phase);
-    const T w = T(pi_of<T>()) * wave.rate;
+    const T w = pi_of<T>() * wave.rate;
     s = s + wave.amplitude * sine;
     v = v + wave.amplitude * w * cosine;
     a = a - wave.amplitude * w * w * sine;
     j = j - wave.amplitude * w * w * w * cosine;
   }
   const T per_angle = T(1) / piece.span;
-  return {s, v * per_angle, a * per_angle * per_angle, j * per_angle * per_angle * per_angle};
+  const T first = piece.scale * per_angle, second = first * per_angle, third = second * per_angle;
+  return {piece.offset + piece.scale * s, first * v, second * a, third * j};
 }
 
 }  // namespace cognate::cam

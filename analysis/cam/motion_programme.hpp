@@ -1,6 +1,7 @@
 /// @file The motion of a follower over a whole turn of its cam.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/cam/motion_law.hpp"
@@ -48,6 +49,7 @@ class MotionProgramme {
 
  private:
   std::vector<MotionPiece<double>> pieces_;
+  std::vector<double> begins_;  ///< of the pieces
   std::vector<StrokePart> parts_;
   double lowest_ = 0, highest_ = 0;
 };
