@@ -135,7 +135,7 @@ CamFineness cam_fineness(std::size_t designs) {
 
 ordered_json drawn_curve(const cam::Cam& cam, double distance, const CamFineness& fineness) {
   const auto points =
-      polygon({cam.system, cam.programme, distance}, kChordTolerance * size_of(cam));
+      cam::polygon({cam.system, cam.programme, distance}, kChordTolerance * size_of(cam));
   ordered_json deg = ordered_json::array(), x = deg, y = deg, curvature = deg;
   const std::size_t step = points.size() / fineness.points + 1;
   for (std::size_t i = 0; i < points.size(); i += step) {
