@@ -8,6 +8,7 @@
 
 #include "app/report/column_vectors.hpp"
 #include "app/report/drawn_rows.hpp"
+#include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
 
 namespace cognate::app {
@@ -97,19 +98,6 @@ ordered_json landmarks_json(const AnalysisProblem& problem, const AnalysisResult
   return list;
 }
 
-ordered_json facts_json(const AnalysisResult& result) {
-  ordered_json list = ordered_json::array();
-  for (const problems::Fact& fact : result.facts) {
-    const auto* number = std::get_if<double>(&fact.value);
-    const bool known = !number || std::isfinite(*number);
-    list.push_back(
-        {{"name", fact.name},
-         {"value", known ? std::visit([](const auto& v) { return ordered_json(v); }, fact.value)
-                         : ordered_json(nullptr)}});
-  }
-  return list;
-}
-
 }  // namespace
 
 ordered_json analysis_report_data(const AnalysisProblem& problem, const AnalysisResult& result) {
@@ -119,7 +107,7 @@ ordered_json analysis_report_data(const AnalysisProblem& problem, const Analysis
           {"vectors", vectors_json(problem, result)},
           {"normals", normals_json(problem, result)},
           {"landmarks", landmarks_json(problem, result)},
-          {"facts", facts_json(result)}};
+          {"facts", facts_json(result.facts)}};
 }
 
 }  // namespace cognate::app

@@ -11,4 +11,7 @@ std::string design_page();
 /// The page of an analysis, likewise.
 std::string analysis_page();
 
+/// The page of a cam, likewise.
+std::string cam_page();
+
 }  // namespace cognate::app

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/analysis_report_data.hpp"
+#include "app/report/cam_report_data.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"
 
@@ -39,8 +40,12 @@ bool is_large(const ordered_json& table, const char* member) {
   return table.contains(member) && table[member].dump().size() > kLarge;
 }
 
+void erase_large(ordered_json& table, const char* member) {
+  if (is_large(table, member)) table.erase(member);
+}
+
 /// `document` without what would make the page too large: the table of an analysis, and with it the
-/// positions of its drive; the curves of a synthesis.
+/// positions of its drive; the curves of a synthesis; the motion of a cam.
 ordered_json without_large_tables(const ordered_json& document) {
   ordered_json kept = document;
   if (kept.contains("analysis") && is_large(kept["analysis"], "columns")) {
@@ -49,7 +54,11 @@ ordered_json without_large_tables(const ordered_json& document) {
       for (const char* positions : {"crank_deg", "slide"}) design.erase(positions);
     }
   }
-  if (is_large(kept, "loci")) kept.erase("loci");
+  erase_large(kept, "loci");
+  if (kept.contains("problem")) erase_large(kept["problem"], "motion");
+  if (kept.contains("designs")) {
+    for (auto& design : kept["designs"]) erase_large(design, "motion");
+  }
   return kept;
 }
 
@@ -68,6 +77,13 @@ std::string report_html(const ordered_json& result_document,
   ordered_json data = analysis_report_data(problem, result);
   data["result"] = without_large_tables(result_document);
   return filled(analysis_page(), data);
+}
+
+std::string report_html(const ordered_json& result_document, const problems::CamProblem& problem,
+                        const problems::CamResult& result) {
+  ordered_json data = cam_report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  return filled(cam_page(), data);
 }
 
 }  // namespace cognate::app

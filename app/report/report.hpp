@@ -5,6 +5,7 @@
 #include <string>
 
 #include "problems/analysis/analysis_result.hpp"
+#include "problems/cam/cam_result.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -24,5 +25,11 @@ std::string report_html(const nlohmann::ordered_json& result_document,
 std::string report_html(const nlohmann::ordered_json& result_document,
                         const problems::AnalysisProblem& problem,
                         const problems::AnalysisResult& result);
+
+/// The page of a cam, likewise: the cam turning and its follower, what is plotted over the turn,
+/// and the facts of each design. A list of very many motion segments is left out of
+/// `result_document`.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::CamProblem& problem, const problems::CamResult& result);
 
 }  // namespace cognate::app

@@ -14,6 +14,7 @@
 #include "problems/read.hpp"
 #include "problems/verify.hpp"
 #include "tests/browser/sample_analyses.hpp"
+#include "tests/browser/sample_cams.hpp"
 #include "tests/browser/sample_designs.hpp"
 
 namespace {
@@ -143,6 +144,15 @@ void write(const std::filesystem::path& file, const AnalysisProblem& problem) {
   std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
 }
 
+void write(const std::filesystem::path& file, const SampleCam& sample) {
+  const nlohmann::ordered_json document = {{"problem", {{"title", sample.problem.title}}},
+                                           {"status", "solved"},
+                                           {"notes", sample.result.notes},
+                                           {"work", {{"seconds", 0.012}}}};
+  std::ofstream(file, std::ios::binary)
+      << app::report_html(document, sample.problem, sample.result);
+}
+
 /// What Cognate finds.
 Sample solved(Problem problem) {
   const Run run{.seed = 1, .threads = 1};
@@ -165,6 +175,9 @@ int main(int argc, char** argv) {
   }
   for (const auto& [name, problem] : sample_analyses()) {
     write(folder / ("analysis-" + name + ".html"), problem);
+  }
+  for (const SampleCam& sample : sample_cams()) {
+    write(folder / ("cam-" + sample.name + ".html"), sample);
   }
   const std::filesystem::path library = COGNATE_LIBRARY_DIR;
   for (const auto& file : std::filesystem::directory_iterator(library / "analysis")) {

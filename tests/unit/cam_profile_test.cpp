@@ -207,5 +207,27 @@ TEST(CamProfile, PolygonKeepsItsTolerance) {
   }
 }
 
+// Up and down at constant speed: at 0 the roller sits in a hollow of its own shape, at 180° it goes
+// round a corner. The hollow closes the curve, and is an arc about the roller's centre.
+TEST(CamProfile, RollerRoundsTheHollowWhereTheTurnBegins) {
+  constexpr double kRoller = 6;
+  CamProblem problem = translating_roller(50, 0, kRoller);
+  problem.motion = {segment(cam::MotionLaw::constant_velocity, 180, 30),
+                    segment(cam::MotionLaw::constant_velocity, 180, -30)};
+  const Cam cam = cam_of(problem);
+  const auto all = profile(cam);
+  for (const double tilt : {-0.15, 0.0, 0.15}) {  // flanks lean by atan(30 / π / 50)
+    const Vec2d under = Vec2d{0, 50} - kRoller * Vec2d{std::sin(tilt), std::cos(tilt)};
+    EXPECT_LE(distance_to_polygon(under, all), kTolerance) << tilt;
+  }
+  int in_hollow = 0;
+  for (const ProfilePoint& point : all) {
+    if (std::abs(point.at.x) > 0.15 * kRoller || point.at.y < 0) continue;
+    EXPECT_DOUBLE_EQ(point.curvature, -1 / kRoller);
+    ++in_hollow;
+  }
+  EXPECT_GT(in_hollow, 10);
+}
+
 }  // namespace
 }  // namespace cognate

@@ -120,9 +120,10 @@ function padded(low, high) {
   return [low - margin, high + margin];
 }
 
-// Regions behind the curves: what the limits forbid, and the part of the turn that is used.
+// Regions behind the curves: what the limits forbid, and the part of the turn that is used. `over`
+// is the part of the x axis where a limit of values holds.
 function shade(u, sheet) {
-  for (const { axis, from, to, colour: name } of sheet.shades ?? []) {
+  for (const { axis, from, to, over, colour: name } of sheet.shades ?? []) {
     const { left, top, width, height } = u.bbox;
     const ends = [from, to].map((value) => u.valToPos(value, axis, true));
     u.ctx.save();
@@ -131,7 +132,10 @@ function shade(u, sheet) {
     u.ctx.clip();
     u.ctx.fillStyle = colour(name);
     if (axis === "x") u.ctx.fillRect(ends[0], top, ends[1] - ends[0], height);
-    else u.ctx.fillRect(left, ends[0], width, ends[1] - ends[0]);
+    else {
+      const [begin, end] = over ? over.map((value) => u.valToPos(value, "x", true)) : [left, left + width];
+      u.ctx.fillRect(begin, ends[0], end - begin, ends[1] - ends[0]);
+    }
     u.ctx.restore();
   }
 }

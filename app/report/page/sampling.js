@@ -44,3 +44,10 @@ function quantile(values, share) {
   const sizes = values.filter((v) => v !== null).map(Math.abs).sort((a, b) => a - b);
   return sizes.length ? sizes[Math.min(sizes.length - 1, Math.floor(share * sizes.length))] : 0;
 }
+
+// The least and the greatest of `values`, gaps left out.
+function extremes(values) {
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const v of values) if (v !== null) { least = Math.min(least, v); greatest = Math.max(greatest, v); }
+  return least <= greatest ? [least, greatest] : [null, null];
+}

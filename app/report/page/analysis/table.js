@@ -59,9 +59,3 @@ class Table {
     return `${lines.map((line) => line.join(",")).join("\n")}\n`;
   }
 }
-
-function extremes(values) {
-  let [least, greatest] = [Infinity, -Infinity];
-  for (const v of values) if (v !== null) { least = Math.min(least, v); greatest = Math.max(greatest, v); }
-  return least <= greatest ? [least, greatest] : [null, null];
-}

@@ -1,0 +1,173 @@
+#include "app/report/cam_report_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/report/cam_drawing.hpp"
+#include "app/report/cam_names.hpp"
+#include "app/report/fact_json.hpp"
+#include "app/report/mechanism_json.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::CamDesign;
+using problems::CamProblem;
+using problems::CamResult;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Segments and jumps that a table on a page holds at most.
+constexpr std::size_t kRows = 400;
+
+ordered_json optional_json(const std::optional<double>& value, double unit = 1) {
+  return value ? drawn(unit * *value) : ordered_json(nullptr);
+}
+
+ordered_json limits_json(const problems::CamConstraints& limits) {
+  return {{"pressure_deg", optional_json(limits.pressure_angle_max, kDegrees)},
+          {"rise_deg", optional_json(limits.pressure_angle_max_rise, kDegrees)},
+          {"return_deg", optional_json(limits.pressure_angle_max_return, kDegrees)},
+          {"convex_radius", optional_json(limits.curvature_radius_min)},
+          {"concave_radius", optional_json(limits.concave_radius_min)},
+          {"force", optional_json(limits.contact_force_max)},
+          {"torque", optional_json(limits.torque_max)},
+          {"stress", optional_json(limits.contact_stress_max)}};
+}
+
+ordered_json factors_json(const std::optional<cam::PeakFactors>& factors) {
+  if (!factors) return nullptr;
+  return {{"velocity", drawn(factors->velocity)},
+          {"acceleration", drawn(factors->acceleration)},
+          {"jerk", drawn(factors->jerk)}};
+}
+
+/// The segments of `design`; `facts` are those of their laws, or empty.
+ordered_json segments_json(const CamDesign& design,
+                           const std::vector<problems::SegmentFacts>& facts) {
+  const bool swings = is_oscillating(design.cam.system.follower.type);
+  ordered_json list = ordered_json::array();
+  double from = 0;
+  for (std::size_t i = 0; i < std::min(kRows, design.motion.size()); ++i) {
+    const cam::MotionSegment& segment = design.motion[i];
+    list.push_back({{"law", law_title(segment.law)},
+                    {"from_deg", drawn(kDegrees * from)},
+                    {"over_deg", drawn(kDegrees * segment.over)},
+                    {"rise", drawn((swings ? kDegrees : 1) * segment.rise)}});
+    from += segment.over;
+    if (i >= facts.size()) continue;
+    list.back()["factors"] = factors_json(facts[i].factors);
+    list.back()["handbook"] = factors_json(facts[i].handbook);
+  }
+  return list;
+}
+
+ordered_json strokes_json(const cam::MotionProgramme& programme) {
+  const auto strokes = cam_strokes(programme);
+  ordered_json list = ordered_json::array();
+  if (strokes.size() > kRows) return list;
+  for (const CamStroke& stroke : strokes) {
+    list.push_back({{"from_deg", drawn(kDegrees * stroke.from)},
+                    {"to_deg", drawn(kDegrees * stroke.to)},
+                    {"stroke", stroke_title(stroke.stroke)}});
+  }
+  return list;
+}
+
+/// A bound as the page writes it: null on a side where there is none.
+struct BoundJson {
+  ordered_json operator()(double value) const { return drawn(value); }
+  ordered_json operator()(const std::string& text) const { return text; }
+  ordered_json operator()(const problems::Range& range) const {
+    if (!std::isfinite(range.max)) return {{"min", drawn(range.min)}};
+    if (!std::isfinite(range.min)) return {{"max", drawn(range.max)}};
+    return {drawn(range.min), drawn(range.max)};
+  }
+};
+
+ordered_json constraints_json(const std::vector<problems::ConstraintCheck>& checks) {
+  ordered_json list = ordered_json::array();
+  for (const auto& check : checks) {
+    list.push_back({{"name", check.name},
+                    {"value", std::visit(BoundJson{}, check.value)},
+                    {"bound", std::visit(BoundJson{}, check.bound)},
+                    {"satisfied", check.satisfied}});
+  }
+  return list;
+}
+
+ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
+  if (!proof) return nullptr;
+  ordered_json positions = ordered_json::array();
+  for (const auto& position : proof->positions) {
+    positions.push_back({{"deg", drawn(kDegrees * position.angle)},
+                         {"limit", position.limit},
+                         {"bound_deg", drawn(kDegrees * position.bound)}});
+  }
+  return {{"base_radius", drawn(proof->base_radius_least)}, {"positions", positions}};
+}
+
+ordered_json jumps_json(const CamResult& result) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < std::min(kRows, result.jumps.size()); ++i) {
+    const cam::Jump& jump = result.jumps[i];
+    list.push_back({{"deg", drawn(kDegrees * jump.angle)},
+                    {"order", jump.order},
+                    {"before", drawn(jump.before)},
+                    {"after", drawn(jump.after)}});
+  }
+  return list;
+}
+
+ordered_json design_json(const CamProblem& problem, const CamResult& result, std::size_t index) {
+  const CamDesign& design = result.designs[index];
+  const CamFineness fineness = cam_fineness(result.designs.size());
+  ordered_json entry = drawn_cam(design.cam, problem, design.operation, fineness);
+  if (problem.second.closure == cam::Closure::groove) {
+    entry["outer"] =
+        drawn_curve(design.cam, design.cam.system.follower.dimensions.roller_radius, fineness);
+  }
+  if (design.second) {
+    // Of a translating follower the other cam's roller is on the far side of the shaft.
+    entry["second"] = drawn_cam(*design.second, problem, design.operation, fineness);
+    entry["second"]["turn_deg"] = is_oscillating(problem.follower) ? 0 : 180;
+  }
+  entry["strokes"] = strokes_json(design.cam.programme);
+  // The laws' facts are those of the best design, and of the others where no law is free.
+  const bool known = index == 0 || problem.free_motion.empty();
+  entry["segments"] =
+      segments_json(design, known ? result.segments : std::vector<problems::SegmentFacts>{});
+  entry["segment_count"] = design.motion.size();
+  entry["speed"] = problem.has_operation ? drawn(design.operation.speed) : ordered_json(nullptr);
+  entry["preload"] =
+      problem.has_operation ? drawn(design.operation.preload) : ordered_json(nullptr);
+  entry["metrics"] = facts_json(design.metrics);
+  entry["constraints"] = constraints_json(design.constraints);
+  entry["proof"] = proof_json(design.proof);
+  entry["origin"] = design.origin;
+  return entry;
+}
+
+}  // namespace
+
+ordered_json cam_report_data(const CamProblem& problem, const CamResult& result) {
+  ordered_json designs = ordered_json::array();
+  for (std::size_t i = 0; i < result.designs.size(); ++i) {
+    designs.push_back(design_json(problem, result, i));
+  }
+  return {{"follower", follower_title(problem.follower)},
+          {"flat", is_flat(problem.follower)},
+          {"oscillating", is_oscillating(problem.follower)},
+          {"knife", problem.follower == cam::FollowerType::translating_knife},
+          {"closure", closure_title(problem.second.closure)},
+          {"clockwise", problem.clockwise},
+          {"limits", limits_json(problem.constraints)},
+          {"jumps", jumps_json(result)},
+          {"jump_count", result.jumps.size()},
+          {"designs", designs}};
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,14 @@
+/// @file Facts of a result as the pages have them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "problems/fact.hpp"
+
+namespace cognate::app {
+
+/// A list of `{name, value}`; the value is null where it is not finite.
+nlohmann::ordered_json facts_json(const std::vector<problems::Fact>& facts);
+
+}  // namespace cognate::app

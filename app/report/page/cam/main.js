@@ -1,0 +1,126 @@
+// The page of a cam: where it stands, and everything that follows from it.
+
+const data = JSON.parse(byId("data").textContent);
+const { result } = data;
+const designs = data.designs.map((drawn) => new CamDesign(drawn, data));
+const state = { index: 0, deg: 0, turns: 0, byTime: false };
+const scene = new CamScene(byId("picture"), (deg) => goTo(deg, true));
+const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, true); });
+const values = new CamValues();
+const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
+  (sense, large) => goTo(state.deg + sense * (large ? 10 : 1), true));
+
+const current = () => designs[state.index];
+
+// Everything that follows the cam; angles beyond a turn go on in the next. `byHand` stops the clock.
+function goTo(deg, byHand = false) {
+  if (byHand) controls.play(false);
+  const whole = Math.floor(deg / 360);
+  state.deg = deg - 360 * whole;
+  state.turns = whole === 0 ? state.turns : (state.turns + whole) % 1000;
+  scene.move(state.deg, state.turns, missesPressure(current(), state.deg));
+  curves.move(state.deg);
+  values.move(state.deg);
+  const slider = byId("drive");
+  slider.value = state.deg;
+  slider.setAttribute("aria-valuetext", `${fixed(state.deg, 0)} degrees`);
+  byId("drive-value").textContent = [degrees(state.deg, 1), current().strokeAt(state.deg)].filter(Boolean).join(", ");
+}
+
+function drawScene() {
+  scene.build(current());
+  goTo(state.deg);
+}
+
+function drawCurves() {
+  const sheets = camSheets(current(), state.byTime);
+  curves.build(sheets);
+  values.build(sheets);
+  for (const button of document.querySelectorAll("[data-rate]")) button.setAttribute("aria-pressed", String((button.dataset.rate === "time") === state.byTime));
+}
+
+function showLegend() {
+  const { kind } = current();
+  const strokes = current().drawn.strokes.length ? [legendItem("rise", "line", "Rise"), legendItem("fall", "line", "Return"), legendItem("dwell", "line", "Dwell")] : [];
+  const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", kind.knife ? "Path of the edge" : "Pitch curve")], base: [legendItem("ground", "dashed", kind.flat || kind.knife ? "Base circle" : "Base circle of the pitch curve")],
+    pressure: [legendItem("error", "line", "Pressure angle and common normal")], velocity: [legendItem("crank", "line", "Velocity of the cam"), legendItem("velocity", "line", "of the follower, at the contact")],
+    comb: [legendItem("link-c", "line", "Curvature, outward where convex")], envelope: [legendItem("link-b", "line", "The follower as the cam sees it")] };
+  byId("legend").replaceChildren(...strokes, ...Object.keys(of).filter((layer) => scene.shown[layer]).flatMap((layer) => of[layer]));
+  const orders = new Set(kind.jumps.map((jump) => jump.order));
+  byId("marks").replaceChildren(legendItem("dwell", "dashed", "Border of segments"), ...[...orders].sort().map((order) => legendItem(JUMP_COLOURS[order].slice(2), "dashed", `Jump of ${JUMPS[order]}`)));
+}
+
+function choose(index) {
+  state.index = index;
+  for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
+  const design = current();
+  showCamDimensions(design);
+  showMetrics(design);
+  showCamConstraints(design);
+  showSegments(design, (deg) => goTo(deg, true));
+  byId("rates").hidden = !design.drawn.speed;
+  if (!design.drawn.speed) state.byTime = false;
+  showLegend();
+  drawCurves();
+  drawScene();
+}
+
+function showChoice() {
+  byId("choice").hidden = designs.length < 2;
+  byId("designs").replaceChildren(...designs.map(({ drawn }, i) => {
+    const missed = drawn.constraints.some((check) => !check.satisfied);
+    const button = element("button", { type: "button", title: drawn.origin }, `${i + 1}: base radius ${number(drawn.dimensions.base_radius, 4)} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
+    button.addEventListener("click", () => choose(i));
+    return button;
+  }));
+}
+
+function listenToLayers() {
+  for (const button of document.querySelectorAll("[data-layer]")) {
+    const { layer } = button.dataset;
+    button.hidden = layer === "pitch" && data.flat;
+    button.setAttribute("aria-pressed", String(Boolean(scene.shown[layer])));
+    button.addEventListener("click", () => {
+      scene.show({ [layer]: !scene.shown[layer] });
+      button.setAttribute("aria-pressed", String(scene.shown[layer]));
+      showLegend();
+    });
+  }
+}
+
+// Whether the frame stands still or the cam.
+function hold(held) {
+  scene.held = held;
+  for (const button of document.querySelectorAll("[data-held]")) button.setAttribute("aria-pressed", String(button.dataset.held === held));
+  drawScene();
+}
+
+function listen() {
+  byId("drive").addEventListener("input", (event) => goTo(Math.min(359.999, Number(event.target.value)), true));
+  for (const button of document.querySelectorAll("[data-held]")) button.addEventListener("click", () => hold(button.dataset.held));
+  byId("rates").addEventListener("click", (event) => {
+    const rate = event.target.closest("button")?.dataset.rate;
+    if (rate) { state.byTime = rate === "time"; drawCurves(); goTo(state.deg); }
+  });
+  byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", camCsv(current())));
+  new ResizeObserver(drawScene).observe(byId("picture"));
+}
+
+showHead(result, `Cam with ${/^[aeiou]/.test(data.follower) ? "an" : "a"} ${data.follower} follower`.replace("edge follower", "edge").replace("flat face follower", "flat face"),
+  [plural(designs.length, "design"), designs.length ? `base radius ${number(designs[0].drawn.dimensions.base_radius, 6)}` : "", result.work ? duration(result.work.seconds) : ""],
+  "space plays, ← → turn the cam (with shift by 10°)");
+showNotes(result.notes ?? []);
+showWork(result.work);
+followTheme(() => curves.redraw());
+byId("save").addEventListener("click", () => saveResult(result));
+if (designs.length === 0) {
+  for (const id of ["stage", "dimensions", "facts", "curves", "segments", "constraints", "table"]) byId(id).hidden = true;
+  if (!result.notes?.length) showNotes(["No cam was found."]);
+} else {
+  showChoice();
+  listenToLayers();
+  choose(0);
+  hold("frame");
+  listen();
+  controls.start();
+}

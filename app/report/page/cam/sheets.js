@@ -1,0 +1,117 @@
+// What is plotted of a cam over its turn.
+
+const STROKE_COLOURS = { rise: "--rise", return: "--fall", dwell: "--dwell" };
+const JUMPS = ["displacement", "velocity", "acceleration"];
+const JUMP_COLOURS = ["--bad", "--bad", "--warn"];
+const MANY_MARKS = 40;
+
+// The plots in order: the column, what it is called, its sign in the key, and its unit, which for
+// derivatives is that of the displacement by the cam angle or by time.
+const CAM_SHEETS = [
+  { column: "displacement", title: "Displacement", sign: "s", colour: "--rocker", order: 0 },
+  { column: "velocity", title: "Velocity", sign: "v", colour: "--velocity", order: 1 },
+  { column: "acceleration", title: "Acceleration", sign: "a", colour: "--acceleration", order: 2 },
+  { column: "jerk", title: "Jerk", sign: "j", colour: "--link-d", order: 3 },
+  { column: "pressure_deg", title: "Pressure angle", sign: "α", colour: "--error", unit: "°" },
+  { column: "radius", title: "Radius of curvature of the profile", sign: "ρ", colour: "--crank", unit: "units" },
+  { column: "reach", title: "Contact along the face", sign: "reach", colour: "--coupler", unit: "units" },
+  { column: "roller_speed", title: "Speed of the roller over the cam's", sign: "ratio", colour: "--link-b", unit: "" },
+  { column: "force", title: "Contact force", sign: "F", colour: "--curve", unit: "N", limit: "force" },
+  { column: "torque", title: "Torque of the cam", sign: "T", colour: "--target", unit: "N·m", limit: "torque", sides: true },
+  { column: "stress", title: "Contact stress", sign: "p", colour: "--link-c", unit: "Pa", limit: "stress" },
+];
+
+const POWERS = ["", "", "²", "³"];
+
+function motionUnit(order, kind, byTime) {
+  const length = kind.oscillating ? (order === 0 ? "°" : "rad") : "units";
+  return order === 0 ? length : `${length}/${byTime ? "s" : "rad"}${POWERS[order]}`;
+}
+
+function camSheets(design, byTime) {
+  const { kind, drawn, first: { table } } = design;
+  return CAM_SHEETS.filter(({ column }) => table[column]).map((spec) => {
+    const rate = byTime && spec.order ? drawn.speed ** spec.order : 1;
+    const values = rate === 1 ? table[spec.column] : table[spec.column].map((v) => (v === null ? null : rate * v));
+    const unit = spec.order === undefined ? spec.unit : motionUnit(spec.order, kind, byTime);
+    const lines = [line(spec, values)];
+    const other = design.second?.table[spec.column];
+    if (other && spec.order === undefined && !["force", "torque", "stress"].includes(spec.column)) {
+      lines.push({ ...line(spec, resampled(design.second.table, spec.column, table.deg)), label: `${spec.sign}, other cam`, dash: [6, 4] });
+    }
+    return fitted({ ...overTurn(design), ...limitsOf(spec, design, rate), title: spec.title, unit, spec, lines, x: table.deg });
+  });
+}
+
+function line({ sign, colour: name }, values) {
+  return { label: sign, colour: name, y: values, show: (v) => number(v, 4) };
+}
+
+const resampled = (table, column, degs) => degs.map((deg) => interpolate(table[column], locate(table.deg, deg)));
+
+// What all plots have in common: the axis, the segments' borders, the jumps.
+function overTurn({ drawn, kind }) {
+  const borders = drawn.segments.length <= MANY_MARKS ? drawn.segments.slice(1).map((s) => ({ at: s.from_deg, colour: "--dwell" })) : [];
+  const jumps = kind.jumps.length <= MANY_MARKS ? kind.jumps.map(({ deg, order }) => ({ at: deg, colour: JUMP_COLOURS[order] })) : [];
+  const taken = new Set(jumps.map(({ at }) => at.toFixed(4)));
+  return { xRange: [0, 360], xLabel: "Cam angle, °", xSteps: TURN_STEPS, xAt: (deg) => deg, driveAt: (x) => Math.min(360, Math.max(0, x)),
+    marks: [...borders.filter(({ at }) => !taken.has(at.toFixed(4))), ...jumps] };
+}
+
+// Regions that limits forbid, and of the displacement the strokes.
+function limitsOf({ column, limit, sides }, { drawn, kind: { limits, flat } }) {
+  if (column === "displacement") {
+    return { shades: drawn.strokes.filter((s) => s.stroke !== "dwell").map((s) => ({ axis: "x", from: s.from_deg, to: s.to_deg, colour: `${STROKE_COLOURS[s.stroke]}-soft` })) };
+  }
+  if (column === "pressure_deg") return { shades: pressureShades(drawn.strokes, limits) };
+  if (column === "radius") {
+    const { convex_radius: convex, concave_radius: concave } = limits;
+    const convexShade = convex === null ? [] : [{ axis: "y", from: flat ? -1e300 : 0, to: convex, colour: "--shade" }];
+    return { shades: [...convexShade, ...(concave === null || flat ? [] : [{ axis: "y", from: -concave, to: 0, colour: "--shade" }])] };
+  }
+  const most = limit ? limits[limit] : null;
+  if (most === null) return {};
+  return { shades: [{ axis: "y", from: most, to: 1e300, colour: "--shade" }, ...(sides ? [{ axis: "y", from: -1e300, to: -most, colour: "--shade" }] : [])], most };
+}
+
+// A limit of the rise holds on its side over the rises, that of the return on the other over the
+// returns, one for both everywhere.
+function pressureShades(strokes, { pressure_deg: both, rise_deg: rise, return_deg: fall }) {
+  const band = (from, to, over) => ({ axis: "y", from, to, over, colour: "--shade" });
+  const shades = both === null ? [] : [band(both, 90), band(-90, -both)];
+  for (const { from_deg: from, to_deg: to, stroke } of strokes) {
+    if (stroke === "rise" && rise !== null) shades.push(band(rise, 90, [from, to]));
+    if (stroke === "return" && fall !== null) shades.push(band(-90, -fall, [from, to]));
+  }
+  return shades;
+}
+
+// Whether a limit of the pressure angle is missed at `deg`.
+function missesPressure(design, deg) {
+  const { pressure_deg: both, rise_deg: rise, return_deg: fall } = design.kind.limits;
+  const angle = design.first.at("pressure_deg", deg);
+  const stroke = design.strokeAt(deg);
+  const over = (most, value) => most !== null && value > most + 1e-6;
+  return over(both, Math.abs(angle)) || (stroke === "rise" && over(rise, angle)) || (stroke === "return" && over(fall, -angle));
+}
+
+// Least and greatest value in words, powers of ten taken out, and peaks cut that dwarf all else.
+function fitted(sheet) {
+  const values = sheet.lines.flatMap((l) => l.y);
+  const [least, greatest] = extremes(values);
+  const range = least === null ? "no values" : `from ${number(least, 4)} to ${number(greatest, 4)} ${sheet.unit}`.trim();
+  const usual = quantile(values, 0.8);
+  const cut = sheet.spec.column === "radius" && quantile(values, 1) > 6 * usual;
+  const exponent = engineeringExponent(cut ? usual : quantile(values, 1));
+  const per = 10 ** exponent;
+  for (const l of sheet.lines) if (exponent) l.y = l.y.map((v) => (v === null ? null : v / per));
+  const shades = (sheet.shades ?? []).map((s) => (s.axis === "y" && exponent ? { ...s, from: s.from / per, to: s.to / per } : s));
+  const shown = sheet.lines.flatMap((l) => l.y).filter((v) => v !== null);
+  let [low, high] = [leastOf(shown), greatestOf(shown)];
+  // Limits are shown where they are near enough to be seen without squeezing the curve.
+  const near = shades.filter((s) => s.axis === "y").flatMap((s) => [s.from, s.to]).filter((v) => Math.abs(v) < 3 * Math.max(Math.abs(low), Math.abs(high)) && Math.abs(v) < 89);
+  if (cut) [low, high] = [Math.max(low, (-2.5 * usual) / per), Math.min(high, (2.5 * usual) / per)];
+  const unit = exponent ? `${powerOfTen(exponent)} ${sheet.unit}`.trim() : sheet.unit;
+  return { ...sheet, shades, title: unit ? `${sheet.title}, ${unit}` : sheet.title, summary: range, note: cut ? `${sentence(range)}; peaks are cut` : sentence(range),
+    yRange: low <= high ? padded(Math.min(low, ...near), Math.max(high, ...near)) : undefined };
+}
