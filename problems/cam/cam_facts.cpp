@@ -142,7 +142,11 @@ class Checks {
                                       "bounds.arm",           "bounds.face_offset"};
     for (int i = 0; i < kCamDimensions; ++i) {
       const CamLength& length = problem_.lengths[i];
-      const bool bounded = std::isfinite(length.bounds.min) || std::isfinite(length.bounds.max);
+      const bool positive = i != static_cast<int>(CamDimension::offset) &&
+                            i != static_cast<int>(CamDimension::face_offset);
+      const bool from_below =
+          std::isfinite(length.bounds.min) && !(positive && length.bounds.min <= 0);
+      const bool bounded = from_below || std::isfinite(length.bounds.max);
       if (!length.used || length.given || !bounded) continue;
       const double slack = kCheckTolerance * std::max(std::abs(values[i]), d.base_radius);
       const bool inside =

@@ -23,7 +23,7 @@ void add_jumps(const CamResult& result, std::vector<std::string>& notes) {
     std::string list;
     for (std::size_t i = 0; i < std::min(all.size(), kMostJumps); ++i) {
       list += fmt::format("{}{:.6g}° (from {:.4g} to {:.4g})", i > 0 ? ", " : "",
-                          degrees(all[i].angle), all[i].before, all[i].after);
+                          degrees(all[i].angle), all[i].before + 0.0, all[i].after + 0.0);
     }
     if (all.size() > kMostJumps) list += fmt::format(" and {} more", all.size() - kMostJumps);
     notes.push_back(order == 1

@@ -141,6 +141,7 @@ TEST(PolynomialLaw, WhatHasNoSolutionOrManyIsRefused) {
   EXPECT_FALSE(is_met({{0.3, 3, 0}, {0.6, 3, 0}, {0.2, 3, 0}, {0.4, 3, 1}}));
   EXPECT_FALSE(is_met({{0.5, 1, 1}, {0.5, 1, 1}}));
   EXPECT_FALSE(is_met({{0.5, 9, 1}}));
+  EXPECT_FALSE(is_met({{0.5, std::numeric_limits<int>::max(), 0}}));
   EXPECT_FALSE(is_met({{0.5, -1, 1}}));
   EXPECT_FALSE(is_met({{1.5, 0, 1}}));
   EXPECT_FALSE(is_met({{nan, 0, 1}}));

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "analysis/cam/piece_bounds.hpp"
 #include "count_allocations.hpp"
 
 namespace cognate::cam {
@@ -148,6 +150,29 @@ TEST(MotionProgramme, PolynomialsAreCutWhereTheyTurn) {
   EXPECT_NEAR(motion.highest(), std::max(displacement(0.3), displacement(1)), 1e-14);
 }
 
+/// Velocities (u − a)² (b − u): the follower only pauses at a, and turns at b.
+TEST(MotionProgramme, WhereTheVelocityTouchesZeroThereIsNoTurn) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> share(0.05, 0.45);
+  for (int trial = 0; trial < 300; ++trial) {
+    const double a = share(random), b = 0.5 + share(random);
+    const auto displacement = [&](double u) {
+      return u * (a * a * b - u * ((a * a + 2 * a * b) / 2 - u * ((2 * a + b) / 3 - u / 4)));
+    };
+    MotionSegment segment = segment_of(MotionLaw::polynomial, 1, displacement(1));
+    segment.conditions = {{a, 1, 0}, {a, 2, 0}, {b, 1, 0}};
+    const MotionProgramme motion = programme({segment});
+    const auto& parts = motion.stroke_parts();
+    ASSERT_EQ(parts.size(), 2U) << trial;
+    EXPECT_EQ(parts[0].stroke, Stroke::rise);
+    EXPECT_EQ(parts[1].stroke, Stroke::fall);
+    EXPECT_EQ(parts[0].from, 0);
+    EXPECT_NEAR(parts[0].to, b, 1e-12);
+    EXPECT_EQ(parts[1].from, parts[0].to);
+    EXPECT_EQ(parts[1].to, 1);
+  }
+}
+
 TEST(MotionProgramme, AnglesOfAnyTurn) {
   const MotionProgramme motion = programme(example());
   EXPECT_EQ(motion.at(0).displacement, 0);
@@ -195,6 +220,56 @@ TEST(MotionProgramme, ManyPiecesThatTurn) {
   EXPECT_LE(motion.lowest(), lowest);
   EXPECT_GE(motion.highest(), highest);
   EXPECT_LT(motion.highest(), highest + 1e-3);
+}
+
+double derivative_of(const FollowerMotion<double>& motion, int order) {
+  return order == 0 ? motion.displacement : order == 1 ? motion.velocity : motion.acceleration;
+}
+
+/// Bounds hold everywhere; those of a sinusoid alone, and of a straight line, are
+/// attained.
+TEST(PieceBounds, HoldAndAreAttained) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 600; ++trial) {
+    MotionPiece<double> piece;
+    piece.span = 1 + 0.5 * number(random);
+    piece.offset = number(random);
+    piece.scale = 3 * number(random);
+    piece.sinusoid_count = trial % 3;
+    piece.terms = piece.sinusoid_count == 1 ? 0 : trial % 11;
+    for (double& coefficient : piece.polynomial) coefficient = number(random);
+    for (auto& wave : piece.sinusoids) wave = {number(random), 2 * number(random), number(random)};
+    for (int order = 0; order < 3; ++order) {
+      const Bounds bounds = bounds_of(piece, order);
+      double least = derivative_of(motion_at(piece, 0.0), order), greatest = least;
+      for (int i = 1; i <= 2000; ++i) {
+        const double value = derivative_of(motion_at(piece, i / 2000.0), order);
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+      }
+      const double rounding = 1e-13 * (1 + greatest - least) * std::pow(3.0, piece.terms);
+      EXPECT_LE(bounds.least, least + rounding) << trial << ' ' << order;
+      EXPECT_GE(bounds.greatest, greatest - rounding) << trial << ' ' << order;
+      const bool is_exact = piece.terms == 0 ? piece.sinusoid_count < 2
+                                             : piece.sinusoid_count == 0 && piece.terms - order < 3;
+      if (!is_exact) continue;
+      const double near = 1e-5 * (1 + greatest - least);
+      EXPECT_NEAR(bounds.least, least, near) << trial << ' ' << order;
+      EXPECT_NEAR(bounds.greatest, greatest, near) << trial << ' ' << order;
+    }
+  }
+}
+
+/// The Bernstein coefficients of t³ (1 − t) · 4 are 0, 0, 0, 1, 0.
+TEST(PieceBounds, OfAPolynomialAreItsBernsteinCoefficients) {
+  MotionPiece<double> piece;
+  piece.span = 1;
+  piece.terms = 5;  // t = (x + 1)/2: (1 + x)³ (1 − x) / 4
+  std::ranges::copy(std::array<double, 5>{0.25, 0.5, 0, -0.5, -0.25}, piece.polynomial.begin());
+  const Bounds bounds = bounds_of(piece, 0);
+  EXPECT_EQ(bounds.least, 0);
+  EXPECT_EQ(bounds.greatest, 1);
 }
 
 TEST(MotionProgramme, AskingForTheMotionAllocatesNothing) {
