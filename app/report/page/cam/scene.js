@@ -12,7 +12,7 @@ class CamScene extends Picture {
   #box() {
     const { design } = this;
     const { first, radius, part, kind, mirror } = design;
-    const points = [[-radius, -radius], [radius, radius]];
+    const points = [];
     const room = (p, r) => points.push([p[0] - r, p[1] - r], [p[0] + r, p[1] + r]);
     for (let deg = 0; deg < 360; deg += 5) {
       for (const body of design.bodies) {
@@ -22,12 +22,12 @@ class CamScene extends Picture {
     }
     if (kind.oscillating) room(first.pivot, 0.8 * part);
     else points.push([first.offset, Follower.heights(design).top + first.highest]);
-    if (design.breadth !== null) room([0, first.start + first.lowest - design.breadth], 1.2 * radius > 0 ? 0.8 * part : 0);
-    if (design.breadth !== null) points.push([-radius - part, 0], [radius + part, 0]);
-    const all = boxOf(points.map(([x, y]) => [mirror * x, y]));
-    if (this.held === "frame") return all;
-    const reach = Math.max(...points.map((p) => Math.hypot(...p)));
-    return { x0: -reach, x1: reach, y0: -reach, y1: reach };
+    if (design.breadth !== null) {
+      const foot = first.start + first.lowest - design.breadth - part;
+      points.push([-radius - part, foot], [radius + part, foot]);
+    }
+    const reach = this.held === "cam" ? Math.max(radius, ...points.map((p) => Math.hypot(...p))) : radius;
+    return boxOf([...(this.held === "cam" ? [] : points.map(([x, y]) => [mirror * x, y])), [-reach, -reach], [reach, reach]]);
   }
 
   build(design) {
