@@ -5,6 +5,7 @@ namespace {
 
 constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
+    {"cam", "a follower is to move by given laws over a turn of a cam"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
     {"motion-generation", "a body is to be carried through poses"},
     {"path-generation",

@@ -3,6 +3,7 @@
 
 #include "app/analysis_problem_json.hpp"
 #include "app/analysis_table.hpp"
+#include "app/cam_description.hpp"
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/problem_json.hpp"

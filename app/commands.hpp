@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/exit_status.hpp"
+#include "app/export/export_options.hpp"
 #include "app/options.hpp"
 
 namespace cognate::app {
@@ -19,6 +20,13 @@ ExitStatus solve_command(const std::filesystem::path& file, const Options& optio
 /// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
 /// cannot be assembled anywhere.
 ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);
+
+/// Writes the curves of a cam of the result document in `file` as NAME.dxf, NAME.svg or NAME.csv to
+/// the folder `--out`, else to the current one, NAME being the name of the result without
+/// `.result.json`; of a groove or of conjugate cams there is a table for each curve. Says which
+/// files were written (with `--json` as a document `cognate-export/1`, with `--quiet` nothing).
+ExitStatus export_command(const std::filesystem::path& file, const ExportOptions& exporting,
+                          const Options& options);
 
 /// Reads the problem in `file` without solving it and says what it is, or every fault in it; with
 /// `--json` as a document `cognate-check/1`.

@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/mechanism_catalogue.hpp"
@@ -49,10 +51,48 @@ std::string keyed_section(const std::string& heading, std::span<const KeyedEntry
   return text;
 }
 
+std::string factor(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "inf";
+}
+
+/// A computed factor, and in brackets the handbook's; nothing where the law has parameters.
+std::string factors(const MotionLawEntry& law, double cam::PeakFactors::*of) {
+  std::string text = law.factors ? factor((*law.factors).*of) : "";
+  if (law.handbook) text += fmt::format(" ({})", factor((*law.handbook).*of));
+  return text;
+}
+
+std::string motion_law_section() {
+  Column names{"  law", Align::left, {}};
+  Column velocity{"velocity", Align::right, {}}, acceleration{"acceleration", Align::right, {}},
+      jerk{"jerk", Align::right, {}}, meanings{"", Align::left, {}};
+  for (const auto& law : motion_laws()) {
+    names.cells.push_back("  " + std::string(law.name));
+    velocity.cells.push_back(factors(law, &cam::PeakFactors::velocity));
+    acceleration.cells.push_back(factors(law, &cam::PeakFactors::acceleration));
+    jerk.cells.push_back(factors(law, &cam::PeakFactors::jerk));
+    meanings.cells.emplace_back(law.meaning);
+  }
+  std::string text =
+      "motion laws of cams (motion.law = ...): greatest values for a rise of 1 over a cam angle of "
+      "1,"
+      " in brackets\nthose that handbooks print\n";
+  for (const auto& line : set_columns({names, velocity, acceleration, jerk, meanings})) {
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string cam_text() {
+  return keyed_section("followers of cams (follower.type = ...) and their lengths in [mechanism]",
+                       cam_followers()) +
+         '\n' + keyed_section("tables of a cam", cam_tables()) + '\n' + motion_law_section();
+}
+
 std::string capabilities_text() {
   return section("problem kinds (kind = ...)", problem_kinds()) + '\n' +
          keyed_section("keys of the kinds that cognate solve takes", synthesis_problems()) + '\n' +
-         keyed_section("tables of all these kinds", common_tables()) + '\n' +
+         keyed_section("tables of all these kinds", common_tables()) + '\n' + cam_text() + '\n' +
          section("options of [solve]", solve_options()) + '\n' +
          section("solvers (solve.solver = ...)", solvers()) + '\n' +
          keyed_section(
@@ -111,6 +151,26 @@ ordered_json metrics_json(std::span<const Metric> all) {
   return rows;
 }
 
+/// Infinity has no JSON number: null.
+ordered_json factors_json(const std::optional<cam::PeakFactors>& factors) {
+  if (!factors) return nullptr;
+  const auto number = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
+  return {{"velocity", number(factors->velocity)},
+          {"acceleration", number(factors->acceleration)},
+          {"jerk", number(factors->jerk)}};
+}
+
+ordered_json motion_laws_json() {
+  ordered_json rows = ordered_json::array();
+  for (const auto& law : motion_laws()) {
+    rows.push_back({{"name", law.name},
+                    {"meaning", law.meaning},
+                    {"peak_factors", factors_json(law.factors)},
+                    {"handbook", factors_json(law.handbook)}});
+  }
+  return rows;
+}
+
 ordered_json list_json(bool with_metrics) {
   ordered_json document = {{"format", "cognate-list/1"}, {"version", version()}};
   if (with_metrics) {
@@ -123,6 +183,9 @@ ordered_json list_json(bool with_metrics) {
   document["problem_kinds"] = entries_json(problem_kinds());
   document["synthesis_problems"] = keyed_json(synthesis_problems());
   document["common_tables"] = keyed_json(common_tables());
+  document["cam_followers"] = keyed_json(cam_followers());
+  document["cam_tables"] = keyed_json(cam_tables());
+  document["motion_laws"] = motion_laws_json();
   document["mechanisms"] = keyed_json(mechanisms());
   document["dyads"] = keyed_json(dyads());
   document["analysis_tables"] = keyed_json(analysis_tables());

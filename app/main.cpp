@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -17,12 +18,13 @@ namespace cognate::app {
 namespace {
 
 constexpr const char* kDescription =
-    "Cognate finds planar linkages that do what a problem file asks for, and analyses "
+    "Cognate finds planar linkages and cams that do what a problem file asks for, and analyses "
     "mechanisms.\n";
 
 constexpr const char* kFooter = R"(Examples:
   cognate solve rocker.toml     find designs; then open rocker.report.html
   cognate analyze press.toml    how a mechanism moves and what it bears
+  cognate export cam.result.json --format dxf    a cam's profile for CAD
   cognate check rocker.toml     is the file sound?
   cognate list --metrics        what a result says of a design, and in which unit
 
@@ -65,6 +67,21 @@ Examples:
   cognate analyze press.toml --out results
   cognate analyze press.toml --json > press.json)";
 
+constexpr const char* kExportFooter = R"(Output:
+  One file in DIR, NAME being that of NAME.result.json:
+    NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
+               circle on BASE_CIRCLE, a cross on CENTRE; no unit of length
+    NAME.svg   a picture with the same curves
+    NAME.csv   the points with the cam angle, outward normal, radius of curvature;
+               of a groove or conjugate cams one file for each curve
+  Polygons are nowhere farther from the curve than the chord tolerance.
+  Only cams can be exported in this version.
+
+Examples:
+  cognate export cam.result.json --format dxf
+  cognate export cam.result.json --format csv --curve pitch --chord-tolerance 0.001
+  cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6)";
+
 constexpr const char* kCheckFooter =
     R"(Every fault is reported as FILE:LINE:COLUMN: what is wrong; what is allowed.
 
@@ -77,11 +94,11 @@ constexpr const char* kListFooter = R"(Examples:
   cognate list --metrics)";
 
 constexpr const char* kNoCommand =
-    "no command of this version; available are solve, analyze, check and list; see 'cognate "
-    "--help'";
+    "no command of this version; available are solve, analyze, export, check and list; see "
+    "'cognate --help'";
 
 /// The commands that later versions will have.
-constexpr std::array<std::string_view, 2> kLaterCommands = {"sweep", "export"};
+constexpr std::array<std::string_view, 1> kLaterCommands = {"sweep"};
 
 /// What the help calls the parts of a command line, for CLI11's own words.
 constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
@@ -91,6 +108,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
 struct Arguments {
   std::string file;
   std::string seed, threads, time_limit, out;
+  std::string format, design, curve, cutter_radius, chord_tolerance;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
@@ -117,13 +135,27 @@ CLI::App& add_command(CLI::App& app, Arguments& arguments, const char* name, con
   return command;
 }
 
-void add_file(CLI::App& command, Arguments& arguments) {
-  command.add_option("FILE", arguments.file, "the problem, a TOML file")->required();
+void add_file(CLI::App& command, Arguments& arguments,
+              const char* what = "the problem, a TOML file") {
+  command.add_option("FILE", arguments.file, what)->required();
 }
 
 void add_folder(CLI::App& command, Arguments& arguments) {
   command.add_option("--out", arguments.out, "folder of the files (default: the current one)")
       ->type_name("DIR");
+}
+
+void add_export_options(CLI::App& command, Arguments& arguments) {
+  const auto add = [&](const char* name, std::string& value, const char* unit, const char* what) {
+    return command.add_option(name, value, what)->type_name(unit);
+  };
+  add("--format", arguments.format, "dxf|svg|csv", "for CAD, a picture, or a table")->required();
+  add("--design", arguments.design, "N", "which design, from 1 (default 1, the best)");
+  add("--curve", arguments.curve, "profile|pitch|cutter",
+      "the profile (default), the path of the roller's centre or that of a cutter's");
+  add("--cutter-radius", arguments.cutter_radius, "R", "of the cutter, for --curve cutter");
+  add("--chord-tolerance", arguments.chord_tolerance, "T",
+      "greatest distance of polygon and curve (default 1e-4 of the base radius)");
 }
 
 /// Copies `parsed` to `value`, or says what is wrong with it.
@@ -157,17 +189,42 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   return allowed ? std::optional(options) : std::nullopt;
 }
 
+/// The options of `export`; empty, once every fault has been said, where one is not allowed.
+std::optional<ExportOptions> export_options_of(const CLI::App& command,
+                                               const Arguments& arguments) {
+  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  ExportOptions options;
+  bool allowed = take(parse_format(arguments.format), options.format);
+  if (given("--design")) allowed &= take(parse_design(arguments.design), options.design);
+  if (given("--curve")) allowed &= take(parse_curve(arguments.curve), options.order.kind);
+  for (const auto& [name, text, value] :
+       {std::tuple("--cutter-radius", &arguments.cutter_radius, &options.order.cutter_radius),
+        std::tuple("--chord-tolerance", &arguments.chord_tolerance,
+                   &options.order.chord_tolerance)}) {
+    if (given(name)) allowed &= take(parse_length(name, *text), *value);
+  }
+  const bool cuts = options.order.kind == ExportedCurve::cutter;
+  if (allowed && cuts != given("--cutter-radius")) {
+    complain(cuts ? "--curve: 'cutter' wants the cutter's radius; --cutter-radius R is missing"
+                  : "--cutter-radius: only the path of a cutter has one; --curve cutter is wanted "
+                    "with it");
+    return std::nullopt;
+  }
+  return allowed ? std::optional(options) : std::nullopt;
+}
+
 /// Refuses what is not a command of this version; true where `name` may be one.
 bool may_be_command(std::string_view name) {
   const auto complain_that = [&](const std::string& what) {
     complain("'" + std::string(name) + "' " + what +
-             "; available are solve, analyze, check and list");
+             "; available are solve, analyze, export, check and list");
     return false;
   };
   if (std::ranges::find(kLaterCommands, name) != kLaterCommands.end()) {
     return complain_that("is not available in this version");
   }
-  constexpr std::array<std::string_view, 4> kCommands = {"solve", "analyze", "check", "list"};
+  constexpr std::array<std::string_view, 5> kCommands = {"solve", "analyze", "export", "check",
+                                                         "list"};
   const bool known = std::ranges::find(kCommands, name) != kCommands.end();
   return known || name.starts_with('-') || complain_that("is not a command");
 }
@@ -199,6 +256,12 @@ ExitStatus run(int argc, char** argv) {
                               kAnalyzeFooter);
   add_file(analyze, arguments);
   add_folder(analyze, arguments);
+  auto& exporting =
+      add_command(app, arguments, "export",
+                  "Write a cam's curves for CAD, as a picture or a table.", kExportFooter);
+  add_file(exporting, arguments, "a result, NAME.result.json");
+  add_folder(exporting, arguments);
+  add_export_options(exporting, arguments);
   auto& check =
       add_command(app, arguments, "check", "Validate a file without solving it.", kCheckFooter);
   add_file(check, arguments);
@@ -228,6 +291,10 @@ ExitStatus run(int argc, char** argv) {
   if (!options) return exit_bad_input;
   if (called.get_name() == "solve") return solve_command(arguments.file, *options);
   if (called.get_name() == "analyze") return analyze_command(arguments.file, *options);
+  if (called.get_name() == "export") {
+    const auto wanted = export_options_of(called, arguments);
+    return wanted ? export_command(arguments.file, *wanted, *options) : exit_bad_input;
+  }
   if (called.get_name() == "check") return check_command(arguments.file, *options);
   return list_command(arguments.metrics, *options);
 }

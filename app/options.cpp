@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
-#include <memory>
+#include "app/option_text.hpp"
 
 namespace cognate::app {
 namespace {
@@ -11,22 +10,6 @@ namespace {
 constexpr std::uint64_t kGreatestSeed = (std::uint64_t{1} << 53) - 1;
 constexpr int kMostThreads = 1024;
 constexpr double kLongestTime = 1e9;  // seconds; far within what clocks count in nanoseconds
-
-/// The number that all of `text` spells.
-template <class Number>
-std::optional<Number> parse_all(std::string_view text) {
-  Number value{};
-  const char* begin = std::to_address(text.begin());
-  const char* end = begin + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
-}
-
-tl::unexpected<std::string> refusal(std::string_view option, std::string_view text,
-                                    std::string_view allowed) {
-  return tl::unexpected(
-      fmt::format("{}: '{}' is not possible; allowed is {}", option, text, allowed));
-}
 
 }  // namespace
 

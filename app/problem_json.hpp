@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "problems/cam/cam_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::app {
@@ -12,5 +13,10 @@ namespace cognate::app {
 /// that stands for a value is written out; what has no value (a free length, an unlimited bound) is
 /// left out. Limits of `bounds.length` appear at each of the four links.
 nlohmann::ordered_json to_json(const problems::Problem& problem);
+
+/// The same of a cam: `follower`, `motion` (an array of tables), `mechanism`, `bounds`, `target`,
+/// `constraints`, and, where the file has them, `drive` and `contact`. A segment's angle or share
+/// that is free is a range.
+nlohmann::ordered_json to_json(const problems::CamProblem& problem);
 
 }  // namespace cognate::app

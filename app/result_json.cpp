@@ -34,19 +34,10 @@ void set_finite(ordered_json& table, const char* key, const std::optional<double
   if (value && std::isfinite(*value)) table[key] = *value;
 }
 
-/// Facts whose number is finite: a number that does not exist is left out.
-std::vector<problems::Fact> finite(std::vector<problems::Fact> facts) {
-  std::erase_if(facts, [](const problems::Fact& fact) {
-    const auto* number = std::get_if<double>(&fact.value);
-    return number != nullptr && !std::isfinite(*number);
-  });
-  return facts;
-}
-
 ordered_json metrics_json(const problems::Metrics& metrics) {
   ordered_json table = ordered_json::object();
   if (metrics.mobility) table["class"] = to_string(*metrics.mobility);
-  add_facts(table, finite(metrics.facts));
+  add_finite_facts(table, metrics.facts);
   table["change_point"] = metrics.change_point;
   table["transmission_angle_deg"] = {{"min", degrees(metrics.transmission_min)},
                                      {"max", degrees(metrics.transmission_max)},
@@ -72,13 +63,6 @@ struct CheckedValue {
   ordered_json operator()(const problems::Range& value) const { return to_json(value); }
 };
 
-ordered_json check_json(const problems::ConstraintCheck& check) {
-  return {{"name", check.name},
-          {"value", std::visit(CheckedValue{}, check.value)},
-          {"bound", std::visit(CheckedValue{}, check.bound)},
-          {"satisfied", check.satisfied}};
-}
-
 ordered_json design_json(const problems::Design& design, bool angular) {
   ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
   const bool slides =
@@ -88,7 +72,7 @@ ordered_json design_json(const problems::Design& design, bool angular) {
   table["error"] = error_json(design.error, angular);
   table["metrics"] = metrics_json(design.metrics);
   table["constraints"] = ordered_json::array();
-  for (const auto& check : design.constraints) table["constraints"].push_back(check_json(check));
+  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
   table["origin"] = design.origin;
   if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
   if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
@@ -128,7 +112,7 @@ ordered_json family_json(const problems::Family& family) {
 void add_findings(ordered_json& document, const problems::Result& result) {
   for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
   for (const auto& family : result.families) document["families"].push_back(family_json(family));
-  if (!result.facts.empty()) add_facts(document["facts"], finite(result.facts));
+  if (!result.facts.empty()) add_finite_facts(document["facts"], result.facts);
   if (const auto& proof = result.certificate) {
     document["certificate"] = {{"lower_bound", proof->lower_bound},
                                {"upper_bound", proof->upper_bound},
@@ -189,6 +173,21 @@ tl::expected<ordered_json, std::string> result_document(const problems::Problem&
     return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
   }
   return document;
+}
+
+void add_finite_facts(ordered_json& table, std::vector<problems::Fact> facts) {
+  std::erase_if(facts, [](const problems::Fact& fact) {
+    const auto* number = std::get_if<double>(&fact.value);
+    return number != nullptr && !std::isfinite(*number);
+  });
+  add_facts(table, facts);
+}
+
+ordered_json to_json(const problems::ConstraintCheck& check) {
+  return {{"name", check.name},
+          {"value", std::visit(CheckedValue{}, check.value)},
+          {"bound", std::visit(CheckedValue{}, check.bound)},
+          {"satisfied", check.satisfied}};
 }
 
 ordered_json to_json(const problems::Work& work) {

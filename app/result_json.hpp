@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
@@ -24,6 +25,12 @@ namespace cognate::app {
 tl::expected<nlohmann::ordered_json, std::string> result_document(const problems::Problem& problem,
                                                                   const problems::Result& result,
                                                                   std::uint64_t seed);
+
+/// As `add_facts`, without those whose number does not exist.
+void add_finite_facts(nlohmann::ordered_json& table, std::vector<problems::Fact> facts);
+
+/// An entry of a design's `constraints`; infinite numbers, which JSON cannot hold, give null.
+nlohmann::ordered_json to_json(const problems::ConstraintCheck& check);
 
 /// The table `work` of a result.
 nlohmann::ordered_json to_json(const problems::Work& work);

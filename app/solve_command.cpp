@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "app/cam_json.hpp"
+#include "app/cam_table.hpp"
 #include "app/commands.hpp"
 #include "app/computation.hpp"
 #include "app/report/report.hpp"
@@ -10,34 +12,64 @@
 namespace cognate::app {
 namespace {
 
-using problems::Result;
 using problems::Status;
 
-ExitStatus status_of(const Result& result) {
+constexpr const char* kInterrupted = "interrupted; what was found until then is reported";
+
+template <class AnyResult>
+ExitStatus status_of(const AnyResult& result) {
   const bool stopped = result.status == Status::time_limit || result.status == Status::interrupted;
   const bool done = result.status == Status::solved || (stopped && feasible_count(result) > 0);
   return done ? exit_done : exit_no_design;
 }
 
-}  // namespace
-
-ExitStatus solve_command(const std::filesystem::path& file, const Options& options) {
-  const auto problem = problems::read_problem(file);
-  if (!problem) return refuse(file, problem.error());
-  Result result;
+ExitStatus solve_linkage(const std::filesystem::path& file, const problems::Problem& problem,
+                         const Options& options) {
+  problems::Result result;
   const auto solve = [&](const problems::Run& run) {
-    result = std::visit([&](const auto& given) { return problems::solve(given, run); }, *problem);
+    result = std::visit([&](const auto& given) { return problems::solve(given, run); }, problem);
     return result.status;
   };
   return compute(
       file, options,
       {.run = solve,
-       .document = [&] { return result_document(*problem, result, options.seed); },
+       .document = [&] { return result_document(problem, result, options.seed); },
        .files = {{".report.html",
-                  [&](const auto& document) { return report_html(document, *problem, result); }}},
-       .when_interrupted = "interrupted; what was found until then is reported",
-       .table = [&](bool colour) { return design_table(*problem, result, colour); },
+                  [&](const auto& document) { return report_html(document, problem, result); }}},
+       .when_interrupted = kInterrupted,
+       .table = [&](bool colour) { return design_table(problem, result, colour); },
        .exit_status = [&] { return status_of(result); }});
+}
+
+ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProblem& problem,
+                     const Options& options) {
+  problems::CamResult result;
+  const auto solve = [&](const problems::Run& run) {
+    result = problems::solve(problem, run);
+    return result.status;
+  };
+  return compute(
+      file, options,
+      {.run = solve,
+       .document = [&] { return result_document(problem, result, options.seed); },
+       .files = {},
+       .when_interrupted = kInterrupted,
+       .table = [&](bool colour) { return cam_table(problem, result, colour); },
+       .exit_status = [&] { return status_of(result); }});
+}
+
+}  // namespace
+
+ExitStatus solve_command(const std::filesystem::path& file, const Options& options) {
+  const auto task = problems::read_task(file);
+  if (!task) return refuse(file, task.error());
+  if (const auto* problem = std::get_if<problems::CamProblem>(&*task)) {
+    return solve_cam(file, *problem, options);
+  }
+  if (const auto* problem = std::get_if<problems::Problem>(&*task)) {
+    return solve_linkage(file, *problem, options);
+  }
+  return refuse(file, problems::read_problem(file).error());  // of an analysis: there is nothing
 }
 
 }  // namespace cognate::app

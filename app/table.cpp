@@ -10,6 +10,7 @@
 #include "app/design_columns.hpp"
 #include "app/messages.hpp"
 #include "app/paint.hpp"
+#include "app/table_text.hpp"
 #include "app/text_table.hpp"
 #include "problems/names.hpp"
 
@@ -21,15 +22,6 @@ using problems::FunctionProblem;
 using problems::PathProblem;
 using problems::Problem;
 using problems::Result;
-using problems::Status;
-
-/// How many designs are printed.
-constexpr std::size_t kShown = 20;
-
-/// "1 design", "3 designs".
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string description(const PathProblem& problem) {
   return fmt::format("path generation{}, {} points, {} timing",
@@ -95,43 +87,6 @@ struct Choice {
   }
 };
 
-std::string status_line(const Result& result) {
-  const auto designs = counted(result.designs.size(), "design");
-  const int feasible = feasible_count(result);
-  auto met = result.designs.empty() ? std::string("no design found")
-                                    : fmt::format("{}; {} meet{} every constraint", designs,
-                                                  feasible, feasible == 1 ? "s" : "");
-  switch (result.status) {
-    case Status::solved:
-      return "solved: " + met;
-    case Status::infeasible:
-      return "infeasible: no design satisfies every constraint; the nearest follow";
-    case Status::no_solution:
-      return "no solution: " + met;
-    case Status::time_limit:
-      return "stopped at the time limit: " + met;
-    case Status::interrupted:
-      return "interrupted: " + met;
-  }
-  return met;
-}
-
-Colour status_colour(const Result& result) {
-  if (result.status == Status::solved) return Colour::green;
-  return feasible_count(result) > 0 ? Colour::yellow : Colour::red;
-}
-
-struct Written {
-  std::string operator()(double value) const { return fmt::format("{:.6g}", value); }
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(const std::string& value) const { return printable(value); }
-  std::string operator()(const problems::Range& range) const {
-    if (std::isinf(range.max)) return fmt::format("at least {:.6g}", range.min);
-    if (std::isinf(range.min)) return fmt::format("at most {:.6g}", range.max);
-    return fmt::format("{:.6g}…{:.6g}", range.min, range.max);
-  }
-};
-
 /// A name as words: "complex_solutions" is "complex solutions", "real.triplets" "real triplets".
 std::string words(std::string name) {
   std::ranges::replace_if(
@@ -146,7 +101,7 @@ std::string facts_line(const Result& result) {
     const auto* number = std::get_if<double>(&fact.value);
     if (number != nullptr && !std::isfinite(*number)) continue;
     if (!line.empty()) line += "; ";
-    line += words(fact.name) + ": " + std::visit(Written{}, fact.value);
+    line += words(fact.name) + ": " + std::visit(WrittenValue{}, fact.value);
   }
   return line.empty() ? line : line + '\n';
 }
@@ -168,7 +123,7 @@ std::string certificate_line(const Result& result) {
 }
 
 std::span<const Design> shown_designs(const Result& result) {
-  return std::span(result.designs).first(std::min(kShown, result.designs.size()));
+  return std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
 }
 
 void append_designs(std::string& text, const Problem& problem, const Result& result, bool colour) {
@@ -182,18 +137,6 @@ void append_designs(std::string& text, const Problem& problem, const Result& res
     text += fmt::format("and {} more, which the result file and the report hold\n", left_out);
   }
   text += '\n';
-}
-
-void append_violations(std::string& text, const Result& result, bool colour) {
-  const auto designs = shown_designs(result);
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    for (const auto& check : designs[i].constraints) {
-      if (check.satisfied) continue;
-      text += paint(fmt::format("design {} violates {}", i + 1, check.name), Colour::red, colour);
-      text += fmt::format(": {}; allowed: {}\n", std::visit(Written{}, check.value),
-                          std::visit(Written{}, check.bound));
-    }
-  }
 }
 
 }  // namespace
@@ -217,19 +160,19 @@ std::string describe(const Problem& problem) {
 
 std::string design_table(const Problem& problem, const Result& result, bool colour) {
   std::string text = describe(problem) + '\n';
-  text += paint(status_line(result), status_colour(result), colour) + '\n';
+  const int feasible = feasible_count(result);
+  text += paint(status_line(result.status, result.designs.size(), feasible),
+                status_colour(result.status, feasible), colour) +
+          '\n';
   text += facts_line(result);
   append_designs(text, problem, result, colour);
-  append_violations(text, result, colour);
+  const auto shown = shown_designs(result);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    append_violations(text, i + 1, shown[i].constraints, colour);
+  }
   text += certificate_line(result);
   for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
-  text += fmt::format("{:.3g} s on {}", result.work.seconds,
-                      counted(static_cast<std::size_t>(result.work.threads), "thread"));
-  if (result.work.candidates > 0) {
-    text += fmt::format(", {} candidates screened", result.work.candidates);
-  }
-  text += '\n';
-  return text;
+  return text + work_line(result.work);
 }
 
 }  // namespace cognate::app

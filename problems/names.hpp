@@ -8,6 +8,7 @@
 
 #include "analysis/mobility.hpp"
 #include "problems/analysis/analysis_problem.hpp"
+#include "problems/cam/cam_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -79,6 +80,20 @@ template <>
 std::span<const Named<synthesis::Loss>> names<synthesis::Loss>();
 template <>
 std::span<const Named<synthesis::DyadKind>> names<synthesis::DyadKind>();
+template <>
+std::span<const Named<cam::FollowerType>> names<cam::FollowerType>();
+template <>
+std::span<const Named<cam::ArmSide>> names<cam::ArmSide>();
+template <>
+std::span<const Named<cam::Closure>> names<cam::Closure>();
+template <>
+std::span<const Named<cam::MotionLaw>> names<cam::MotionLaw>();
+template <>
+std::span<const Named<CamDimension>> names<CamDimension>();
+template <>
+std::span<const Named<MotionParameter>> names<MotionParameter>();
+template <>
+std::span<const Named<CamObjective>> names<CamObjective>();
 
 /// How `value` is written, e.g. "crank-rocker"; empty for a number that is no value of the enum.
 template <class Enum>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "problems/reading/analysis_problem.hpp"
+#include "problems/reading/cam_problem.hpp"
 #include "problems/reading/document.hpp"
 #include "problems/reading/function_problem.hpp"
 #include "problems/reading/motion_problem.hpp"
@@ -33,8 +34,9 @@ constexpr std::size_t kMostBytes = 8U << 20U;
 // The kinds of design problems, then the other ones.
 constexpr std::string_view kAvailableKinds[] = {"path-generation",   "function-generation",
                                                 "motion-generation", "quick-return",
-                                                "straight-line",     "analysis"};
-constexpr std::string_view kLaterKinds[] = {"cam", "study"};
+                                                "straight-line",     "cam",
+                                                "analysis"};
+constexpr std::string_view kLaterKinds[] = {"study"};
 
 constexpr std::string_view kKind = "kind";
 
@@ -96,6 +98,10 @@ std::optional<Reading> read_document(TableReader& document, const Folder& folder
     AnalysisProblem problem = reading::read_analysis_problem(document);
     problem.title = title;
     read.task = std::move(problem);
+  } else if (*kind == "cam") {
+    CamProblem problem = reading::read_cam_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
   } else {
     Problem problem = read_design_problem(*kind, document, folder);
     std::visit([&](auto& any) { any.title = title; }, problem);
@@ -129,20 +135,30 @@ tl::expected<Task, Faults> any_task(Reading read) {
   return std::move(read.task);
 }
 
-tl::expected<Problem, Faults> only_problem(Reading read) {
-  if (auto* problem = std::get_if<Problem>(&read.task)) return std::move(*problem);
+// What is asked for where nothing of this kind was wanted: a fault at the file's `kind`.
+template <class Wanted>
+tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
+  if (auto* task = std::get_if<Wanted>(&read.task)) return std::move(*task);
+  constexpr std::string_view kAsked[] = {
+      "is that of a design problem, which 'cognate solve' solves",
+      "is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this mechanism",
+      "is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
+      "given"};
   return tl::unexpected(
       Faults{{read.kind.line, read.kind.column,
-              "kind is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this "
-              "mechanism; a design problem is wanted"}});
+              fmt::format("kind {}; {} is wanted", kAsked[read.task.index()], wanted)}});
+}
+
+tl::expected<Problem, Faults> only_problem(Reading read) {
+  return only<Problem>(std::move(read), "the design problem of a linkage");
 }
 
 tl::expected<AnalysisProblem, Faults> only_analysis(Reading read) {
-  if (auto* analysis = std::get_if<AnalysisProblem>(&read.task)) return std::move(*analysis);
-  return tl::unexpected(
-      Faults{{read.kind.line, read.kind.column,
-              "kind is that of a design problem, which 'cognate solve' solves; kind = "
-              "\"analysis\" with a whole [mechanism] is wanted"}});
+  return only<AnalysisProblem>(std::move(read), "kind = \"analysis\" with a whole [mechanism]");
+}
+
+tl::expected<CamProblem, Faults> only_cam(Reading read) {
+  return only<CamProblem>(std::move(read), "kind = \"cam\"");
 }
 
 tl::expected<std::string, Faults> text_of(const std::filesystem::path& file) {
@@ -188,6 +204,10 @@ tl::expected<AnalysisProblem, Faults> parse_analysis(std::string_view text) {
   return parse(text).and_then(only_analysis);
 }
 
+tl::expected<CamProblem, Faults> parse_cam(std::string_view text) {
+  return parse(text).and_then(only_cam);
+}
+
 tl::expected<Task, Faults> read_task(const std::filesystem::path& file) {
   return read(file).and_then(any_task);
 }
@@ -198,6 +218,10 @@ tl::expected<Problem, Faults> read_problem(const std::filesystem::path& file) {
 
 tl::expected<AnalysisProblem, Faults> read_analysis(const std::filesystem::path& file) {
   return read(file).and_then(only_analysis);
+}
+
+tl::expected<CamProblem, Faults> read_cam(const std::filesystem::path& file) {
+  return read(file).and_then(only_cam);
 }
 
 }  // namespace cognate::problems

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "problems/analysis/analysis_problem.hpp"
+#include "problems/cam/cam_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {
@@ -20,8 +21,8 @@ struct Fault {
   std::string message;  ///< what is wrong; what is allowed
 };
 
-/// Whatever a file may ask for: a design, or the analysis of a mechanism.
-using Task = std::variant<Problem, AnalysisProblem>;
+/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, or a cam.
+using Task = std::variant<Problem, AnalysisProblem, CamProblem>;
 
 /// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
@@ -30,13 +31,17 @@ tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
 /// 1:1.
 tl::expected<Task, std::vector<Fault>> read_task(const std::filesystem::path& file);
 
-/// As `parse_task` and `read_task`, where a design problem is wanted: that a sound file asks for
-/// an analysis is then a fault at its `kind`.
+/// As `parse_task` and `read_task`, where the design of a linkage is wanted: that a sound file asks
+/// for something else is then a fault at its `kind`.
 tl::expected<Problem, std::vector<Fault>> parse_problem(std::string_view text);
 tl::expected<Problem, std::vector<Fault>> read_problem(const std::filesystem::path& file);
 
 /// The same where an analysis is wanted.
 tl::expected<AnalysisProblem, std::vector<Fault>> parse_analysis(std::string_view text);
 tl::expected<AnalysisProblem, std::vector<Fault>> read_analysis(const std::filesystem::path& file);
+
+/// The same where a cam is wanted.
+tl::expected<CamProblem, std::vector<Fault>> parse_cam(std::string_view text);
+tl::expected<CamProblem, std::vector<Fault>> read_cam(const std::filesystem::path& file);
 
 }  // namespace cognate::problems

@@ -1,4 +1,4 @@
-/// @file Chebyshev series of degree 16 on [-1, 1], and zeros of such a series and of its
+/// @file Chebyshev series of degree 24 on [-1, 1], and zeros of such a series and of its
 /// derivative.
 #pragma once
 
@@ -8,20 +8,29 @@
 
 namespace cognate::cam {
 
-constexpr std::size_t kChebyshevDegree = 16;
+constexpr std::size_t kChebyshevDegree = 24;
 constexpr std::size_t kChebyshevSize = kChebyshevDegree + 1;
 
-/// Coefficients c of Σ c_k·T_k(t).
-using ChebyshevSeries = std::array<double, kChebyshevSize>;
+/// Σ c_k·T_k(t) over the first `size` coefficients, at least one.
+struct ChebyshevSeries {
+  std::array<double, kChebyshevSize> coefficients{};
+  std::size_t size = 1;
 
-/// Values at the 17 nodes.
+  double& operator[](std::size_t k) { return coefficients[k]; }
+  double operator[](std::size_t k) const { return coefficients[k]; }
+};
+
+/// Values at the 25 nodes.
 using ChebyshevSamples = std::array<double, kChebyshevSize>;
 
-/// The nodes -cos(jπ/16), from -1 to 1, where T_16 is 1 or -1.
+/// The nodes -cos(jπ/24), from -1 to 1, where T_24 is 1 or -1.
 double chebyshev_node(std::size_t j);
 
-/// The polynomial of degree 16 through values at the nodes.
+/// The polynomial of degree 24 through values at the nodes.
 ChebyshevSeries interpolant(const ChebyshevSamples& values);
+
+/// Drops the last coefficients, as many as are all within `negligible` of 0.
+void drop_last(ChebyshevSeries& series, double negligible);
 
 struct ValueAndSlope {
   double value = 0;
@@ -34,14 +43,18 @@ ValueAndSlope value_and_slope(const ChebyshevSeries& series, double t);
 /// The series of the derivative by t.
 ChebyshevSeries derivative(const ChebyshevSeries& series);
 
-/// The series on a half of [-1, 1], as a series over [-1, 1] again.
-ChebyshevSeries left_half(const ChebyshevSeries& series);
-ChebyshevSeries right_half(const ChebyshevSeries& series);
+/// A series on [-1, 0] and on [0, 1], each as one over [-1, 1] again.
+struct ChebyshevHalves {
+  ChebyshevSeries left, right;
+};
+
+/// The halves, without last coefficients within `negligible` of 0.
+ChebyshevHalves halves(const ChebyshevSeries& series, double negligible);
 
 /// The most by which the series departs from its mean coefficient c_0: |T_k| ≤ 1.
 inline double variation_bound(const ChebyshevSeries& series) {
   double sum = 0;
-  for (std::size_t k = 1; k < series.size(); ++k) sum += std::abs(series[k]);
+  for (std::size_t k = 1; k < series.size; ++k) sum += std::abs(series[k]);
   return sum;
 }
 
@@ -51,7 +64,7 @@ inline bool has_no_zero(const ChebyshevSeries& series) {
 }
 
 /// The place between a < b where the series passes through 0, its sign at a being `rises` ? - : +
-/// and the opposite at b: Newton's steps, halving where they leave the bracket or are slow.
+/// and the opposite at b: Newton's steps, kept inside, or halving where they are slow.
 double bracketed_zero(const ChebyshevSeries& series, double a, double b, bool rises);
 
 /// Whether a value counts as positive: 0 does not, so that of two neighbouring pieces exactly one
@@ -108,8 +121,10 @@ class SignChanges {
     }
     const double middle = from + (to - from) / 2;
     const bool positive_middle = is_positive_at(middle);
-    visit(left_half(piece), {from, middle, positive_begin, positive_middle}, skip, found);
-    visit(right_half(piece), {middle, to, positive_middle, positive_end}, skip, found);
+    // What is dropped stays below the rounding in second derivatives too.
+    const auto [left, right] = halves(piece, 1e-4 * rounding_);
+    visit(left, {from, middle, positive_begin, positive_middle}, skip, found);
+    visit(right, {middle, to, positive_middle, positive_end}, skip, found);
   }
 
   static constexpr double kLeastWidth = 1e-14;

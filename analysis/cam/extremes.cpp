@@ -36,7 +36,7 @@ double rounding_of(const Subinterval& on) {
   return std::max(kWave * on.size, is_noisy ? 2 * on.misfit : 0);
 }
 
-Candidate end(const Extreme& extreme, double scale) {
+Candidate interval_end(const Extreme& extreme, double scale) {
   return {extreme, kWave * std::max(std::abs(extreme.value), scale), true};
 }
 
@@ -145,16 +145,16 @@ void local_extremes(FunctionRef f, double from, double to, double scale,
 
   extremes.assign(1, parts.begin());
   Turns turns(extremes);
-  turns.take(end(parts.begin(), parts.scale()));
+  turns.take(interval_end(parts.begin(), parts.scale()));
   for (const Candidate& candidate : candidates) turns.take(candidate);
-  turns.take(end(parts.end(), parts.scale()));
+  turns.take(interval_end(parts.end(), parts.scale()));
   if (from < to) extremes.push_back(parts.end());
 }
 
 Extremes extremes(FunctionRef f, double from, double to, double scale) {
   Subdivision parts(f, from, to, scale);
-  Champion least(-1, end(parts.begin(), parts.scale())),
-      greatest(1, end(parts.begin(), parts.scale()));
+  const Candidate begin = interval_end(parts.begin(), parts.scale());
+  Champion least(-1, begin), greatest(1, begin);
   const auto offer = [&](const Candidate& candidate) {
     least.offer(candidate);
     greatest.offer(candidate);
@@ -162,7 +162,7 @@ Extremes extremes(FunctionRef f, double from, double to, double scale) {
   const auto is_beaten = [&](const auto& value_or_piece) {
     return !least.may_yield_to(value_or_piece) && !greatest.may_yield_to(value_or_piece);
   };
-  offer(end(parts.end(), parts.scale()));
+  offer(interval_end(parts.end(), parts.scale()));
   while (const Subinterval* on = parts.next()) {
     for (std::size_t j = 0; j < kChebyshevSize; ++j) offer(sample(*on, j));
     if (!parts.is_resolved()) continue;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "analysis/cam/motion_piece.hpp"
@@ -31,7 +30,7 @@ enum class MotionLaw {
 /// is left of 1 runs at constant velocity about the middle. The second half is antisymmetric.
 /// (1/4, 1/2, 1/4) is the modified trapezoid, (1/4, 0, 3/4) the modified sine, (1/2, 0, 1/2)
 /// cycloidal, (0, 0, 1) harmonic, (0, 1, 0) constant acceleration, (1/8, 0, 3/8) the modified
-/// constant velocity.
+/// constant velocity. No share is negative, and their sum is at most 1.
 template <class T>
 struct UniversalShape {
   T sine{};
@@ -84,17 +83,23 @@ struct PeakFactors {
 /// and infinite at its ends against a dwell; this gives the inside's.
 std::optional<PeakFactors> handbook_factors(MotionLaw law);
 
-/// The factors of `segment` as it is, by the exact extremes of its pieces.
+/// The factors of `segment` as it is, by the exact extremes of its pieces: inside, since what
+/// happens at its ends depends on its neighbours (`jumps`). Of a segment without rise they are for
+/// its travel; of one that has no pieces, and of a dwell, they are 0.
 PeakFactors peak_factors(const MotionSegment& segment);
 
 /// Adds the pieces of `segment`, which begins at the cam angle `begin` with displacement `start`,
 /// to `pieces`. Returns false, and adds nothing, where its conditions have no solution or many
-/// (polynomial), or its points are not in order (spline).
+/// (polynomial), its points are not in order (spline), or its shares are out of range (universal).
+/// The polynomial is the one of least degree: with as many coefficients as conditions, of which the
+/// displacement 0 at its begin and `rise` at its end are two unless given otherwise.
 bool append_pieces(const MotionSegment& segment, double begin, double start, int index,
                    std::vector<MotionPiece<double>>& pieces);
 
 /// The pieces of a law of acceleration `shape`, as templates so that the shape, the span and the
-/// rise may be variables of a design (`T` with derivatives by them).
+/// rise may be variables of a design (`T` with derivatives by them); defined in universal_law.hpp,
+/// for doubles in the library. A share whose value is 0 has no piece, but what its growth would do
+/// to all others is in their derivatives.
 template <class T>
 void append_universal(const UniversalShape<T>& shape, const T& begin, const T& over, const T& start,
                       const T& rise, int index, std::vector<MotionPiece<T>>& pieces);

@@ -50,9 +50,8 @@ bool has_jump(const std::vector<MotionPiece<double>>& pieces, std::size_t order,
 }  // namespace
 
 PeakFactors peak_factors(const MotionSegment& segment) {
-  MotionSegment unit = segment;  // its own units, so that conditions and points keep their sense
   std::vector<MotionPiece<double>> pieces;
-  if (!append_pieces(unit, 0, 0, 0, pieces)) return {};
+  if (!append_pieces(segment, 0, 0, 0, pieces)) return {};
   const Extremes displacement = extremes_of(pieces, 0);
   const double rise = segment.rise != 0 ? std::abs(segment.rise)
                                         : displacement.greatest.value - displacement.least.value;

@@ -14,26 +14,20 @@ using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, kMost, 1>;
 
-bool is_duplicate(const MotionCondition& a, const MotionCondition& b) {
-  return a.at == b.at && a.order == b.order;
-}
-
 /// The segment's conditions, and those of its ends that are implied; nothing where they cannot be
 /// met for a reason that shows.
 std::vector<MotionCondition> all_conditions(const MotionSegment& segment) {
   std::vector<MotionCondition> conditions = segment.conditions;
   for (const MotionCondition& end :
        {MotionCondition{0, 0, 0}, MotionCondition{1, 0, segment.rise}}) {
-    const auto same = [&](const auto& condition) { return is_duplicate(condition, end); };
+    const auto same = [&](const auto& condition) {
+      return condition.at == end.at && condition.order == 0;
+    };
     if (std::ranges::none_of(conditions, same)) conditions.push_back(end);
   }
   if (conditions.size() > static_cast<std::size_t>(kMost)) return {};
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const auto& [at, order, value] = conditions[i];
-    if (!(at >= 0 && at <= 1) || order < 0 || !std::isfinite(value)) return {};
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_duplicate(conditions[i], conditions[k])) return {};
-    }
+  for (const auto& [at, order, value] : conditions) {
+    if (!(at >= 0 && at <= 1) || order < 0 || order >= kMost || !std::isfinite(value)) return {};
   }
   return conditions;
 }
@@ -113,7 +107,7 @@ bool append_polynomial(const MotionSegment& segment, double begin, double start,
   const double unit = unit_of(conditions, segment.rise, segment.over);
   const auto [rows, values] = equations(conditions, segment.over, unit);
   const Eigen::FullPivLU<Matrix> factors(rows);
-  if (!(factors.rcond() >= kLeastReciprocalCondition)) return false;
+  if (!factors.isInvertible() || !(factors.rcond() >= kLeastReciprocalCondition)) return false;
   Vector chebyshev = factors.solve(values);
   chebyshev += factors.solve(values - rows * chebyshev);
   const Real residual = (values - rows * chebyshev).cwiseAbs().maxCoeff();

@@ -48,6 +48,7 @@ class PolygonMaker {
         from = to;
       }
     }
+    if (!points_.empty()) turn_to(ProfilePoint(points_.front()));
     if (points_.size() > 1 && same(points_.front(), points_.back())) points_.pop_back();
     return std::move(points_);
   }
@@ -76,7 +77,7 @@ class PolygonMaker {
     for (int i = 1; i < parts; ++i) {
       const double part = angle * i / parts;
       const Vec2d normal = last.normal * Vec2d{std::cos(part), std::sin(part)};
-      add({last.angle, corner + curve_.distance * normal, normal, -1 / curve_.distance});
+      add({last.angle, corner + curve_.distance * normal, normal, 1 / curve_.distance});
     }
   }
 

@@ -37,6 +37,24 @@ T demand(const Operation& o, const FollowerMotion<T>& m) {
          T(o.preload + o.load);
 }
 
+/// tan of the pressure angle as a quotient, across / along, of lengths (of numbers, for a sliding
+/// face); `along` is positive wherever the follower can stand.
+template <class T>
+struct PressureParts {
+  T across{};
+  T along{};
+};
+
+template <class T>
+PressureParts<T> pressure_parts(const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+  if (is_flat(cam.follower.type)) {
+    const auto state = face_state(cam.follower, cam.start, m);
+    return {state.across, state.along};
+  }
+  const auto state = roller_state(cam.follower, cam.start, m);
+  return {state.across, state.along};
+}
+
 /// Force over demand: 1 / cos α, over the arm where moments are demanded.
 template <class T>
 T force_ratio(const CamSystem<T>& cam, const T& across, const T& along) {

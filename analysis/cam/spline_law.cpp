@@ -101,7 +101,7 @@ bool solve(Knots<N>& knots) {
     if (unknown < 0) continue;
     for (std::size_t p = 0; p < N; ++p) {
       knots.derivatives[knot][p] =
-          solution[static_cast<int>(N) * unknown + static_cast<Eigen::Index>(p)];
+          solution[static_cast<Eigen::Index>(N) * unknown + static_cast<Eigen::Index>(p)];
     }
   }
   return true;

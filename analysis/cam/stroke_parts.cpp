@@ -18,13 +18,12 @@ double size_of(const Bounds& bounds) {
 /// than rounding (of a zero found twice, or of one at an end) joins its neighbour.
 void append_cut(const MotionPiece<double>& piece, int index, std::vector<double> cuts,
                 std::vector<StrokePart>& parts) {
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size_of(bounds_of(piece, 0));
   cuts.push_back(1);
   const std::size_t first = parts.size();
   double from = 0, before = motion_at(piece, 0.0).displacement;
   for (const double to : cuts) {
     const double here = motion_at(piece, to).displacement, step = here - before;
-    const double rounding =
-        4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(here), std::abs(before));
     if (std::abs(step) > rounding) {
       const Stroke stroke = step > 0 ? Stroke::rise : Stroke::fall;
       if (parts.size() > first && parts.back().stroke == stroke) {

@@ -66,10 +66,7 @@ void Subdivision::sample(const Pending& pending) {
   current_.series = interpolant(current_.values);
   current_.misfit = misfit();
   // Rounding of the last coefficients would be multiplied by their orders in the derivative.
-  const double negligible = 4 * kEpsilon * current_.size;
-  for (std::size_t k = kChebyshevSize; k-- > 0 && std::abs(current_.series[k]) <= negligible;) {
-    current_.series[k] = 0;
-  }
+  drop_last(current_.series, 4 * kEpsilon * current_.size);
 }
 
 /// The greatest of the last coefficients; if these let it pass, of the errors at the checks too.

@@ -27,7 +27,7 @@ struct Subinterval {
   }
 };
 
-/// Represents f on [from, to] by interpolants of degree 16 to `kTight` of its size, halving where
+/// Represents f on [from, to] by interpolants of degree 24 to `kTight` of its size, halving where
 /// that fails. What a halving does not improve is taken for noise of f itself and let pass if it is
 /// below `kNoise`, or below `kSteepNoise` where f is so steep that rounding of its argument
 /// explains it.

@@ -31,7 +31,7 @@ double size_of(const MotionProgramme& programme, Stretch stretch, MotionFunction
   return size;
 }
 
-Place place_of(const MotionPiece<double>& piece, int index, double t) {
+TurnPlace place_of(const MotionPiece<double>& piece, int index, double t) {
   return {piece.begin + t * piece.span, index, t};
 }
 
@@ -87,7 +87,7 @@ std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stre
                        [&](const FollowerMotion<double>& m) { return value_of(quantity, cam, m); });
 }
 
-FollowerMotion<double> motion_at(const MotionProgramme& programme, const Place& place) {
+FollowerMotion<double> motion_at(const MotionProgramme& programme, const TurnPlace& place) {
   return motion_at(programme.pieces()[static_cast<std::size_t>(place.piece)], place.t);
 }
 

@@ -11,14 +11,14 @@
 namespace cognate::cam {
 
 /// A place on a programme: the share `t` of a piece, which stands at cam angle `angle`.
-struct Place {
+struct TurnPlace {
   double angle = 0;
   int piece = 0;
   double t = 0;
 };
 
 struct PlacedExtreme {
-  Place place;
+  TurnPlace place;
   double value = 0;
 };
 
@@ -60,6 +60,6 @@ std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stre
                                           const CamSystem<double>& cam, Quantity quantity);
 
 /// The motion at `place`.
-FollowerMotion<double> motion_at(const MotionProgramme& programme, const Place& place);
+FollowerMotion<double> motion_at(const MotionProgramme& programme, const TurnPlace& place);
 
 }  // namespace cognate::cam

@@ -1,6 +1,7 @@
 /// @file What a problem file asks of a cam. Angles are in radians, lengths in the file's unit.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,12 @@ struct SecondContact {
   std::optional<double> arms_angle;
 };
 
+/// `[contact]`: what `Operation::modulus_sum` is made of, of the cam and of its follower.
+struct ContactMaterials {
+  std::array<double, 2> elasticity{};  ///< Young's moduli
+  std::array<double, 2> poisson{0.3, 0.3};
+};
+
 /// `kind = "cam"`.
 struct CamProblem {
   std::string title;
@@ -75,8 +82,9 @@ struct CamProblem {
   std::vector<FreeMotionParameter> free_motion;
   CamLength lengths[kCamDimensions];
   cam::Operation operation;
-  bool has_operation = false;     ///< whether forces and torque can be told
-  bool has_contact = false;       ///< whether contact stress can be told
+  bool has_operation = false;  ///< whether forces and torque can be told
+  bool has_contact = false;    ///< whether contact stress can be told
+  std::optional<ContactMaterials> materials;
   std::optional<double> preload;  ///< empty: the least that keeps contact
   CamConstraints constraints;
   CamObjective objective = CamObjective::size;

@@ -323,6 +323,11 @@ bool TableReader::has_table(std::string_view key) const {
   return node && std::holds_alternative<Table>(node->value);
 }
 
+bool TableReader::has_array(std::string_view key) const {
+  const Node* node = peek(key);
+  return node && std::holds_alternative<Array>(node->value);
+}
+
 Where TableReader::where(std::string_view key) const {
   const Node* node = peek(key);
   return node ? node->where : where_;

@@ -111,9 +111,10 @@ class TableReader {
   /// Whether the file has `key`, with a right value or a wrong one; the key is then known.
   bool has(std::string_view key);
 
-  /// Whether the file has a string, or a table, under `key`. Neither makes the key known.
+  /// Whether the file has a string, a table, or an array under `key`. None makes the key known.
   bool has_text(std::string_view key) const;
   bool has_table(std::string_view key) const;
+  bool has_array(std::string_view key) const;
   /// Whether the array under `key` holds the string `word`; this makes no key known either.
   bool has_word(std::string_view key, std::string_view word) const;
 

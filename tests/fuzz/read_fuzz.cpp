@@ -5,20 +5,24 @@
 //   cmake --build build/fuzz --target read_fuzz
 //   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
 //       problems/library/function problems/library/analysis
+//       problems/library/cam
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 #include <string_view>
 #include <variant>
 
+#include "analysis/cam/motion_programme.hpp"
 #include "problems/read.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 
 namespace {
 
 using cognate::problems::AnalysisProblem;
+using cognate::problems::CamProblem;
 using cognate::problems::Fault;
 using cognate::problems::FunctionOfX;
 using cognate::problems::FunctionProblem;
@@ -46,6 +50,14 @@ void check(const FunctionProblem& problem) {
 
 void check(const AnalysisProblem& problem) {
   require(is_sound(problem));
+}
+
+// A whole turn, of segments that all have pieces.
+void check(const CamProblem& problem) {
+  double turn = 0;
+  for (const auto& segment : problem.motion) turn += segment.over;
+  require(std::abs(turn - 2 * std::numbers::pi) < 1e-6);
+  require(cognate::cam::programme_of(problem.motion).has_value());
 }
 
 void check(const Problem& problem) {

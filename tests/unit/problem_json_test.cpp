@@ -82,6 +82,13 @@ void expect_reads_back(const problems::AnalysisProblem& problem) {
   EXPECT_EQ(json(to_json(*again)), written);
 }
 
+void expect_reads_back(const problems::CamProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_cam(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
 /// What is written of a problem is itself a problem file, and reading it gives the same again:
 /// nothing is lost, no default changes the meaning.
 void expect_reads_back(const problems::Problem& problem) {

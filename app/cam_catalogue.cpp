@@ -1,0 +1,178 @@
+#include "app/cam_catalogue.hpp"
+
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using cam::MotionLaw;
+
+constexpr Entry kTranslatingRoller[] = {
+    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"offset", "of the follower's line from the cam's centre; positive helps the rise"},
+    {"roller_radius", "in [mechanism] or [follower]"}};
+constexpr Entry kTranslatingFlat[] = {
+    {"base_radius", "least distance of the face from the cam's centre"},
+    {"offset", "of the follower's line, without effect on the cam (default 0)"}};
+constexpr Entry kTranslatingKnife[] = {
+    {"base_radius", "least distance of the edge from the cam's centre"},
+    {"offset", "of the follower's line from the cam's centre; positive helps the rise"}};
+constexpr Entry kOscillatingRoller[] = {
+    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"centre_distance", "of the follower's pivot from the cam's centre"},
+    {"arm", "from the pivot to the roller's centre; in [mechanism] or [follower]"},
+    {"roller_radius", "in [mechanism] or [follower]"}};
+constexpr Entry kOscillatingFlat[] = {
+    {"base_radius", "least distance of the face from the cam's centre"},
+    {"centre_distance", "of the follower's pivot from the cam's centre"},
+    {"face_offset", "by how much the face lies nearer to the cam than its pivot (default 0)"}};
+
+constexpr KeyedEntry kFollowers[] = {
+    {"translating-roller", "a roller on a slide", kTranslatingRoller},
+    {"translating-flat", "a face square to its slide", kTranslatingFlat},
+    {"translating-knife", "an edge on a slide", kTranslatingKnife},
+    {"oscillating-roller", "a roller on a swinging arm", kOscillatingRoller},
+    {"oscillating-flat", "a swinging face", kOscillatingFlat}};
+
+constexpr Entry kFollower[] = {
+    {"type", "one of the followers above"},
+    {"side", "oscillating: \"trailing\" (default) or \"leading\""},
+    {"closure",
+     "\"force\" (default), \"groove\", \"conjugate\" (rollers) or \"constant-breadth\" "
+     "(translating)"},
+    {"breadth",
+     "translating conjugate and constant-breadth: between both contacts; free if left "
+     "out"},
+    {"arms_deg", "oscillating conjugate: angle between the arms"},
+    {"mass", "translating; inertia: oscillating, about the pivot; with drive.speed"},
+    {"spring_rate", "by length, or by radian of an oscillating follower"},
+    {"preload", "of the spring at displacement 0; left out: the least that keeps contact"},
+    {"load", "constant, against the rise: a force, or a moment about the pivot"}};
+
+constexpr Entry kMotion[] = {
+    {"law", "one of the motion laws below"},
+    {"over_deg", "of the cam; [min, max]: free within. All add up to 360"},
+    {"rise", "translating; rise_deg: oscillating; negative in a return, none in a dwell"},
+    {"sine, constant, cosine",
+     "universal: shares of the acceleration's course, 1 together at most, the rest at constant "
+     "velocity; [min, max]: free within"},
+    {"conditions",
+     "polynomial: [{at_deg, displacement | velocity | acceleration | jerk}, ...], with both ends "
+     "16 at most; derivatives by the cam's angle in radians; displacement_deg: oscillating"},
+    {"points",
+     "spline: [[at_deg, displacement], ...] inside, displacement in degrees: oscillating"},
+    {"degree", "spline: 3 or 5 (default)"},
+    {"velocity", "spline: [begin, end] (default 0), acceleration: likewise, of degree 5"},
+    {"periodic", "spline of a whole turn: true: its ends join smoothly"}};
+
+constexpr Entry kMechanism[] = {
+    {"base_radius, offset, roller_radius, centre_distance, arm, face_offset",
+     "of the follower's type; what is left out is found"},
+    {"rotation", "\"ccw\" (default) or \"cw\""}};
+
+constexpr Entry kBounds[] = {
+    {"base_radius, offset, roller_radius, centre_distance, arm, face_offset",
+     "[min, max]; inf leaves a side open"}};
+
+constexpr Entry kTarget[] = {
+    {"objective",
+     "what is least: \"size\" (the base radius, default), \"pressure-angle\", \"contact-force\", "
+     "\"torque\" or \"contact-stress\""}};
+
+constexpr Entry kConstraints[] = {
+    {"pressure_angle_deg_max", "of either sign, everywhere"},
+    {"pressure_angle_deg_max_rise", "in the rises, on the side to which the cam pushes"},
+    {"pressure_angle_deg_max_return", "in the returns, on the other side"},
+    {"curvature_radius_min", "of the profile where it is convex (default 0)"},
+    {"no_undercut", "true (default); false allows it, without curvature_radius_min"},
+    {"concave_radius_min", "of the profile where it is concave (not flat faces)"},
+    {"face_width_max", "flat faces"},
+    {"profile_radius_min, profile_radius_max", "of the profile from the cam's centre"},
+    {"contact_force_max", "with masses, spring or load"},
+    {"torque_max", "that drives the cam, of either sense; likewise"},
+    {"contact_stress_max", "with [contact] besides"},
+    {"no_separation", "true (default): the follower never lifts off; force closure"}};
+
+constexpr Entry kDrive[] = {{"speed", "of the cam, constant, rad/s"}};
+
+constexpr Entry kContact[] = {{"width", "of the line of contact"},
+                              {"elasticity", "[E1, E2] of cam and follower"},
+                              {"poisson", "[nu1, nu2] (default 0.3 each)"}};
+
+constexpr Entry kSolve[] = {{"solver, starts, tolerance", "as below; no solver for least squares"},
+                            {"designs", "1 to 100 (default 1)"}};
+
+constexpr KeyedEntry kTables[] = {
+    {"[follower]", "what the cam moves", kFollower},
+    {"[[motion]]", "a segment, in the order of the turn, from the base circle", kMotion},
+    {"[mechanism]", "its lengths", kMechanism},
+    {"[bounds]", "of lengths", kBounds},
+    {"[target]", "what is sought", kTarget},
+    {"[constraints]", "on the cam", kConstraints},
+    {"[drive]", "how it runs", kDrive},
+    {"[contact]", "materials, for contact stress", kContact},
+    {"[solve]", "how it is found", kSolve}};
+
+std::string_view meaning(MotionLaw law) {
+  switch (law) {
+    case MotionLaw::dwell:
+      return "the follower stays where it is";
+    case MotionLaw::constant_velocity:
+      return "knocks at its ends";
+    case MotionLaw::constant_acceleration:
+      return "parabolic: the least acceleration, which jumps";
+    case MotionLaw::harmonic:
+      return "half a cosine: acceleration jumps against a dwell";
+    case MotionLaw::cycloidal:
+      return "acceleration a full sine: smooth at dwells";
+    case MotionLaw::polynomial_345:
+      return "polynomial without velocity and acceleration at its ends";
+    case MotionLaw::polynomial_4567:
+      return "and without jerk there";
+    case MotionLaw::modified_sine:
+      return "low torque at dwells";
+    case MotionLaw::modified_trapezoid:
+      return "low acceleration, smooth at dwells";
+    case MotionLaw::modified_constant_velocity:
+      return "constant over the middle half of the segment";
+    case MotionLaw::double_harmonic:
+      return "smooth at the dwell below, not above, where the return follows";
+    case MotionLaw::universal:
+      return "sine, constant, cosine and zero acceleration by shares";
+    case MotionLaw::polynomial:
+      return "by conditions";
+    case MotionLaw::spline:
+      return "through points";
+  }
+  return {};
+}
+
+bool has_parameters(MotionLaw law) {
+  return law == MotionLaw::universal || law == MotionLaw::polynomial || law == MotionLaw::spline;
+}
+
+}  // namespace
+
+std::span<const KeyedEntry> cam_followers() {
+  return kFollowers;
+}
+
+std::span<const KeyedEntry> cam_tables() {
+  return kTables;
+}
+
+std::vector<MotionLawEntry> motion_laws() {
+  std::vector<MotionLawEntry> all;
+  for (const auto& [name, law] : problems::names<MotionLaw>()) {
+    MotionLawEntry entry{name, meaning(law), std::nullopt, cam::handbook_factors(law)};
+    if (law == MotionLaw::dwell) {
+      entry.handbook.reset();
+    } else if (!has_parameters(law)) {
+      entry.factors = cam::peak_factors({.law = law, .over = 1, .rise = 1});
+    }
+    all.push_back(entry);
+  }
+  return all;
+}
+
+}  // namespace cognate::app

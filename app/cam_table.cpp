@@ -1,0 +1,152 @@
+#include "app/cam_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "app/cam_description.hpp"
+#include "app/messages.hpp"
+#include "app/table_text.hpp"
+#include "app/text_table.hpp"
+#include "problems/degrees.hpp"
+#include "problems/names.hpp"
+#include "problems/verify.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::CamDesign;
+using problems::CamProblem;
+using problems::CamResult;
+
+std::optional<double> number_of(const CamDesign& design, std::string_view name) {
+  const auto found = std::ranges::find(design.metrics, name, &problems::Fact::name);
+  if (found == design.metrics.end()) return std::nullopt;
+  const auto* number = std::get_if<double>(&found->value);
+  return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
+}
+
+/// "38.71 at 50": a fact and the cam angle of its place.
+std::string placed(const CamDesign& design, const std::string& name) {
+  const auto value = number_of(design, name), at = number_of(design, name + "_at_deg");
+  if (!value) return "–";
+  return at ? fmt::format("{:.5g} at {:.4g}", *value, *at) : fmt::format("{:.5g}", *value);
+}
+
+std::string constraints_text(const CamDesign& design) {
+  const auto missed =
+      std::ranges::count(design.constraints, false, &problems::ConstraintCheck::satisfied);
+  return missed == 0 ? "all met" : fmt::format("{} missed", missed);
+}
+
+class Columns {
+ public:
+  explicit Columns(std::span<const CamDesign> designs) : designs_(designs) {}
+
+  template <class Cell>
+  void add(std::string heading, Align align, Cell cell) {
+    Column column{std::move(heading), align, {}};
+    for (const CamDesign& design : designs_) column.cells.push_back(cell(design));
+    columns_.push_back(std::move(column));
+  }
+
+  std::vector<std::string> lines() const { return set_columns(columns_); }
+
+ private:
+  std::span<const CamDesign> designs_;
+  std::vector<Column> columns_;
+};
+
+void add_lengths(const CamProblem& problem, Columns& columns) {
+  struct Length {
+    const char* heading;
+    double cam::CamDimensions<double>::*value;
+  };
+  using D = cam::CamDimensions<double>;
+  constexpr std::array<Length, problems::kCamDimensions> kLengths = {
+      {{"base radius", &D::base_radius},
+       {"offset", &D::offset},
+       {"roller radius", &D::roller_radius},
+       {"centre distance", &D::centre_distance},
+       {"arm", &D::arm},
+       {"face offset", &D::face_offset}}};
+  for (std::size_t i = 0; i < kLengths.size(); ++i) {
+    if (!problem.lengths[i].used) continue;
+    columns.add(kLengths[i].heading, Align::right, [&](const CamDesign& design) {
+      return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*kLengths[i].value);
+    });
+  }
+}
+
+void append_designs(std::string& text, const CamProblem& problem,
+                    std::span<const CamDesign> designs, bool colour) {
+  Columns columns(designs);
+  int number = 0;
+  columns.add("#", Align::right, [&](const CamDesign&) { return std::to_string(++number); });
+  add_lengths(problem, columns);
+  const auto add_fact = [&](const char* heading, const char* name) {
+    const bool any = std::ranges::any_of(
+        designs, [&](const CamDesign& design) { return number_of(design, name).has_value(); });
+    if (!any) return;
+    columns.add(heading, Align::right,
+                [&](const CamDesign& design) { return placed(design, name); });
+  };
+  add_fact("pressure of rise [deg]", "pressure_angle_deg_max_rise");
+  add_fact("of return [deg]", "pressure_angle_deg_max_return");
+  add_fact("least radius [at deg]", "curvature_radius_min");
+  add_fact("greatest torque [at deg]", "torque_max");
+  columns.add("constraints", Align::left, constraints_text);
+  columns.add("origin", Align::left, [](const CamDesign& d) { return printable(d.origin); });
+  const auto lines = columns.lines();
+  text += '\n' + paint(lines.front(), Colour::bold, colour) + '\n';
+  for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + '\n';
+}
+
+/// Why the best design cannot be smaller.
+std::string proof_line(const CamResult& result) {
+  if (result.designs.empty() || !result.designs.front().proof) return {};
+  const auto& proof = *result.designs.front().proof;
+  std::string because;
+  for (const auto& position : proof.positions) {
+    because +=
+        fmt::format("{}{} = {:.6g} at {:.6g} deg", because.empty() ? "" : " and ", position.limit,
+                    problems::degrees(position.bound), problems::degrees(position.angle));
+  }
+  return fmt::format("proved: no base radius below {:.10g} keeps {}\n", proof.base_radius_least,
+                     because.empty() ? "to the limits" : because);
+}
+
+}  // namespace
+
+int feasible_count(const CamResult& result) {
+  return static_cast<int>(std::ranges::count_if(result.designs, [](const CamDesign& design) {
+    return problems::all_satisfied(design.constraints);
+  }));
+}
+
+std::string cam_table(const CamProblem& problem, const CamResult& result, bool colour) {
+  std::string text = describe(problem) + '\n';
+  const int feasible = feasible_count(result);
+  text += paint(status_line(result.status, result.designs.size(), feasible),
+                status_colour(result.status, feasible), colour) +
+          '\n';
+  const auto shown =
+      std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
+  if (!shown.empty()) append_designs(text, problem, shown, colour);
+  if (shown.size() < result.designs.size()) {
+    text += fmt::format("and {} more, which the result file and the report hold\n",
+                        result.designs.size() - shown.size());
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    append_violations(text, i + 1, shown[i].constraints, colour);
+  }
+  text += proof_line(result);
+  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
+  return text + work_line(result.work);
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,74 @@
+#include "problems/cam/cam_notes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/cam/cam_extremes.hpp"
+#include "problems/degrees.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// As many jumps as a reader will read.
+constexpr std::size_t kMostJumps = 8;
+
+void add_jumps(const CamResult& result, std::vector<std::string>& notes) {
+  for (const int order : {1, 2}) {
+    std::vector<cam::Jump> all;
+    std::ranges::copy_if(result.jumps, std::back_inserter(all),
+                         [order](const cam::Jump& jump) { return jump.order == order; });
+    if (all.empty()) continue;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(all.size(), kMostJumps); ++i) {
+      list += fmt::format("{}{:.6g}° (from {:.4g} to {:.4g})", i > 0 ? ", " : "",
+                          degrees(all[i].angle), all[i].before + 0.0, all[i].after + 0.0);
+    }
+    if (all.size() > kMostJumps) list += fmt::format(" and {} more", all.size() - kMostJumps);
+    notes.push_back(order == 1
+                        ? fmt::format("The velocity jumps at {}: an infinite acceleration, and a "
+                                      "corner of the cam.",
+                                      list)
+                        : fmt::format("The acceleration jumps at {}: an infinite jerk.", list));
+  }
+}
+
+/// Where a one-sided limit leaves the other side free, and that side leans more.
+void add_other_side(const CamProblem& problem, const CamDesign& design,
+                    std::vector<std::string>& notes) {
+  const CamConstraints& c = problem.constraints;
+  if (c.pressure_angle_max || !(c.pressure_angle_max_rise || c.pressure_angle_max_return)) return;
+  const auto greatest = greatest_pressure_angle(design.cam);
+  const double most =
+      std::max(c.pressure_angle_max_rise.value_or(0), c.pressure_angle_max_return.value_or(0));
+  if (greatest.value <= most * (1 + 1e-9)) return;
+  notes.push_back(fmt::format(
+      "At {:.6g}° the pressure angle is {:.4g}°, on the side that the limits of rise and return do "
+      "not count, or where they do not reach; pressure_angle_deg_max limits both sides everywhere.",
+      degrees(greatest.angle), degrees(greatest.value)));
+}
+
+void add_cusp(const CamProblem& problem, const CamDesign& design, std::vector<std::string>& notes) {
+  if (problem.constraints.curvature_radius_min != 0.0) return;
+  const auto convex = least_convex_radius(design.cam);
+  const double size = design.cam.system.follower.dimensions.base_radius;
+  if (!convex || std::abs(convex->value) > 1e-6 * size) return;
+  if (problem.follower == cam::FollowerType::translating_knife) return;
+  notes.push_back(
+      fmt::format("The profile comes to a point at {:.6g}°; curvature_radius_min keeps it rounder.",
+                  degrees(convex->angle)));
+}
+
+}  // namespace
+
+std::vector<std::string> cam_notes(const CamProblem& problem, const CamResult& result) {
+  std::vector<std::string> notes;
+  add_jumps(result, notes);
+  if (result.designs.empty()) return notes;
+  add_other_side(problem, result.designs.front(), notes);
+  add_cusp(problem, result.designs.front(), notes);
+  return notes;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,15 @@
+/// @file What a user should know of a cam beyond its numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/cam/cam_result.hpp"
+
+namespace cognate::problems {
+
+/// Jumps of the motion, limits that meet at a cusp, sides of the pressure angle that no limit
+/// counts.
+std::vector<std::string> cam_notes(const CamProblem& problem, const CamResult& result);
+
+}  // namespace cognate::problems

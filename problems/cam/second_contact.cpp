@@ -1,0 +1,85 @@
+#include "problems/cam/second_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/cam/extremes.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kHalfTurn = std::numbers::pi;
+
+/// Cam angles of the first half turn between which both a position and its opposite one stay within
+/// a piece each.
+std::vector<double> borders(const cam::MotionProgramme& programme) {
+  std::vector<double> angles = {0, kHalfTurn};
+  for (const auto& piece : programme.pieces()) {
+    angles.push_back(piece.begin < kHalfTurn ? piece.begin : piece.begin - kHalfTurn);
+  }
+  std::ranges::sort(angles);
+  return angles;
+}
+
+/// highest − s, piece by piece.
+cam::MotionProgramme complement(const cam::MotionProgramme& programme) {
+  auto pieces = programme.pieces();
+  for (auto& piece : pieces) {
+    piece.offset = programme.highest() - piece.offset;
+    piece.scale = -piece.scale;
+  }
+  return cam::MotionProgramme(std::move(pieces));
+}
+
+cam::CamFollower<double> conjugate_follower(const cam::Cam& first, const SecondContact& contact) {
+  cam::CamFollower<double> second = first.system.follower;
+  auto& d = second.dimensions;
+  const double highest = first.programme.highest();
+  if (is_oscillating(second.type)) {
+    second.side =
+        second.side == cam::ArmSide::trailing ? cam::ArmSide::leading : cam::ArmSide::trailing;
+    const double angle = contact.arms_angle.value_or(2 * first.system.start + highest);
+    const double start = angle - first.system.start - highest;
+    const double half = std::sin(0.5 * start);
+    const double across = d.centre_distance - d.arm;
+    d.base_radius =
+        start > 0 ? std::sqrt(across * across + 4 * d.centre_distance * d.arm * half * half) : -1;
+    return second;
+  }
+  const double start =
+      contact.breadth.value_or(2 * first.system.start + highest) - first.system.start - highest;
+  d.offset = -d.offset;
+  d.base_radius = start > 0 ? std::hypot(start, d.offset) : -1;
+  return second;
+}
+
+}  // namespace
+
+BreadthFault breadth_fault(const cam::MotionProgramme& programme) {
+  const double wanted = programme.at(0).displacement + programme.at(kHalfTurn).displacement;
+  const auto deviation = [&](double angle) {
+    return programme.at(angle).displacement + programme.at(angle + kHalfTurn).displacement - wanted;
+  };
+  BreadthFault worst;
+  const auto all = borders(programme);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (!(all[i + 1] - all[i] > 1e-12)) continue;
+    const auto here = cam::extremes(deviation, all[i], all[i + 1], programme.highest());
+    for (const cam::Extreme& extreme : {here.least, here.greatest}) {
+      if (std::abs(extreme.value) > std::abs(worst.deviation)) {
+        worst = {extreme.value, extreme.at};
+      }
+    }
+  }
+  return worst;
+}
+
+std::optional<cam::Cam> conjugate_cam(const cam::Cam& first, const SecondContact& contact) {
+  const auto follower = conjugate_follower(first, contact);
+  if (!(follower.dimensions.base_radius > follower.dimensions.roller_radius)) return std::nullopt;
+  return cam::Cam{{follower, starting_place(follower), first.system.operation},
+                  complement(first.programme)};
+}
+
+}  // namespace cognate::problems

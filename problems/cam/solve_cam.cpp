@@ -1,0 +1,211 @@
+/// Cams from problem to designs: in closed form where that is possible, else by search.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "analysis/parallel.hpp"
+#include "problems/backend_choice.hpp"
+#include "problems/cam/cam_exact.hpp"
+#include "problems/cam/cam_facts.hpp"
+#include "problems/cam/cam_notes.hpp"
+#include "problems/cam/cam_result.hpp"
+#include "problems/cam/cam_search.hpp"
+#include "problems/cam/cam_starts.hpp"
+#include "problems/cam/largest_roller.hpp"
+#include "problems/cam/second_contact.hpp"
+#include "problems/deadline.hpp"
+#include "problems/verify.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Backend;
+
+constexpr int kStarts = 12;
+
+/// A finished cam with all that is known of it.
+CamDesign design_of(const CamProblem& problem, cam::Cam cam, std::vector<cam::MotionSegment> motion,
+                    std::string origin) {
+  CamDesign design;
+  design.cam = std::move(cam);
+  design.motion = std::move(motion);
+  const bool pressed = problem.second.closure == cam::Closure::force;
+  if (problem.has_operation && !problem.preload && pressed) {
+    design.cam.system.operation.preload = least_preload(design.cam);
+  }
+  design.operation = design.cam.system.operation;
+  if (problem.second.closure == cam::Closure::conjugate) {
+    design.second = conjugate_cam(design.cam, problem.second);
+  }
+  design.metrics = cam_facts(problem, design);
+  design.constraints = cam_checks(problem, design);
+  design.origin = std::move(origin);
+  return design;
+}
+
+/// The problem with the preload that its motion needs, where the motion is given and it is not.
+CamProblem with_preload(CamProblem problem, const cam::MotionProgramme& programme) {
+  if (!problem.has_operation || problem.preload) return problem;
+  if (problem.second.closure != cam::Closure::force) return problem;
+  cam::Cam still;
+  still.system.operation = problem.operation;
+  still.programme = programme;
+  problem.operation.preload = least_preload(still);
+  return problem;
+}
+
+/// Solves one problem; keeps what its parts share.
+class CamSolver {
+ public:
+  CamSolver(const CamProblem& problem, const Run& run, const Deadline& deadline, CamResult& result)
+      : asked_(problem),
+        programme_(*programme_of(problem.motion)),
+        problem_(with_preload(problem, programme_)),
+        sought_(without_roller(problem_)),
+        variables_(sought_),
+        run_(run),
+        deadline_(deadline),
+        result_(result) {}
+
+  void solve() {
+    if (variables_.variables().empty()) {
+      add(cam_at(variables_, {}), "given");
+      return;
+    }
+    const auto exact = exact_cam(sought_, programme_);
+    if (exact && sought_.solve.solver == SolverChoice::automatic && add_exact(*exact)) return;
+    search(exact);
+  }
+
+ private:
+  bool add(std::optional<cam::Cam> cam, std::string origin, std::vector<double> x = {}) {
+    if (!cam) return false;
+    auto motion = variables_.motion(x);
+    if (frees_roller(problem_)) enlarge_roller(problem_, *cam);
+    result_.designs.push_back(design_of(asked_, *std::move(cam), std::move(motion), origin));
+    return true;
+  }
+
+  /// Takes the exact cam, larger where bounds ask for that; false where it breaks a limit.
+  bool add_exact(const ExactCam& exact) {
+    auto d = exact.dimensions;
+    const Range& base = sought_.length(CamDimension::base_radius).bounds;
+    if (d.base_radius < base.min) {
+      // (e, s₀) away from the origin stays in every half plane; an arm's cam is searched for.
+      if (is_oscillating(sought_.follower)) return false;
+      if (!sought_.length(CamDimension::offset).given) d.offset *= base.min / d.base_radius;
+      d.base_radius = base.min;
+    }
+    if (!(d.base_radius > 0)) return false;
+    const auto x = variables_.values(d);
+    auto cam = cam_at(variables_, x);
+    if (!cam) return false;
+    CamDesign made = design_of(sought_, *cam, sought_.motion, "");
+    if (!all_satisfied(made.constraints)) return false;
+    add(std::move(cam), "exact:half-planes", x);
+    if (is_flat(sought_.follower)) result_.designs.back().origin = "exact:curvature";
+    result_.designs.back().proof = exact.proof;
+    return true;
+  }
+
+  void search(const std::optional<ExactCam>& exact) {
+    const auto backends = backends_of(sought_.solve.solver);
+    auto starts = cam_starts(variables_, sought_.solve.starts.value_or(kStarts), run_.seed);
+    if (exact) starts.insert(starts.begin(), variables_.values(exact->dimensions));
+    std::vector<std::optional<CamCandidate>> ends(starts.size());
+    std::vector<Work> work(starts.size());
+    parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
+      const auto i = static_cast<std::size_t>(index);
+      if (deadline_.reached()) return;
+      for (const Backend backend : backends) {
+        const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
+        if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
+        if (ends[i] && ends[i]->violation <= kCamFeasibility) break;
+      }
+      if (thread == 0 && run_.progress) {
+        run_.progress(double(i + 1) / double(starts.size()), ends[i] ? ends[i]->objective : 0);
+      }
+    });
+    add_work(work);
+    take_best(ends, exact);
+  }
+
+  static std::vector<Backend> backends_of(SolverChoice choice) {
+    if (choice == SolverChoice::automatic) return {Backend::slsqp, Backend::ipopt};
+    return {backend_of(choice)};
+  }
+
+  void add_work(const std::vector<Work>& parts) {
+    result_.work.candidates = parts.size();
+    for (const Work& part : parts) {
+      result_.work.positions += part.positions;
+      result_.work.gradients += part.gradients;
+      result_.work.solver_iterations += part.solver_iterations;
+    }
+  }
+
+  /// The best of different ends, as many as the file asks for.
+  void take_best(std::vector<std::optional<CamCandidate>>& ends,
+                 const std::optional<ExactCam>& exact) {
+    std::erase(ends, std::nullopt);
+    std::ranges::stable_sort(ends, [](const auto& a, const auto& b) { return is_better(*a, *b); });
+    std::vector<const CamCandidate*> kept;
+    for (const auto& end : ends) {
+      if (static_cast<int>(kept.size()) == sought_.solve.designs) break;
+      if (std::ranges::any_of(kept, [&](const auto* k) { return is_same(*k, *end); })) continue;
+      kept.push_back(&*end);
+      const std::string origin =
+          "search + " + std::string(name(backends_of(sought_.solve.solver).front()));
+      add(cam_at(variables_, end->x), origin, end->x);
+      if (exact) result_.designs.back().proof = exact->proof;
+    }
+  }
+
+  bool is_same(const CamCandidate& a, const CamCandidate& b) const {
+    constexpr double kSame = 1e-6;
+    for (std::size_t i = 0; i < a.x.size(); ++i) {
+      const double scale = variables_.variables()[i].scale;
+      if (std::abs(a.x[i] - b.x[i]) > kSame * (scale + std::abs(a.x[i]))) return false;
+    }
+    return true;
+  }
+
+  const CamProblem& asked_;
+  cam::MotionProgramme programme_;
+  CamProblem problem_;  ///< with the preload that it needs
+  CamProblem sought_;   ///< without a roller whose radius follows from the rest
+  CamVariables variables_;
+  const Run& run_;
+  const Deadline& deadline_;
+  CamResult& result_;
+};
+
+Status status_of(const CamResult& result, const Deadline& deadline) {
+  if (deadline.interrupted()) return Status::interrupted;
+  if (deadline.expired()) return Status::time_limit;
+  if (result.designs.empty()) return Status::no_solution;
+  return all_satisfied(result.designs.front().constraints) ? Status::solved : Status::infeasible;
+}
+
+}  // namespace
+
+CamResult solve(const CamProblem& problem, const Run& run) {
+  const Deadline deadline(run);
+  CamResult result;
+  for (const auto& segment : problem.motion) {
+    result.segments.push_back({peak_factors(segment), cam::handbook_factors(segment.law)});
+  }
+  CamSolver(problem, run, deadline, result).solve();
+  if (!result.designs.empty()) {
+    const auto all = jumps(result.designs.front().cam.programme);
+    std::ranges::copy_if(all, std::back_inserter(result.jumps),
+                         [](const cam::Jump& jump) { return jump.order > 0; });
+  }
+  result.status = status_of(result, deadline);
+  result.notes = cam_notes(problem, result);
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

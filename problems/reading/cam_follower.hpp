@@ -1,0 +1,16 @@
+/// @file `[follower]`: its type and what presses it on the cam.
+#pragma once
+
+#include "problems/cam/cam_problem.hpp"
+#include "problems/reading/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+/// "a translating roller", for messages.
+std::string_view in_words(cam::FollowerType type);
+
+/// The keys `type`, `side`, `closure`, `breadth` and `arms_deg`. False, with a fault, where there
+/// is no type, without which little can be said of the other tables.
+bool read_follower(TableReader& follower, CamProblem& problem);
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,423 @@
+/// Cams from their files: values, defaults, and every fault at its place.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "analysis/cam/motion_programme.hpp"
+#include "problems/names.hpp"
+#include "problems/read.hpp"
+#include "tests/reading/fault_cases.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+const std::string kRise = "{law = \"harmonic\", over_deg = 120, rise = 20}";
+const std::string kReturn = "{law = \"3-4-5\", over_deg = 150, rise = -20}";
+const std::string kDwell = "{law = \"dwell\", over_deg = 90}";
+const std::string kTurn = "motion = [" + kRise + ", " + kReturn + ", " + kDwell + "]\n";
+
+// The first of `lines` is line 4.
+std::string file(const std::string& type, const std::string& lines) {
+  return "kind = \"cam\"\n" + kTurn + "follower.type = \"" + type + "\"\n" + lines;
+}
+
+const std::string kGiven =
+    "[mechanism]\nbase_radius = 40\noffset = 5\nroller_radius = 8\n";  // lines 4 to 7
+
+std::string roller(const std::string& lines) {
+  return file("translating-roller", kGiven + lines);
+}
+
+// A motion of degrees; the first of `lines` is line 4.
+std::string swinging(const std::string& type, const std::string& lines) {
+  return "kind = \"cam\"\nmotion = [{law = \"harmonic\", over_deg = 180, rise_deg = 25}, {law = "
+         "\"cycloidal\", over_deg = 180, rise_deg = -25}]\nfollower.type = \"" +
+         type + "\"\n" + lines;
+}
+
+const std::string kArm =
+    "[mechanism]\nbase_radius = 25\ncentre_distance = 60\narm = 50\nroller_radius = 8\n";
+
+std::string with_motion(const std::string& motion) {
+  return "kind = \"cam\"\nmotion = " + motion + "\nfollower.type = \"translating-roller\"\n" +
+         kGiven;
+}
+
+std::string segments(const std::string& first) {
+  return "[" + first + ",\n" + kReturn + ",\n" + kDwell + "]";
+}
+
+CamProblem read_or_fail(const std::string& text) {
+  auto problem = parse_cam(text);
+  if (problem) return *std::move(problem);
+  for (const Fault& fault : problem.error()) {
+    ADD_FAILURE() << fault.line << ":" << fault.column << ": " << fault.message << "\n" << text;
+  }
+  return {};
+}
+
+TEST(CamProblem, DefaultsOfWhatAFileDoesNotSay) {
+  const CamProblem problem = read_or_fail(roller(""));
+  EXPECT_EQ(problem.follower, cam::FollowerType::translating_roller);
+  EXPECT_EQ(problem.side, cam::ArmSide::trailing);
+  EXPECT_EQ(problem.second.closure, cam::Closure::force);
+  EXPECT_FALSE(problem.clockwise);
+  EXPECT_FALSE(problem.has_operation);
+  EXPECT_FALSE(problem.has_contact);
+  EXPECT_EQ(problem.objective, CamObjective::size);
+  EXPECT_EQ(problem.constraints.curvature_radius_min, 0.0);
+  EXPECT_FALSE(problem.constraints.pressure_angle_max);
+  EXPECT_EQ(problem.solve.designs, 1);
+  EXPECT_TRUE(problem.free_motion.empty());
+  EXPECT_EQ(problem.length(CamDimension::base_radius).given, 40);
+  EXPECT_EQ(problem.length(CamDimension::offset).given, 5);
+  EXPECT_FALSE(problem.length(CamDimension::arm).used);
+  EXPECT_FALSE(problem.length(CamDimension::centre_distance).used);
+}
+
+TEST(CamProblem, SegmentsInRadiansAndInTheirOrder) {
+  const CamProblem problem = read_or_fail(roller(""));
+  ASSERT_EQ(problem.motion.size(), 3U);
+  EXPECT_EQ(problem.motion[0].law, cam::MotionLaw::harmonic);
+  EXPECT_DOUBLE_EQ(problem.motion[0].over, 120 * kDegree);
+  EXPECT_EQ(problem.motion[0].rise, 20);
+  EXPECT_EQ(problem.motion[1].law, cam::MotionLaw::polynomial_345);
+  EXPECT_EQ(problem.motion[1].rise, -20);
+  EXPECT_EQ(problem.motion[2].rise, 0);
+  const CamProblem arm = read_or_fail(swinging("oscillating-roller", kArm));
+  EXPECT_DOUBLE_EQ(arm.motion[0].rise, 25 * kDegree);
+  EXPECT_EQ(arm.length(CamDimension::arm).given, 50);
+}
+
+TEST(CamProblem, WhatIsNotGivenIsFreeWithinItsBounds) {
+  const CamProblem problem = read_or_fail(file(
+      "translating-roller",
+      "[follower]\nroller_radius = 8\n[bounds]\nbase_radius = [20, inf]\noffset = [-inf, 9]\n"));
+  const CamLength& base = problem.length(CamDimension::base_radius);
+  EXPECT_TRUE(base.used);
+  EXPECT_FALSE(base.given);
+  EXPECT_EQ(base.bounds.min, 20);
+  EXPECT_EQ(base.bounds.max, HUGE_VAL);
+  EXPECT_EQ(problem.length(CamDimension::offset).bounds.min, -HUGE_VAL);
+  EXPECT_EQ(problem.length(CamDimension::offset).bounds.max, 9);
+  EXPECT_EQ(problem.length(CamDimension::roller_radius).given, 8);
+}
+
+TEST(CamProblem, FacesHaveTheirOwnDefaults) {
+  const CamProblem flat = read_or_fail(file("translating-flat", "mechanism.base_radius = 9\n"));
+  EXPECT_EQ(flat.length(CamDimension::offset).given, 0);
+  EXPECT_FALSE(flat.length(CamDimension::roller_radius).used);
+  const std::string face = "[mechanism]\nbase_radius = 25\ncentre_distance = 80\n";
+  const CamProblem through = read_or_fail(swinging("oscillating-flat", face));
+  EXPECT_EQ(through.length(CamDimension::face_offset).given, 0);
+  const CamProblem free =
+      read_or_fail(swinging("oscillating-flat", face + "[bounds]\nface_offset = [-5, 5]\n"));
+  EXPECT_FALSE(free.length(CamDimension::face_offset).given);
+  const CamProblem knife = read_or_fail(
+      file("translating-knife", "[mechanism]\nbase_radius = 9\noffset = 0\nroller_radius = 0\n"));
+  EXPECT_EQ(knife.length(CamDimension::roller_radius).given, 0);
+}
+
+TEST(CamProblem, MassesSpringAndMaterials) {
+  const CamProblem problem = read_or_fail(
+      roller("[follower]\nmass = 0.5\nspring_rate = 2e3\nload = -3\n[drive]\nspeed = 100\n"
+             "[contact]\nwidth = 0.01\nelasticity = [2e11, 1e11]\npoisson = [0.3, 0.25]\n"));
+  EXPECT_TRUE(problem.has_operation);
+  EXPECT_TRUE(problem.has_contact);
+  EXPECT_EQ(problem.operation.inertia, 0.5);
+  EXPECT_EQ(problem.operation.spring_rate, 2e3);
+  EXPECT_EQ(problem.operation.load, -3);
+  EXPECT_EQ(problem.operation.speed, 100);
+  EXPECT_FALSE(problem.preload);
+  EXPECT_DOUBLE_EQ(problem.operation.modulus_sum, 0.91 / 2e11 + 0.9375 / 1e11);
+  const CamProblem preloaded = read_or_fail(roller("follower.preload = 7\n"));
+  EXPECT_EQ(preloaded.preload, 7);
+  EXPECT_EQ(preloaded.operation.preload, 7);
+  const CamProblem groove =
+      read_or_fail(roller("[follower]\nclosure = \"groove\"\nmass = 0.5\n[drive]\nspeed = 100\n"));
+  EXPECT_EQ(groove.preload, 0) << "a groove needs no spring";
+}
+
+TEST(CamProblem, ClosureSideAndRotation) {
+  const CamProblem arm = read_or_fail(
+      swinging("oscillating-roller",
+               kArm + "rotation = \"cw\"\n[follower]\nside = \"leading\"\nclosure = \"conjugate\"\n"
+                      "arms_deg = 90\n"));
+  EXPECT_TRUE(arm.clockwise);
+  EXPECT_EQ(arm.side, cam::ArmSide::leading);
+  EXPECT_EQ(arm.second.closure, cam::Closure::conjugate);
+  EXPECT_DOUBLE_EQ(*arm.second.arms_angle, 90 * kDegree);
+  const CamProblem flat = read_or_fail(file(
+      "translating-flat",
+      "mechanism.base_radius = 9\n[follower]\nclosure = \"constant-breadth\"\nbreadth = 38\n"));
+  EXPECT_EQ(flat.second.breadth, 38);
+}
+
+TEST(CamProblem, LimitsAndObjective) {
+  const CamProblem problem = read_or_fail(
+      roller("[constraints]\npressure_angle_deg_max = 30\npressure_angle_deg_max_rise = 25\n"
+             "pressure_angle_deg_max_return = 45\nno_undercut = false\nconcave_radius_min = 12\n"
+             "profile_radius_min = 5\nprofile_radius_max = 90\ncontact_force_max = 4\n"
+             "torque_max = 6\nno_separation = false\n[target]\nobjective = \"torque\"\n"
+             "[follower]\nload = 1\n[solve]\nsolver = \"slsqp\"\nstarts = 4\ndesigns = 2\n"));
+  EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max, 30 * kDegree);
+  EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_rise, 25 * kDegree);
+  EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_return, 45 * kDegree);
+  EXPECT_FALSE(problem.constraints.curvature_radius_min);
+  EXPECT_EQ(problem.constraints.concave_radius_min, 12);
+  EXPECT_EQ(problem.constraints.profile_radius_min, 5);
+  EXPECT_EQ(problem.constraints.profile_radius_max, 90);
+  EXPECT_EQ(problem.constraints.contact_force_max, 4);
+  EXPECT_EQ(problem.constraints.torque_max, 6);
+  EXPECT_FALSE(problem.constraints.no_separation);
+  EXPECT_EQ(problem.objective, CamObjective::torque);
+  EXPECT_EQ(problem.solve.solver, SolverChoice::slsqp);
+  EXPECT_EQ(problem.solve.designs, 2);
+}
+
+// 80 to 140 and 30 to 60 beside 180: the turn wants 180 of 110 to 200, 7/9 of each width.
+TEST(CamProblem, FreeAnglesHoldValuesThatMakeATurn) {
+  const CamProblem problem = read_or_fail(
+      with_motion("[{law = \"universal\", over_deg = [80, 140], rise = 5, sine = [0.2, 0.6], "
+                  "constant = 0.3, cosine = [0.2, 0.6]}, {law = \"dwell\", over_deg = [30, 60]}, "
+                  "{law = \"cycloid\", over_deg = 180, rise = -5}]"));
+  ASSERT_EQ(problem.motion.size(), 3U);
+  EXPECT_NEAR(problem.motion[0].over, (80 + 60 * 7.0 / 9) * kDegree, 1e-14);
+  EXPECT_NEAR(problem.motion[1].over, (30 + 30 * 7.0 / 9) * kDegree, 1e-14);
+  ASSERT_EQ(problem.free_motion.size(), 4U);
+  EXPECT_EQ(problem.free_motion[0].parameter, MotionParameter::over);
+  EXPECT_EQ(problem.free_motion[1].parameter, MotionParameter::sine);
+  EXPECT_EQ(problem.free_motion[2].parameter, MotionParameter::cosine);
+  EXPECT_EQ(problem.free_motion[3].segment, 1U);
+  EXPECT_DOUBLE_EQ(problem.free_motion[3].range.max, 60 * kDegree);
+  // The middles, 0.4 each, would be 1.1 with 0.3.
+  EXPECT_NEAR(problem.motion[0].shape.sine, 0.35, 1e-15);
+  EXPECT_NEAR(problem.motion[0].shape.cosine, 0.35, 1e-15);
+  EXPECT_EQ(problem.motion[0].shape.constant, 0.3);
+  EXPECT_TRUE(cam::programme_of(problem.motion));
+}
+
+// A rise at rest at both ends by conditions is the 3-4-5 polynomial.
+TEST(CamProblem, ConditionsOfAPolynomialMeanWhatTheySay) {
+  const CamProblem problem = read_or_fail(with_motion(
+      segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = [{at_deg = 0, "
+               "velocity = 0}, {at_deg = 0, acceleration = 0}, {at_deg = 120, velocity = 0}, "
+               "{at_deg = 120, acceleration = 0}]}")));
+  const auto programme = cam::programme_of(problem.motion);
+  ASSERT_TRUE(programme);
+  for (const double share : {0.1, 0.35, 0.8}) {
+    const double cubes = share * share * share;
+    const double s = 20 * cubes * (10 + share * (6 * share - 15));
+    EXPECT_NEAR(programme->at(share * 120 * kDegree).displacement, s, 1e-12);
+  }
+}
+
+TEST(CamProblem, ASplineGoesThroughItsPoints) {
+  const CamProblem problem = read_or_fail(with_motion(
+      segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[30, 4], [70, 13]], "
+               "degree = 3, velocity = [0, 1.5]}")));
+  const auto programme = cam::programme_of(problem.motion);
+  ASSERT_TRUE(programme);
+  EXPECT_NEAR(programme->at(30 * kDegree).displacement, 4, 1e-12);
+  EXPECT_NEAR(programme->at(70 * kDegree).displacement, 13, 1e-12);
+  EXPECT_NEAR(programme->at(120 * kDegree - 1e-9).velocity, 1.5, 1e-6);
+  EXPECT_EQ(problem.motion[0].degree, 3);
+}
+
+TEST(CamProblem, LawsAreKnownByOtherNamesToo) {
+  for (const auto& [name, law] : {std::pair{"parabolic", cam::MotionLaw::constant_acceleration},
+                                  {"simple-harmonic", cam::MotionLaw::harmonic},
+                                  {"polynomial-345", cam::MotionLaw::polynomial_345},
+                                  {"4567", cam::MotionLaw::polynomial_4567},
+                                  {"cycloid", cam::MotionLaw::cycloidal}}) {
+    const std::string first = "{law = \"" + std::string(name) + "\", over_deg = 120, rise = 20}";
+    EXPECT_EQ(read_or_fail(with_motion(segments(first))).motion.at(0).law, law) << name;
+  }
+}
+
+TEST(CamProblem, AHundredThousandSegmentsAreRead) {
+  std::string motion = "[";
+  for (int i = 0; i < 50'000; ++i) {
+    motion +=
+        "{law=\"harmonic\",over_deg=0.0036,rise=1},{law=\"cycloidal\",over_deg=0.0036,rise=-1},";
+  }
+  const CamProblem problem = read_or_fail(with_motion(motion + "]"));
+  EXPECT_EQ(problem.motion.size(), 100'000U);
+}
+
+TEST(CamProblem, OtherReadersSayWhatItIs) {
+  const auto problem = parse_problem(roller(""));
+  ASSERT_FALSE(problem);
+  EXPECT_EQ(problem.error()[0].column, 8U);
+  EXPECT_NE(problem.error()[0].message.find("\"cam\""), std::string::npos);
+  const auto analysis = parse_analysis(roller(""));
+  ASSERT_FALSE(analysis);
+  EXPECT_NE(analysis.error()[0].message.find("'cognate solve' designs a cam, and evaluates one"),
+            std::string::npos);
+  const auto cam = parse_cam(
+      "kind = \"quick-return\"\n[target]\ntime_ratio = 1.5\n[mechanism]\n"
+      "type = \"guide-bar\"\nframe = 3\n");
+  ASSERT_FALSE(cam);
+  EXPECT_NE(cam.error()[0].message.find("kind = \"cam\" is wanted"), std::string::npos);
+}
+
+TEST(CamProblem, TheLibraryHasEveryRollerAndFace) {
+  std::set<cam::FollowerType> types;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(COGNATE_LIBRARY_DIR) / "cam")) {
+    const auto problem = read_cam(entry.path());
+    ASSERT_TRUE(problem) << entry.path();
+    EXPECT_FALSE(problem->title.empty()) << entry.path();
+    const auto programme = cam::programme_of(problem->motion);
+    ASSERT_TRUE(programme) << entry.path();
+    EXPECT_GE(programme->lowest(), -1e-12) << entry.path();
+    types.insert(problem->follower);
+  }
+  EXPECT_GE(types.size(), 4U);
+}
+
+const std::string kLaw = "{law = \"cycloidal\", over_deg = 120, rise = 20";
+
+const std::vector<FaultCase> kCases = {
+    {"NoFollower",
+     "kind = \"cam\"\n" + kTurn,
+     {{1, 1, "follower.type is missing; \"translating-roller\", \"translating-flat\""}}},
+    {"WrongFollower",
+     file("translating-rolle", ""),
+     {{3, 17, "perhaps for \"translating-roller\""}}},
+    {"NoMotion",
+     "kind = \"cam\"\nfollower.type = \"translating-flat\"\nmechanism.base_radius = 3\n",
+     {{1, 1, "motion is missing; tables [[motion]]"}}},
+    {"AnglesMissing",
+     with_motion("[" + kRise + ", " + kReturn + ", {law = \"dwell\", over_deg = 80}]"),
+     {{2, 10, "motion has angles that add up to 350 degrees, 10 are missing"}}},
+    {"AnglesTooMany",
+     with_motion("[" + kRise + ", " + kReturn + ", {law = \"dwell\", over_deg = [91, 95]}]"),
+     {{2, 10, "add up to at least 361 degrees, 1 too many"}}},
+    {"AnglesOutOfReach",
+     with_motion("[" + kRise + ", " + kReturn + ", {law = \"dwell\", over_deg = [50, 80]}]"),
+     {{2, 10, "add up to at most 350 degrees, 10 are missing"}}},
+    {"ReturnMissing",
+     with_motion("[" + kRise + ", {law = \"dwell\", over_deg = 240}]"),
+     {{2, 10, "ends 20 above its beginning; a return of rise = -20 is missing"}}},
+    {"RiseMissing",
+     with_motion("[" + kReturn + ",\n{law = \"dwell\", over_deg = 210}]"),
+     {{2, 10, "ends 20 below its beginning; a rise of rise = 20 is missing"},
+      {2, 11, "motion[1].rise takes the follower 20 below its beginning"}}},
+    {"BelowBase",
+     with_motion("[" + kDwell + ",\n" + kReturn + ",\n" + kRise + "]"),
+     {{3, 1, "motion[2].rise takes the follower 20 below its beginning"}}},
+    {"OnlyDwells",
+     with_motion("[{law = \"dwell\", over_deg = 360}]"),
+     {{2, 10, "has dwells only"}}},
+    {"NoLaw",
+     with_motion(segments("{over_deg = 120, rise = 20}")),
+     {{2, 11, "motion[1].law is missing; \"dwell\""}}},
+    {"WrongLaw",
+     with_motion(segments("{law = \"harmonik\", over_deg = 120, rise = 20}")),
+     {{2, 18, "perhaps for \"harmonic\""}}},
+    {"NoAngle",
+     with_motion(segments("{law = \"harmonic\", rise = 20}")),
+     {{2, 11,
+       "motion[1].over_deg is missing; an angle in degrees from 1e-6 to 360, or [min, max]"}}},
+    {"AngleTooLarge",
+     with_motion(segments("{law = \"harmonic\", over_deg = 361, rise = 20}")),
+     {{2, 41, "is 361; an angle in degrees"}}},
+    {"EmptyAngleRange",
+     with_motion(segments("{law = \"harmonic\", over_deg = [9, 3], rise = 20}")),
+     {{2, 41, "is empty, 9 > 3"}}},
+    {"NoRise",
+     with_motion(segments("{law = \"harmonic\", over_deg = 120}")),
+     {{2, 11, "motion[1].rise is missing; the lift in a rise"}}},
+    {"ZeroRise",
+     with_motion(segments("{law = \"harmonic\", over_deg = 120, rise = 0}")),
+     {{2, 53, "is 0; the lift"}}},
+    {"RiseOfADwell",
+     with_motion(segments("{law = \"dwell\", over_deg = 120, rise = 20}")),
+     {{2, 50, "is 20 in a dwell"}}},
+    {"RiseInDegrees",
+     with_motion(segments("{law = \"harmonic\", over_deg = 120, rise_deg = 20}")),
+     {{2, 57, "is an angle, but the follower translates; rise"}}},
+    {"RiseInLength",
+     "kind = \"cam\"\n" + kTurn + "follower.type = \"oscillating-roller\"\n" + kArm,
+     {{2, 53, "motion[1].rise is a length, but the follower oscillates; rise_deg"},
+      {2, 99, "motion[2].rise is a length"}}},
+    {"UnknownKey",
+     with_motion(segments(kLaw + ", sine = 0.2}")),
+     {{2, 57, "unknown key \"sine\" in [motion[1]]"}}},
+    {"SharesTooLarge",
+     with_motion(
+         segments("{law = \"universal\", over_deg = 120, rise = 20, sine = 0.5, cosine = 0.75}")),
+     {{2, 65, "motion[1].sine + constant + cosine is 1.25; 1 at most"}}},
+    {"NoShares",
+     with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20}")),
+     {{2, 11, "motion[1].sine + constant + cosine is 0"}}},
+    {"ShareOutside",
+     with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20, sine = [0.5, 2]}")),
+     {{2, 71, "entry 2 of motion[1].sine is 2; a share from 0 to 1"}}},
+    {"NoConditions",
+     with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20}")),
+     {{2, 11, "motion[1].conditions is missing"}}},
+    {"RangeOfAPolynomial",
+     with_motion(segments("{law = \"polynomial\", over_deg = [1, 2], rise = 20, conditions = []}")),
+     {{2, 43, "is a range, but what a polynomial goes through stands at fixed angles"}}},
+    {"Conditions",
+     with_motion("[{law = \"polynomial\", over_deg = 120, rise = 20, conditions = [\n"
+                 "{at_deg = 0, velocity = 0, jerk = 0},\n{velocity = 1},\n{at_deg = 9},\n"
+                 "{at_deg = 130, jerk = 0},\n{at_deg = 5, jerk = 0}, {at_deg = 5, jerk = 1}\n]}]"),
+     {{3, 1, "motion[1].conditions[1].displacement is given beside another, or velocity"},
+      {4, 1, "conditions[2].at_deg is missing; an angle in degrees from 0 to 120"},
+      {5, 1, "conditions[3].displacement is missing, or velocity"},
+      {6, 11, "is 130, beyond the segment; an angle from 0 to 120"},
+      {7, 35, "is that of another condition on the same derivative"}}},
+    {"ConditionAtTheEnd",
+     with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = "
+                          "[{at_deg = 120, displacement = 19}]}")),
+     {{2, 72, "contradict the segment at its end"}}},
+    {"UnsolvableConditions",
+     with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = [{at_deg "
+                          "= 0, acceleration = 0}, {at_deg = 60, acceleration = 1}, {at_deg = 60, "
+                          "velocity = 1}, {at_deg = 120, jerk = 2}, {at_deg = 0, jerk = 0}]}")),
+     {}},
+    {"NoPoints",
+     with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20}")),
+     {{2, 11, "motion[1].points is missing; an array of [at_deg, displacement]"}}},
+    {"PointsOutOfOrder",
+     with_motion(
+         segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[30, 1], [30, 2]]}")),
+     {{2, 74, "entry 2 of motion[1].points stands at 30 degrees"}}},
+    {"PointOutside",
+     with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[120, 1]]}")),
+     {{2, 65, "stands at 120 degrees; angles that increase, above 0 and below 120"}}},
+    {"Degree",
+     with_motion(
+         segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 4}")),
+     {{2, 83, "is 4; 3 or 5"}}},
+    {"CubicAcceleration",
+     with_motion(
+         segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 3, "
+                  "acceleration = [0, 0]}")),
+     {{2, 101, "that at the ends of a cubic spline follows"}}},
+    {"PeriodicPart",
+     with_motion(segments(
+         "{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], periodic = true}")),
+     {{2, 85, "is true, but the segment is no whole turn"}}},
+    {"Side", roller("follower.side = \"leading\"\n"), {{8, 17, "a translating roller has no arm"}}},
+};
+
+class CamFaults : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(CamFaults, AreFound) {
+  expect_faults(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(CamProblem, CamFaults, testing::ValuesIn(kCases), name_of_case);
+
+}  // namespace
+}  // namespace cognate::problems
