@@ -15,7 +15,7 @@ class CamScene extends Picture {
     const points = [];
     const room = (p, r) => points.push([p[0] - r, p[1] - r], [p[0] + r, p[1] + r]);
     for (let deg = 0; deg < 360; deg += 5) {
-      for (const body of design.bodies) {
+      for (const body of design.contacts) {
         if (kind.flat) for (const p of body.face(deg)) room(p, 0.5 * part);
         else room(body.centre(deg), body.roller_radius || 0.4 * part);
       }
@@ -38,8 +38,8 @@ class CamScene extends Picture {
     this.world = svg("g", { class: "world" });
     this.camGroup = svg("g", { class: "cam-body" });
     this.follower = new Follower(design, scale);
-    this.pressures = design.bodies.map((body) => new PressureLayer(body, scale, 4.2 * design.part));
-    this.velocities = design.bodies.map((body) => new VelocityLayer(body, scale, (0.55 * scale * design.radius) / design.radius));
+    this.pressures = design.contacts.map((body) => new PressureLayer(body, scale, 4.2 * design.part));
+    this.velocities = design.contacts.map((body) => new VelocityLayer(body, scale, 0.55 * scale));
     const overlay = (layers) => svg("g", {}, ...layers.map((layer) => layer.root));
     this.#drawCam();
     this.parts = { ...this.camParts, pressure: overlay(this.pressures), velocity: overlay(this.velocities) };
