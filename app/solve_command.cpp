@@ -52,7 +52,8 @@ ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProbl
       file, options,
       {.run = solve,
        .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {},
+       .files = {{".report.html",
+                  [&](const auto& document) { return report_html(document, problem, result); }}},
        .when_interrupted = kInterrupted,
        .table = [&](bool colour) { return cam_table(problem, result, colour); },
        .exit_status = [&] { return status_of(result); }});

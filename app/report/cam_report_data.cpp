@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "app/report/cam_drawing.hpp"
-#include "app/report/cam_names.hpp"
 #include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -53,7 +53,7 @@ ordered_json segments_json(const CamDesign& design,
   double from = 0;
   for (std::size_t i = 0; i < std::min(kRows, design.motion.size()); ++i) {
     const cam::MotionSegment& segment = design.motion[i];
-    list.push_back({{"law", law_title(segment.law)},
+    list.push_back({{"law", problems::to_string(segment.law)},
                     {"from_deg", drawn(kDegrees * from)},
                     {"over_deg", drawn(kDegrees * segment.over)},
                     {"rise", drawn((swings ? kDegrees : 1) * segment.rise)}});
@@ -65,6 +65,17 @@ ordered_json segments_json(const CamDesign& design,
   return list;
 }
 
+const char* name_of(cam::Stroke stroke) {
+  switch (stroke) {
+    case cam::Stroke::rise:
+      return "rise";
+    case cam::Stroke::fall:
+      return "return";
+    default:
+      return "dwell";
+  }
+}
+
 ordered_json strokes_json(const cam::MotionProgramme& programme) {
   const auto strokes = cam_strokes(programme);
   ordered_json list = ordered_json::array();
@@ -72,7 +83,7 @@ ordered_json strokes_json(const cam::MotionProgramme& programme) {
   for (const CamStroke& stroke : strokes) {
     list.push_back({{"from_deg", drawn(kDegrees * stroke.from)},
                     {"to_deg", drawn(kDegrees * stroke.to)},
-                    {"stroke", stroke_title(stroke.stroke)}});
+                    {"stroke", name_of(stroke.stroke)}});
   }
   return list;
 }
@@ -103,9 +114,10 @@ ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
   if (!proof) return nullptr;
   ordered_json positions = ordered_json::array();
   for (const auto& position : proof->positions) {
-    positions.push_back({{"deg", drawn(kDegrees * position.angle)},
-                         {"limit", position.limit},
-                         {"bound_deg", drawn(kDegrees * position.bound)}});
+    positions.push_back({{"deg", drawn(kDegrees * position.angle)}, {"limit", position.limit}});
+    const bool angular = position.limit.find("_deg") != std::string::npos;
+    positions.back()[angular ? "bound_deg" : "bound"] =
+        drawn((angular ? kDegrees : 1) * position.bound);
   }
   return {{"base_radius", drawn(proof->base_radius_least)}, {"positions", positions}};
 }
@@ -141,7 +153,8 @@ ordered_json design_json(const CamProblem& problem, const CamResult& result, std
   entry["segments"] =
       segments_json(design, known ? result.segments : std::vector<problems::SegmentFacts>{});
   entry["segment_count"] = design.motion.size();
-  entry["speed"] = problem.has_operation ? drawn(design.operation.speed) : ordered_json(nullptr);
+  const double speed = design.operation.speed;
+  entry["speed"] = speed > 0 ? drawn(speed) : ordered_json(nullptr);
   entry["preload"] =
       problem.has_operation ? drawn(design.operation.preload) : ordered_json(nullptr);
   entry["metrics"] = facts_json(design.metrics);
@@ -158,11 +171,11 @@ ordered_json cam_report_data(const CamProblem& problem, const CamResult& result)
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     designs.push_back(design_json(problem, result, i));
   }
-  return {{"follower", follower_title(problem.follower)},
+  return {{"follower", problems::to_string(problem.follower)},
           {"flat", is_flat(problem.follower)},
           {"oscillating", is_oscillating(problem.follower)},
           {"knife", problem.follower == cam::FollowerType::translating_knife},
-          {"closure", closure_title(problem.second.closure)},
+          {"closure", problems::to_string(problem.second.closure)},
           {"clockwise", problem.clockwise},
           {"limits", limits_json(problem.constraints)},
           {"jumps", jumps_json(result)},

@@ -166,7 +166,7 @@ TEST(CamReport, TellsStrokesSegmentsLimitsAndProof) {
   EXPECT_EQ(design["strokes"][2]["stroke"], "return");
   EXPECT_NEAR(design["strokes"][2]["from_deg"].get<double>(), 160, 1e-6);
   ASSERT_EQ(design["segments"].size(), 4u);
-  EXPECT_EQ(design["segments"][0]["law"], "constant acceleration");
+  EXPECT_EQ(design["segments"][0]["law"], "constant-acceleration");
   EXPECT_NEAR(design["segments"][2]["factors"]["velocity"].get<double>(), 1.570796, 1e-5);
   EXPECT_NEAR(data["limits"]["rise_deg"].get<double>(), 35, 1e-9);
   EXPECT_TRUE(data["limits"]["pressure_deg"].is_null());

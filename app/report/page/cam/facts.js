@@ -2,6 +2,10 @@
 
 const LENGTH_NAMES = [["base_radius", "Base radius"], ["offset", "Offset"], ["roller_radius", "Roller radius"], ["centre_distance", "Centre distance"], ["arm", "Arm"], ["face_offset", "Offset of the face"]];
 
+const CLOSURES = { groove: "a groove", conjugate: "a conjugate cam", "constant-breadth": "constant breadth" };
+const FOLLOWERS = { "translating-roller": "translating roller", "translating-flat": "translating flat face", "translating-knife": "translating knife edge",
+  "oscillating-roller": "oscillating roller", "oscillating-flat": "oscillating flat face" };
+
 // The lengths that this type of follower has.
 function lengthsOf({ flat, knife, oscillating }) {
   return new Set(["base_radius", ...(oscillating ? ["centre_distance", ...(flat ? ["face_offset"] : ["arm"])] : flat ? [] : ["offset"]), ...(flat || knife ? [] : ["roller_radius"])]);
@@ -10,7 +14,7 @@ function lengthsOf({ flat, knife, oscillating }) {
 function showCamDimensions({ drawn, kind, breadth }) {
   const used = lengthsOf(kind);
   const lengths = (dimensions) => LENGTH_NAMES.filter(([key]) => used.has(key)).flatMap(([key, name]) => fact(name, number(dimensions[key], 7), String(dimensions[key])));
-  byId("dimensions-list").replaceChildren(...fact("Follower", sentence(kind.follower)), ...(kind.closure === "force" ? [] : fact("Closed by", kind.closure === "groove" ? "a groove" : kind.closure === "conjugate" ? "a conjugate cam" : "constant breadth")),
+  byId("dimensions-list").replaceChildren(...fact("Follower", sentence(FOLLOWERS[kind.follower])), ...(CLOSURES[kind.closure] ? fact("Closed by", CLOSURES[kind.closure]) : []),
     ...lengths(drawn.dimensions),
     ...(drawn.second ? [element("dt", { class: "heading" }, "Other cam"), element("dd", {}, ""), ...lengths(drawn.second.dimensions)] : []),
     ...(breadth === null ? [] : fact("Breadth", number(breadth, 7))),
@@ -25,14 +29,24 @@ function showCamDimensions({ drawn, kind, breadth }) {
 function showProof(proof) {
   byId("proof").hidden = !proof;
   if (!proof) return;
-  const limit = ({ deg, limit: key, bound_deg: bound }) => `${key.replaceAll("_", " ").replace(/ deg\b/, "")} (${degreesShort(bound, 4)}) at cam angle ${degrees(deg)}`;
+  const limit = ({ deg, limit: key, bound, bound_deg: angle }) => `${key} = ${angle === undefined ? number(bound, 6) : number(angle, 6)} at cam angle ${degrees(deg)}`;
   const where = proof.positions.length ? `: ${proof.positions.map(limit).join(" and ")} ${proof.positions.length > 1 ? "allow" : "allows"} nothing smaller` : "";
   byId("proof").textContent = `Proved: no base radius below ${number(proof.base_radius, 7)} keeps the limits${where}.`;
 }
 
+// A metric's name in words: "Greatest pressure angle in the return" of "pressure_angle_deg_max_return".
+function metricName(name) {
+  const words = (text) => text.replace(/_deg(?=_|$)/, "").replaceAll("_", " ");
+  const [, of, side, stroke] = /^(.*)_(min|max)(?:_(rise|return))?$/.exec(name) ?? [];
+  return side ? `${side === "max" ? "Greatest" : "Least"} ${words(of)}${stroke ? ` in the ${stroke}` : ""}` : sentence(words(name));
+}
+
 function showMetrics({ drawn }) {
-  const rows = [...factRows(drawn.metrics)].flatMap(([key, { text = "", place, exact }]) =>
-    fact(factName(key), place ? `${text} at ${place}`.trim() : text, typeof exact === "number" ? String(exact) : undefined));
+  const places = new Map(drawn.metrics.filter(({ name }) => name.endsWith("_at_deg")).map(({ name, value }) => [name.replace(/_at_deg$/, ""), value]));
+  const rows = drawn.metrics.filter(({ name }) => !name.endsWith("_at_deg")).flatMap(({ name, value }) => {
+    const text = factText(value, /_deg(?=_|$)/.test(name) ? "deg" : "");
+    return fact(metricName(name), places.has(name) ? `${text} at ${degreesShort(places.get(name), 5)}` : text, typeof value === "number" ? String(value) : undefined);
+  });
   byId("facts").hidden = rows.length === 0;
   byId("facts-list").replaceChildren(...rows);
 }
@@ -57,6 +71,8 @@ function showCamConstraints({ drawn: { constraints } }) {
   byId("constraints-count").textContent = constraints.length === 0 ? "none asked for" : missed ? `${missed} of ${constraints.length} missed` : `all ${constraints.length} met`;
 }
 
+const lawTitle = (law) => (/^\d/.test(law) ? `${law} polynomial` : sentence(law.replaceAll("-", " ")));
+
 // A row for each segment; its button goes to its beginning.
 function showSegments({ drawn, kind }, goTo) {
   const factors = drawn.segments.some((s) => s.factors);
@@ -70,7 +86,7 @@ function showSegments({ drawn, kind }, goTo) {
     return element("td", { class: "number" }, text(own), ...(printed === undefined ? [] : [element("span", { class: "printed", title: "handbook" }, text(printed))]));
   };
   byId("segments-rows").replaceChildren(...drawn.segments.map((segment) => {
-    const button = element("button", { type: "button", class: "link", title: "Show its beginning" }, sentence(segment.law));
+    const button = element("button", { type: "button", class: "link", title: "Show its beginning" }, lawTitle(segment.law));
     button.addEventListener("click", () => goTo(segment.from_deg));
     const sense = segment.rise > 0 ? "rise" : segment.rise < 0 ? "return" : "dwell";
     return element("tr", {}, element("td", {}, element("span", { class: "landmark" }, element("span", { class: "dot", style: `background:var(${STROKE_COLOURS[sense]})` }), button)),

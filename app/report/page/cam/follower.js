@@ -47,7 +47,7 @@ class Follower {
     const y = (height) => -scale * height;
     const half = 0.36 * u;
     const group = svg("g", { class: "follower" });
-    const foot = kind.knife ? y(first.start) - 0.9 * u : kind.flat ? y(first.start) : y(first.start);
+    const foot = y(first.start) - (kind.knife ? 0.9 * u : 0);
     group.append(svg("rect", { class: "stem", x: round(x - half), y: round(y(heights.top)), width: round(2 * half), height: round(foot - y(heights.top)) }));
     if (kind.knife) group.append(svg("path", { class: "stem", d: `M${round(x)} ${round(y(first.start))}L${round(x - half)} ${round(foot)}H${round(x + half)}Z` }));
     if (kind.flat) this.#plates(group, x);
@@ -64,8 +64,8 @@ class Follower {
       if (this.yoke) set(this.yoke, { transform: `translate(0 ${round(-scale * s)})` });
       if (this.spring) set(this.spring.path, { d: springPath(x, y(heights.collar + s) - 0.2 * u, y(heights.bush), 1.5 * half) });
     });
-    if (this.design.second) this.#yokeTo(x);
-    if (breadth !== null) this.#yokeAbout(breadth);
+    if (breadth !== null && kind.flat) this.#yokeAbout(breadth);
+    else if (this.design.second ?? this.design.far) this.#yokeTo(x, this.design.second ?? this.design.far);
   }
 
   // The plate whose lower side is the face.
@@ -77,10 +77,10 @@ class Follower {
     group.append(svg("rect", { class: "stem face", x: round(left), y: round(-scale * first.start - 0.42 * u), width: round(right - left), height: round(0.42 * u), rx: 2 }));
   }
 
-  // The rod past the shaft to the roller of the other cam.
-  #yokeTo(x) {
-    const { first, second } = this.design;
-    const far = this.local(second.centre(0));
+  // The rod past the shaft to the other roller.
+  #yokeTo(x, other) {
+    const { first } = this.design;
+    const far = this.local(other.centre(0));
     const near = this.local(first.centre(0));
     const lift = this.scale * first.at("displacement", 0);
     this.yoke = svg("g", { class: "follower" }, svg("path", { class: "stem", d: barPath([x, near[1] + lift], [far[0], far[1] + lift], 0.3 * this.u) }));
@@ -126,9 +126,9 @@ class Follower {
 
   // Rollers roll: a mark on each shows how fast.
   #rollers() {
-    const { design: { kind, bodies }, scale } = this;
+    const { design: { kind, contacts }, scale } = this;
     if (kind.flat || kind.knife) return;
-    for (const body of bodies) {
+    for (const body of contacts) {
       const r = scale * body.roller_radius;
       const spokes = svg("path", { class: "spokes", d: `M${round(-r)} 0H${round(r)}M0 ${round(-r)}V${round(r)}` });
       const roller = svg("g", { class: "roller" }, svg("circle", { r: round(r) }), spokes, svg("circle", { class: "roller-mark", cx: round(0.72 * r), r: round(Math.max(1.4, 0.11 * r)) }),

@@ -65,7 +65,7 @@ class PressureLayer {
     this.wedge.classList.toggle("missed", missed);
     const [x, y] = this.local(contact).map(round);
     set(this.dot, { cx: x, cy: y });
-    return along(way.from, rotated([1, 0], from + turn / 2), size + 16 / this.scale);
+    return along(way.from, rotated([1, 0], from + turn / 2), size + 24 / this.scale);
   }
 }
 

@@ -106,7 +106,7 @@ function listen() {
   new ResizeObserver(drawScene).observe(byId("picture"));
 }
 
-showHead(result, `Cam with ${/^[aeiou]/.test(data.follower) ? "an" : "a"} ${data.follower} follower`.replace("edge follower", "edge").replace("flat face follower", "flat face"),
+showHead(result, `Cam with ${data.oscillating ? "an" : "a"} ${FOLLOWERS[data.follower]}`,
   [plural(designs.length, "design"), designs.length ? `base radius ${number(designs[0].drawn.dimensions.base_radius, 6)}` : "", result.work ? duration(result.work.seconds) : ""],
   "space plays, ← → turn the cam (with shift by 10°)");
 showNotes(result.notes ?? []);

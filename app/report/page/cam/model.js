@@ -67,7 +67,10 @@ class CamBody {
   // The ends of the face that is touched.
   face(deg) {
     const [low, high] = this.reaches;
-    if (!this.kind.oscillating) return [low, high].map((x) => [x, this.start + this.at("displacement", deg)]);
+    if (!this.kind.oscillating) {
+      const ends = [low, high].map((x) => [x, this.start + this.at("displacement", deg)]);
+      return this.turn ? ends.map((p) => rotated(p, this.turn)) : ends;
+    }
     const { arm, normal } = this.arms(deg);
     const foot = along(this.pivot, normal, -this.face_offset);
     return [low, high].map((reach) => along(foot, arm, reach));
@@ -109,12 +112,21 @@ class CamBody {
   }
 }
 
+// The second contact of a follower of constant breadth: where the first is half a turn later.
+class FarContact extends CamBody {
+  constructor(drawn, kind) { super({ ...drawn, turn_deg: 180 }, kind); }
+  at(name, deg) { return super.at(name, (deg + 180) % 360); }
+  spin(deg, turns) { return super.spin((deg + 180) % 360, deg < 180 ? turns : turns + 1); }
+}
+
 class CamDesign {
   constructor(drawn, data) {
     Object.assign(this, { drawn, kind: data, deg: 0 });
     this.first = new CamBody(drawn, data);
     this.second = drawn.second ? new CamBody(drawn.second, data) : null;
     this.bodies = [this.first, this.second].filter(Boolean);
+    this.far = data.closure === "constant-breadth" ? new FarContact(drawn, data) : null;
+    this.contacts = [...this.bodies, this.far].filter(Boolean);
     this.mirror = data.clockwise ? -1 : 1;
     const walls = this.first.outer ?? [];
     this.radius = Math.max(...this.bodies.map((b) => b.radius), ...walls.map((p) => Math.hypot(...p)));
@@ -127,7 +139,7 @@ class CamDesign {
 
   // The distance of the parallel faces of a follower of constant breadth.
   get breadth() {
-    if (this.kind.closure !== "constant breadth" || this.kind.oscillating) return null;
+    if (!this.far) return null;
     const { first } = this;
     return 2 * first.start + first.at("displacement", 0) + first.at("displacement", 180);
   }

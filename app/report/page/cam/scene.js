@@ -12,22 +12,22 @@ class CamScene extends Picture {
   #box() {
     const { design } = this;
     const { first, radius, part, kind, mirror } = design;
-    const points = [[-radius, -radius], [radius, radius]];
+    const points = [];
     const room = (p, r) => points.push([p[0] - r, p[1] - r], [p[0] + r, p[1] + r]);
     for (let deg = 0; deg < 360; deg += 5) {
-      for (const body of design.bodies) {
+      for (const body of design.contacts) {
         if (kind.flat) for (const p of body.face(deg)) room(p, 0.5 * part);
         else room(body.centre(deg), body.roller_radius || 0.4 * part);
       }
     }
     if (kind.oscillating) room(first.pivot, 0.8 * part);
     else points.push([first.offset, Follower.heights(design).top + first.highest]);
-    if (design.breadth !== null) room([0, first.start + first.lowest - design.breadth], 1.2 * radius > 0 ? 0.8 * part : 0);
-    if (design.breadth !== null) points.push([-radius - part, 0], [radius + part, 0]);
-    const all = boxOf(points.map(([x, y]) => [mirror * x, y]));
-    if (this.held === "frame") return all;
-    const reach = Math.max(...points.map((p) => Math.hypot(...p)));
-    return { x0: -reach, x1: reach, y0: -reach, y1: reach };
+    if (design.breadth !== null) {
+      const foot = first.start + first.lowest - design.breadth - part;
+      points.push([-radius - part, foot], [radius + part, foot]);
+    }
+    const reach = this.held === "cam" ? Math.max(radius, ...points.map((p) => Math.hypot(...p))) : radius;
+    return boxOf([...(this.held === "cam" ? [] : points.map(([x, y]) => [mirror * x, y])), [-reach, -reach], [reach, reach]]);
   }
 
   build(design) {
@@ -38,8 +38,8 @@ class CamScene extends Picture {
     this.world = svg("g", { class: "world" });
     this.camGroup = svg("g", { class: "cam-body" });
     this.follower = new Follower(design, scale);
-    this.pressures = design.bodies.map((body) => new PressureLayer(body, scale, 4.2 * design.part));
-    this.velocities = design.bodies.map((body) => new VelocityLayer(body, scale, (0.55 * scale * design.radius) / design.radius));
+    this.pressures = design.contacts.map((body) => new PressureLayer(body, scale, 4.2 * design.part));
+    this.velocities = design.contacts.map((body) => new VelocityLayer(body, scale, 0.55 * scale));
     const overlay = (layers) => svg("g", {}, ...layers.map((layer) => layer.root));
     this.#drawCam();
     this.parts = { ...this.camParts, pressure: overlay(this.pressures), velocity: overlay(this.velocities) };

@@ -16,9 +16,9 @@ const CAM_SHEETS = [
   { column: "radius", title: "Radius of curvature of the profile", sign: "ρ", colour: "--crank", unit: "units" },
   { column: "reach", title: "Contact along the face", sign: "reach", colour: "--coupler", unit: "units" },
   { column: "roller_speed", title: "Speed of the roller over the cam's", sign: "ratio", colour: "--link-b", unit: "" },
-  { column: "force", title: "Contact force", sign: "F", colour: "--curve", unit: "N", limit: "force" },
-  { column: "torque", title: "Torque of the cam", sign: "T", colour: "--target", unit: "N·m", limit: "torque", sides: true },
-  { column: "stress", title: "Contact stress", sign: "p", colour: "--link-c", unit: "Pa", limit: "stress" },
+  { column: "force", title: "Contact force", sign: "F", colour: "--curve", unit: "", limit: "force" },
+  { column: "torque", title: "Torque of the cam", sign: "T", colour: "--target", unit: "", limit: "torque", sides: true },
+  { column: "stress", title: "Contact stress", sign: "p", colour: "--link-c", unit: "", limit: "stress" },
 ];
 
 const POWERS = ["", "", "²", "³"];
