@@ -46,14 +46,14 @@ class TableMaker {
   TableMaker(const cam::Cam& cam, const cam::Operation& operation, std::size_t steps)
       : cam_(cam), system_(cam.system), places_(cam_places(cam.programme, steps)) {
     system_.operation = operation;
-    add("deg", [](const cam::Place& place, const auto&) { return kDegrees * place.angle; });
+    add("deg", [](const cam::TurnPlace& place, const auto&) { return kDegrees * place.angle; });
   }
 
   /// Adds a column of what `f` gives for a place and the motion there.
   template <class F>
   void add(const char* name, F f) {
     ordered_json values = ordered_json::array();
-    for (const cam::Place& place : places_) {
+    for (const cam::TurnPlace& place : places_) {
       values.push_back(drawn(f(place, motion_at(cam_.programme, place))));
     }
     table_[name] = std::move(values);
@@ -92,16 +92,16 @@ class TableMaker {
     const double radius =
         is_flat(system_.follower.type) ? 0 : system_.follower.dimensions.roller_radius;
     const cam::CamCurve profile{system_, cam_.programme, -radius};
-    const auto in_frame = [&](const cam::Place& place, auto part) {
+    const auto in_frame = [&](const cam::TurnPlace& place, auto part) {
       const auto point = curve_point(profile, place.piece, place.t);
       return part(point) * Vec2d{std::cos(point.angle), std::sin(point.angle)};
     };
     const auto at = [](const cam::ProfilePoint& point) { return point.at; };
     const auto normal = [](const cam::ProfilePoint& point) { return point.normal; };
-    add("contact_x", [&](const cam::Place& p, const auto&) { return in_frame(p, at).x; });
-    add("contact_y", [&](const cam::Place& p, const auto&) { return in_frame(p, at).y; });
-    add("normal_x", [&](const cam::Place& p, const auto&) { return in_frame(p, normal).x; });
-    add("normal_y", [&](const cam::Place& p, const auto&) { return in_frame(p, normal).y; });
+    add("contact_x", [&](const cam::TurnPlace& p, const auto&) { return in_frame(p, at).x; });
+    add("contact_y", [&](const cam::TurnPlace& p, const auto&) { return in_frame(p, at).y; });
+    add("normal_x", [&](const cam::TurnPlace& p, const auto&) { return in_frame(p, normal).x; });
+    add("normal_y", [&](const cam::TurnPlace& p, const auto&) { return in_frame(p, normal).y; });
   }
 
   void add_forces(bool with_stress) {
@@ -118,7 +118,7 @@ class TableMaker {
  private:
   const cam::Cam& cam_;
   cam::CamSystem<double> system_;
-  std::vector<cam::Place> places_;
+  std::vector<cam::TurnPlace> places_;
   ordered_json table_;
 };
 

@@ -14,11 +14,11 @@ constexpr std::size_t kManyPieces = 200;
 
 }  // namespace
 
-std::vector<cam::Place> cam_places(const cam::MotionProgramme& programme, std::size_t steps) {
+std::vector<cam::TurnPlace> cam_places(const cam::MotionProgramme& programme, std::size_t steps) {
   const auto& pieces = programme.pieces();
   const bool borders = pieces.size() <= kManyPieces;
   const double step = kTurn / static_cast<double>(steps);
-  std::vector<cam::Place> places;
+  std::vector<cam::TurnPlace> places;
   std::size_t next = 1;  // of the even steps
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& piece = pieces[i];

@@ -10,7 +10,7 @@ namespace cognate::app {
 
 /// Places of `programme` in order of the cam angle, from 0 to a whole turn: `steps` equal steps
 /// and, unless there are very many pieces, both sides of each piece's border.
-std::vector<cam::Place> cam_places(const cam::MotionProgramme& programme, std::size_t steps);
+std::vector<cam::TurnPlace> cam_places(const cam::MotionProgramme& programme, std::size_t steps);
 
 /// A stretch of the cam angle, rad, with one sense of motion.
 struct CamStroke {
