@@ -44,12 +44,16 @@ CamProblem settled(const CamProblem& problem, const CamDesign& design) {
   return found;
 }
 
-/// 90° less the pressure angle, whose sign tells the two sides of 90° apart.
+/// 90° less the pressure angle, whose sign tells the two sides of 90° apart; 0° or 180° where the
+/// follower stands on the wrong side of the cam's centre.
 ordered_json transmission_json(const cam::Cam& cam) {
   const auto pressure =
       turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::pressure_angle);
-  const double least = kRightAngle - (pressure ? pressure->greatest.value : 0);
-  const double most = kRightAngle - (pressure ? pressure->least.value : 0);
+  const auto angle = [](double pressure_angle) {
+    return std::clamp(kRightAngle - pressure_angle, 0.0, 2 * kRightAngle);
+  };
+  const double least = angle(pressure ? pressure->greatest.value : 0);
+  const double most = angle(pressure ? pressure->least.value : 0);
   return {{"min", degrees(least)},
           {"max", degrees(most)},
           {"acute_min", degrees(std::min(least, 2 * kRightAngle - most))}};

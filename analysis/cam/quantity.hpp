@@ -27,6 +27,8 @@ struct CamSystem {
   CamFollower<T> follower;
   T start{};  ///< `starting_place(follower)`
   Operation operation{};
+  bool groove =
+      false;  ///< the roller runs between two walls: where the force is negative, on the outer
 };
 
 /// Mass times acceleration, spring and load: what the cam must overcome along the motion. Negative
@@ -105,7 +107,10 @@ T roller_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMoti
       return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
     case Quantity::squared_stress: {
       const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
-      const T relative = profile_curvature(pitch_curvature(state), radius) + T(1) / radius;
+      const T pitch = pitch_curvature(state);
+      const bool outside = cam.groove && force < T(0);
+      const T relative = outside ? profile_curvature(pitch, -radius) - T(1) / radius
+                                 : profile_curvature(pitch, radius) + T(1) / radius;
       const Operation& o = cam.operation;
       return force * relative * T(1 / (pi_of<double>() * o.width * o.modulus_sum));
     }

@@ -188,11 +188,11 @@ tl::expected<ResultCam, std::string> parse_result_cam(std::string_view text, int
   if (!is_whole(*problem)) {
     return refuse("it is not whole; a table with every dimension of the follower is wanted");
   }
-  auto design = made_of(*problem);
-  if (!design) {
+  auto cam = made_of(*problem);
+  if (!cam) {
     return refuse("its dimensions cannot be put together; a cam that exists is wanted");
   }
-  return ResultCam{*problem, *std::move(design)};
+  return ResultCam{*problem, *std::move(cam)};
 }
 
 tl::expected<ResultCam, std::string> read_result_cam(const fs::path& file, int design) {

@@ -73,8 +73,9 @@ double face_width(const cam::Cam& cam) {
   return reach.greatest.value - reach.least.value;
 }
 
-FoundAt greatest_force(const cam::Cam& cam) {
-  return found(extremes(cam, Quantity::contact_force).greatest);
+FoundAt greatest_force(const cam::Cam& cam, bool both_ways) {
+  const TurnExtremes all = extremes(cam, Quantity::contact_force);
+  return both_ways ? larger(all) : found(all.greatest);
 }
 
 FoundAt least_demand(const cam::Cam& cam) {

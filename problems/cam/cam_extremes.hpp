@@ -34,8 +34,10 @@ FoundAt greatest_profile_radius(const cam::Cam& cam);
 /// The width of the part of a flat face that the cam touches.
 double face_width(const cam::Cam& cam);
 
-/// The greatest and the least contact force, the torque of greatest size, the greatest stress.
-FoundAt greatest_force(const cam::Cam& cam);
+/// The greatest contact force; `both_ways`, of a form-closed follower, the one of greatest size.
+FoundAt greatest_force(const cam::Cam& cam, bool both_ways);
+
+/// The least demand, the torque of greatest size, the greatest stress, the roller's greatest speed.
 FoundAt least_demand(const cam::Cam& cam);
 FoundAt greatest_torque(const cam::Cam& cam);
 FoundAt greatest_stress(const cam::Cam& cam);

@@ -5,8 +5,8 @@
 
 #include "analysis/cam/profile.hpp"
 #include "problems/cam/cam_extremes.hpp"
+#include "problems/cam/second_contact.hpp"
 #include "problems/degrees.hpp"
-#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -22,6 +22,7 @@ class Facts {
     add_motion();
     add_pressure();
     add_shape();
+    add_second_contact();
     add_forces();
     return std::move(facts_);
   }
@@ -76,6 +77,19 @@ class Facts {
     if (is_flat(problem_.follower)) add("face_width", face_width(cam_));
   }
 
+  /// The second cam of a conjugate pair, the distance of parallel faces.
+  void add_second_contact() {
+    if (problem_.second.closure == cam::Closure::constant_breadth) {
+      add("breadth", constant_breadth(cam_));
+    }
+    if (!design_.second) return;
+    const cam::Cam& second = *design_.second;
+    add("second_cam_base_radius", second.system.follower.dimensions.base_radius);
+    add_at("second_cam_pressure_angle_deg_max", greatest_pressure_angle(second), degrees(1));
+    const auto convex = least_convex_radius(second);
+    if (convex) add_at("second_cam_curvature_radius_min", *convex);
+  }
+
   bool profile_crosses_itself() const {
     constexpr std::size_t kMost = 20000;
     const auto& d = cam_.system.follower.dimensions;
@@ -98,7 +112,8 @@ class Facts {
       add("preload_min", least_preload(cam_));
     }
     add_at("demand_min", least_demand(cam_));
-    add_at("contact_force_max", greatest_force(cam_));
+    add_at("contact_force_max",
+           greatest_force(cam_, problem_.second.closure != cam::Closure::force));
     add_at("torque_max", greatest_torque(cam_));
     if (problem_.has_contact) add_at("contact_stress_max", greatest_stress(cam_));
   }
@@ -109,128 +124,10 @@ class Facts {
   std::vector<Fact> facts_;
 };
 
-class Checks {
- public:
-  explicit Checks(const CamProblem& problem, const CamDesign& design)
-      : problem_(problem), design_(design), cam_(design.cam) {}
-
-  std::vector<ConstraintCheck> all() && {
-    add_bounds();
-    add_pressure();
-    add_shape();
-    add_forces();
-    return std::move(checks_);
-  }
-
- private:
-  /// value ≤ most, to the tolerance of all checks, relative to the larger of both and `size`.
-  void at_most(const std::string& name, double value, double most, double size = 0) {
-    const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(most), size});
-    checks_.push_back({name, value, most, value - most <= slack});
-  }
-  void at_least(const std::string& name, double value, double least, double size = 0) {
-    const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(least), size});
-    checks_.push_back({name, value, least, least - value <= slack});
-  }
-
-  void add_bounds() {
-    const auto& d = cam_.system.follower.dimensions;
-    const double values[] = {d.base_radius,     d.offset, d.roller_radius,
-                             d.centre_distance, d.arm,    d.face_offset};
-    constexpr const char* kNames[] = {"bounds.base_radius",   "bounds.offset",
-                                      "bounds.roller_radius", "bounds.centre_distance",
-                                      "bounds.arm",           "bounds.face_offset"};
-    for (int i = 0; i < kCamDimensions; ++i) {
-      const CamLength& length = problem_.lengths[i];
-      const bool positive = i != static_cast<int>(CamDimension::offset) &&
-                            i != static_cast<int>(CamDimension::face_offset);
-      const bool from_below =
-          std::isfinite(length.bounds.min) && !(positive && length.bounds.min <= 0);
-      const bool bounded = from_below || std::isfinite(length.bounds.max);
-      if (!length.used || length.given || !bounded) continue;
-      const double slack = kCheckTolerance * std::max(std::abs(values[i]), d.base_radius);
-      const bool inside =
-          values[i] >= length.bounds.min - slack && values[i] <= length.bounds.max + slack;
-      checks_.push_back({kNames[i], values[i], length.bounds, inside});
-    }
-  }
-
-  void add_pressure() {
-    const CamConstraints& c = problem_.constraints;
-    const double radian = degrees(1);
-    const auto check = [&](const char* name, const std::optional<FoundAt>& found, double most) {
-      at_most(name, radian * (found ? found->value : 0), radian * most, radian);
-    };
-    if (c.pressure_angle_max) {
-      check("pressure_angle_deg_max", greatest_pressure_angle(cam_), *c.pressure_angle_max);
-    }
-    if (c.pressure_angle_max_rise) {
-      check("pressure_angle_deg_max_rise", pressure_angle_of(cam_, Stretch::rises),
-            *c.pressure_angle_max_rise);
-    }
-    if (c.pressure_angle_max_return) {
-      check("pressure_angle_deg_max_return", pressure_angle_of(cam_, Stretch::falls),
-            *c.pressure_angle_max_return);
-    }
-  }
-
-  void add_shape() {
-    const CamConstraints& c = problem_.constraints;
-    const double size = cam_.system.follower.dimensions.base_radius;
-    if (c.curvature_radius_min) {
-      const auto convex = least_convex_radius(cam_);
-      const bool undercut = *c.curvature_radius_min == 0;
-      if (convex) {
-        at_least(undercut ? "no_undercut" : "curvature_radius_min", convex->value,
-                 *c.curvature_radius_min, size);
-      }
-    }
-    if (c.concave_radius_min) {
-      const auto concave = least_concave_radius(cam_);
-      if (concave) at_least("concave_radius_min", concave->value, *c.concave_radius_min, size);
-    }
-    if (c.face_width_max) at_most("face_width_max", face_width(cam_), *c.face_width_max, size);
-    if (c.profile_radius_min) {
-      at_least("profile_radius_min", least_profile_radius(cam_).value, *c.profile_radius_min, size);
-    }
-    if (c.profile_radius_max) {
-      at_most("profile_radius_max", greatest_profile_radius(cam_).value, *c.profile_radius_max,
-              size);
-    }
-  }
-
-  void add_forces() {
-    const CamConstraints& c = problem_.constraints;
-    const bool pressed = problem_.second.closure == cam::Closure::force;
-    if (problem_.has_operation && problem_.preload && c.no_separation && pressed) {
-      const double size = std::abs(greatest_force(cam_).value);
-      at_least("no_separation", least_demand(cam_).value, 0, size);
-    }
-    if (c.contact_force_max) {
-      at_most("contact_force_max", greatest_force(cam_).value, *c.contact_force_max);
-    }
-    if (c.torque_max) {
-      at_most("torque_max", std::abs(greatest_torque(cam_).value), *c.torque_max);
-    }
-    if (c.contact_stress_max) {
-      at_most("contact_stress_max", greatest_stress(cam_).value, *c.contact_stress_max);
-    }
-  }
-
-  const CamProblem& problem_;
-  const CamDesign& design_;
-  const cam::Cam& cam_;
-  std::vector<ConstraintCheck> checks_;
-};
-
 }  // namespace
 
 std::vector<Fact> cam_facts(const CamProblem& problem, const CamDesign& design) {
   return Facts(problem, design).all();
-}
-
-std::vector<ConstraintCheck> cam_checks(const CamProblem& problem, const CamDesign& design) {
-  return Checks(problem, design).all();
 }
 
 double least_preload(const cam::Cam& cam) {

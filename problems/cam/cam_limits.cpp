@@ -25,6 +25,9 @@ void add_shape(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const bool flat = is_flat(problem.follower);
   add(flat ? CamLimitKind::face_radius : CamLimitKind::convex_radius, c.curvature_radius_min);
   if (!flat) add(CamLimitKind::concave_radius, c.concave_radius_min);
+  if (problem.second.closure == cam::Closure::groove && c.curvature_radius_min) {
+    add(CamLimitKind::outer_wall, 0.0);
+  }
   add(CamLimitKind::profile_min, c.profile_radius_min);
   add(CamLimitKind::profile_max, c.profile_radius_max);
 }
@@ -51,7 +54,12 @@ void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
       problem.second.closure == cam::Closure::force) {
     add(CamLimitKind::separation, typical_demand(problem));
   }
-  if (c.contact_force_max) add(CamLimitKind::force, *c.contact_force_max);
+  if (c.contact_force_max) {
+    add(CamLimitKind::force, *c.contact_force_max);
+    if (problem.second.closure != cam::Closure::force) {
+      add(CamLimitKind::force, *c.contact_force_max, -1);
+    }
+  }
   if (c.torque_max) {
     add(CamLimitKind::torque, *c.torque_max, 1);
     add(CamLimitKind::torque, *c.torque_max, -1);

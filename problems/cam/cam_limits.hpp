@@ -15,6 +15,7 @@ enum class CamLimitKind {
   pressure,        ///< sign · pressure angle ≤ bound
   convex_radius,   ///< of the profile, at least the bound where it is convex
   concave_radius,  ///< of the profile, at least the bound where it is concave
+  outer_wall,      ///< of a groove: no undercut where the pitch curve is concave
   face_radius,     ///< of a profile for a flat face, at least the bound
   profile_min,     ///< the profile's distance from the cam's centre
   profile_max,
@@ -58,6 +59,8 @@ T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
       if (!(beyond > T(0))) return T(1);
       return T(1) + value(Quantity::pitch_curvature) * beyond;
     }
+    case CamLimitKind::outer_wall:
+      return T(1) + value(Quantity::pitch_curvature) * system.follower.dimensions.roller_radius;
     case CamLimitKind::face_radius:
       return (value(Quantity::face_radius) - T(limit.bound)) * T(1 / unit);
     case CamLimitKind::profile_min:
@@ -66,7 +69,7 @@ T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
     case CamLimitKind::profile_max:
       return T(1) - value(Quantity::squared_radius) * T(1 / (limit.bound * limit.bound));
     case CamLimitKind::force:
-      return T(1) - value(Quantity::contact_force) * T(1 / limit.bound);
+      return T(1) - T(limit.sign) * value(Quantity::contact_force) * T(1 / limit.bound);
     case CamLimitKind::separation:
       return value(Quantity::demand) * T(1 / limit.bound);
     case CamLimitKind::torque:

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/cam/cam_exact.hpp"
 #include "problems/cam/cam_extremes.hpp"
+#include "problems/cam/second_contact.hpp"
 #include "problems/degrees.hpp"
+#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -60,7 +63,58 @@ void add_cusp(const CamProblem& problem, const CamDesign& design, std::vector<st
                   degrees(convex->angle)));
 }
 
+/// Limits of the pressure angle that a given or bounded base radius is too small for.
+void add_size_missing(const CamProblem& problem, const CamDesign& design,
+                      std::vector<std::string>& notes) {
+  const bool broken = std::ranges::any_of(design.constraints, [](const ConstraintCheck& check) {
+    return !check.satisfied && check.name.starts_with("pressure_angle");
+  });
+  if (!broken) return;
+  CamProblem freer = problem;
+  freer.objective = CamObjective::size;
+  freer.free_motion.clear();
+  freer.length(CamDimension::base_radius).given.reset();
+  for (const auto dimension : {CamDimension::offset, CamDimension::centre_distance}) {
+    freer.length(dimension).given.reset();
+    freer.length(dimension).bounds = {-HUGE_VAL, HUGE_VAL};
+  }
+  const auto exact = exact_cam(freer, design.cam.programme);
+  if (!exact) return;
+  const auto& has = design.cam.system.follower.dimensions;
+  const auto& wants = exact->dimensions;
+  const bool swings = is_oscillating(problem.follower);
+  notes.push_back(fmt::format(
+      "The limits of the pressure angle need a base radius of at least {:.6g} (with {} {:.6g}), "
+      "proved by half planes; here it is {:.6g}.",
+      wants.base_radius, swings ? "the centre distance" : "the offset",
+      swings ? wants.centre_distance : wants.offset, has.base_radius));
+}
+
 }  // namespace
+
+std::optional<std::string> motion_impossibility(const CamProblem& problem,
+                                                const cam::MotionProgramme& programme) {
+  if (problem.second.closure == cam::Closure::constant_breadth) {
+    const BreadthFault fault = breadth_fault(programme);
+    if (std::abs(fault.deviation) > kCheckTolerance * programme.highest()) {
+      return fmt::format(
+          "Two parallel contacts need s(δ) + s(δ + 180°) to be constant; from its value at 0° it "
+          "differs by {:.6g} at {:.6g}°. The second half turn must be the first one upside down.",
+          fault.deviation, degrees(fault.angle));
+    }
+  }
+  if (problem.follower != cam::FollowerType::oscillating_flat) return std::nullopt;
+  const double sign = sign_of(problem.side);
+  const auto fastest =
+      turn_extremes(programme, cam::Stretch::whole,
+                    [sign](const cam::FollowerMotion<double>& m) { return -sign * m.velocity; });
+  if (fastest->greatest.value < 1) return std::nullopt;
+  return fmt::format(
+      "At {:.6g}° the face swings {:.6g} times as fast as the cam turns, along with it: no profile "
+      "can push it so. It must stay below 1; a longer or lower {} helps.",
+      degrees(fastest->greatest.place.angle), fastest->greatest.value,
+      problem.side == cam::ArmSide::trailing ? "return" : "rise");
+}
 
 std::vector<std::string> cam_notes(const CamProblem& problem, const CamResult& result) {
   std::vector<std::string> notes;
@@ -68,6 +122,7 @@ std::vector<std::string> cam_notes(const CamProblem& problem, const CamResult& r
   if (result.designs.empty()) return notes;
   add_other_side(problem, result.designs.front(), notes);
   add_cusp(problem, result.designs.front(), notes);
+  add_size_missing(problem, result.designs.front(), notes);
   return notes;
 }
 

@@ -81,6 +81,7 @@ cam::CamSystem<T> CamVariables::system(std::span<const T> x) const {
   made.follower.type = problem_->follower;
   made.follower.side = problem_->side;
   made.operation = problem_->operation;
+  made.groove = problem_->second.closure == cam::Closure::groove;
   auto& d = made.follower.dimensions;
   d.offset = length(CamDimension::offset, x);
   d.roller_radius = length(CamDimension::roller_radius, x);

@@ -75,6 +75,11 @@ BreadthFault breadth_fault(const cam::MotionProgramme& programme) {
   return worst;
 }
 
+double constant_breadth(const cam::Cam& cam) {
+  return 2 * cam.system.start + cam.programme.at(0).displacement +
+         cam.programme.at(kHalfTurn).displacement;
+}
+
 std::optional<cam::Cam> conjugate_cam(const cam::Cam& first, const SecondContact& contact) {
   const auto follower = conjugate_follower(first, contact);
   if (!(follower.dimensions.base_radius > follower.dimensions.roller_radius)) return std::nullopt;

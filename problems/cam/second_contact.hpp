@@ -19,6 +19,10 @@ struct BreadthFault {
 /// Exact: on the pieces of both halves laid over each other.
 BreadthFault breadth_fault(const cam::MotionProgramme& programme);
 
+/// The distance of two parallel contacts of a cam whose sum s(δ) + s(δ + 180°) is constant: twice
+/// the starting place and that sum.
+double constant_breadth(const cam::Cam& cam);
+
 /// The cam that drives the second roller of `first`'s follower: its programme is what the first one
 /// lacks of its stroke. It is given as if its own roller stood above it: the cam of a translating
 /// follower is mounted turned by 180°, that of an oscillating one as it is. Nothing where the

@@ -21,7 +21,13 @@ namespace {
 
 using synthesis::Backend;
 
-constexpr int kStarts = 12;
+/// Starts of a search; fewer for motions of so many pieces that each takes long.
+constexpr std::size_t kStarts = 12, kManyPieces = 2000;
+
+int starts_for(const cam::MotionProgramme& programme) {
+  const std::size_t share = kStarts * kManyPieces / (programme.pieces().size() + 1);
+  return static_cast<int>(std::clamp<std::size_t>(share, 1, kStarts));
+}
 
 /// A finished cam with all that is known of it.
 CamDesign design_of(const CamProblem& problem, cam::Cam cam, std::vector<cam::MotionSegment> motion,
@@ -57,9 +63,10 @@ CamProblem with_preload(CamProblem problem, const cam::MotionProgramme& programm
 /// Solves one problem; keeps what its parts share.
 class CamSolver {
  public:
-  CamSolver(const CamProblem& problem, const Run& run, const Deadline& deadline, CamResult& result)
+  CamSolver(const CamProblem& problem, const cam::MotionProgramme& programme, const Run& run,
+            const Deadline& deadline, CamResult& result)
       : asked_(problem),
-        programme_(*programme_of(problem.motion)),
+        programme_(programme),
         problem_(with_preload(problem, programme_)),
         sought_(without_roller(problem_)),
         variables_(sought_),
@@ -110,7 +117,8 @@ class CamSolver {
 
   void search(const std::optional<ExactCam>& exact) {
     const auto backends = backends_of(sought_.solve.solver);
-    auto starts = cam_starts(variables_, sought_.solve.starts.value_or(kStarts), run_.seed);
+    auto starts =
+        cam_starts(variables_, sought_.solve.starts.value_or(starts_for(programme_)), run_.seed);
     if (exact) starts.insert(starts.begin(), variables_.values(exact->dimensions));
     std::vector<std::optional<CamCandidate>> ends(starts.size());
     std::vector<Work> work(starts.size());
@@ -171,7 +179,7 @@ class CamSolver {
   }
 
   const CamProblem& asked_;
-  cam::MotionProgramme programme_;
+  const cam::MotionProgramme& programme_;
   CamProblem problem_;  ///< with the preload that it needs
   CamProblem sought_;   ///< without a roller whose radius follows from the rest
   CamVariables variables_;
@@ -195,14 +203,16 @@ CamResult solve(const CamProblem& problem, const Run& run) {
   for (const auto& segment : problem.motion) {
     result.segments.push_back({peak_factors(segment), cam::handbook_factors(segment.law)});
   }
-  CamSolver(problem, run, deadline, result).solve();
-  if (!result.designs.empty()) {
-    const auto all = jumps(result.designs.front().cam.programme);
-    std::ranges::copy_if(all, std::back_inserter(result.jumps),
-                         [](const cam::Jump& jump) { return jump.order > 0; });
-  }
+  const auto programme = programme_of(problem.motion);
+  const auto impossibility = motion_impossibility(problem, *programme);
+  if (!impossibility) CamSolver(problem, *programme, run, deadline, result).solve();
+  const auto all =
+      jumps(result.designs.empty() ? *programme : result.designs.front().cam.programme);
+  std::ranges::copy_if(all, std::back_inserter(result.jumps),
+                       [](const cam::Jump& jump) { return jump.order > 0; });
   result.status = status_of(result, deadline);
   result.notes = cam_notes(problem, result);
+  if (impossibility) result.notes.insert(result.notes.begin(), *impossibility);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

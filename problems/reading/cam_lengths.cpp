@@ -50,7 +50,8 @@ TableReader& table_of(CamLengthTables& tables, CamDimension dimension) {
 
 void refuse(TableReader& table, CamDimension dimension, FollowerType type) {
   const std::string_view key = to_string(dimension);
-  if (!table.has(key)) return;
+  if (!table.contains(key)) return;
+  table.know({key});
   table.fault(key, fmt::format("is given, but {} has none; leave it out", in_words(type)));
 }
 

@@ -14,7 +14,8 @@ bool read_inertia(TableReader& follower, CamProblem& problem) {
   const bool swings = is_oscillating(problem.follower);
   const std::string_view key = swings ? kInertia : kMassKey;
   const std::string_view other = swings ? kMassKey : kInertia;
-  if (follower.has(other)) {
+  if (follower.contains(other)) {
+    follower.know({other});
     follower.fault(other, swings ? "is given, but the follower oscillates; inertia about its "
                                    "pivot is wanted"
                                  : "is given, but the follower translates; mass is wanted");

@@ -66,7 +66,8 @@ std::optional<Range> read_over(TableReader& table, std::optional<MotionLaw> law)
 std::optional<double> read_rise(TableReader& table, MotionLaw law, bool oscillating) {
   const std::string_view key = oscillating ? "rise_deg" : "rise";
   const std::string_view other = oscillating ? "rise" : "rise_deg";
-  if (table.has(other)) {
+  if (table.contains(other)) {
+    table.know({other});
     table.fault(other, oscillating ? "is a length, but the follower oscillates; rise_deg is wanted"
                                    : "is an angle, but the follower translates; rise, a length, is "
                                      "wanted");

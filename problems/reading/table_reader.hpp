@@ -111,6 +111,9 @@ class TableReader {
   /// Whether the file has `key`, with a right value or a wrong one; the key is then known.
   bool has(std::string_view key);
 
+  /// As `has`, but does not make the key known.
+  bool contains(std::string_view key) const { return peek(key) != nullptr; }
+
   /// Whether the file has a string, a table, or an array under `key`. None makes the key known.
   bool has_text(std::string_view key) const;
   bool has_table(std::string_view key) const;

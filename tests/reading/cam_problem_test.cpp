@@ -22,31 +22,31 @@ const std::string kReturn = "{law = \"3-4-5\", over_deg = 150, rise = -20}";
 const std::string kDwell = "{law = \"dwell\", over_deg = 90}";
 const std::string kTurn = "motion = [" + kRise + ", " + kReturn + ", " + kDwell + "]\n";
 
-// The first of `lines` is line 4.
-std::string file(const std::string& type, const std::string& lines) {
-  return "kind = \"cam\"\n" + kTurn + "follower.type = \"" + type + "\"\n" + lines;
-}
-
-const std::string kGiven =
-    "[mechanism]\nbase_radius = 40\noffset = 5\nroller_radius = 8\n";  // lines 4 to 7
-
-std::string roller(const std::string& lines) {
-  return file("translating-roller", kGiven + lines);
-}
-
-// A motion of degrees; the first of `lines` is line 4.
-std::string swinging(const std::string& type, const std::string& lines) {
-  return "kind = \"cam\"\nmotion = [{law = \"harmonic\", over_deg = 180, rise_deg = 25}, {law = "
-         "\"cycloidal\", over_deg = 180, rise_deg = -25}]\nfollower.type = \"" +
+// `lines` begins with keys of [follower]; the first of them is line 6.
+std::string file(const std::string& type, const std::string& lengths, const std::string& lines) {
+  return "kind = \"cam\"\n" + kTurn + "mechanism = {" + lengths + "}\n[follower]\ntype = \"" +
          type + "\"\n" + lines;
 }
 
-const std::string kArm =
-    "[mechanism]\nbase_radius = 25\ncentre_distance = 60\narm = 50\nroller_radius = 8\n";
+const std::string kGiven = "base_radius = 40, offset = 5, roller_radius = 8";
+
+std::string roller(const std::string& lines) {
+  return file("translating-roller", kGiven, lines);
+}
+
+// The same with a motion of degrees.
+std::string swinging(const std::string& type, const std::string& lengths,
+                     const std::string& lines) {
+  return "kind = \"cam\"\nmotion = [{law = \"harmonic\", over_deg = 180, rise_deg = 25}, {law = "
+         "\"cycloidal\", over_deg = 180, rise_deg = -25}]\nmechanism = {" +
+         lengths + "}\n[follower]\ntype = \"" + type + "\"\n" + lines;
+}
+
+const std::string kArm = "base_radius = 25, centre_distance = 60, arm = 50, roller_radius = 8";
 
 std::string with_motion(const std::string& motion) {
-  return "kind = \"cam\"\nmotion = " + motion + "\nfollower.type = \"translating-roller\"\n" +
-         kGiven;
+  return "kind = \"cam\"\nmotion = " + motion + "\nmechanism = {" + kGiven +
+         "}\nfollower.type = \"translating-roller\"\n";
 }
 
 std::string segments(const std::string& first) {
@@ -90,15 +90,15 @@ TEST(CamProblem, SegmentsInRadiansAndInTheirOrder) {
   EXPECT_EQ(problem.motion[1].law, cam::MotionLaw::polynomial_345);
   EXPECT_EQ(problem.motion[1].rise, -20);
   EXPECT_EQ(problem.motion[2].rise, 0);
-  const CamProblem arm = read_or_fail(swinging("oscillating-roller", kArm));
+  const CamProblem arm = read_or_fail(swinging("oscillating-roller", kArm, ""));
   EXPECT_DOUBLE_EQ(arm.motion[0].rise, 25 * kDegree);
   EXPECT_EQ(arm.length(CamDimension::arm).given, 50);
 }
 
 TEST(CamProblem, WhatIsNotGivenIsFreeWithinItsBounds) {
-  const CamProblem problem = read_or_fail(file(
-      "translating-roller",
-      "[follower]\nroller_radius = 8\n[bounds]\nbase_radius = [20, inf]\noffset = [-inf, 9]\n"));
+  const CamProblem problem = read_or_fail(
+      file("translating-roller", "",
+           "roller_radius = 8\n[bounds]\nbase_radius = [20, inf]\noffset = [-inf, 9]\n"));
   const CamLength& base = problem.length(CamDimension::base_radius);
   EXPECT_TRUE(base.used);
   EXPECT_FALSE(base.given);
@@ -110,23 +110,23 @@ TEST(CamProblem, WhatIsNotGivenIsFreeWithinItsBounds) {
 }
 
 TEST(CamProblem, FacesHaveTheirOwnDefaults) {
-  const CamProblem flat = read_or_fail(file("translating-flat", "mechanism.base_radius = 9\n"));
+  const CamProblem flat = read_or_fail(file("translating-flat", "base_radius = 9", ""));
   EXPECT_EQ(flat.length(CamDimension::offset).given, 0);
   EXPECT_FALSE(flat.length(CamDimension::roller_radius).used);
-  const std::string face = "[mechanism]\nbase_radius = 25\ncentre_distance = 80\n";
-  const CamProblem through = read_or_fail(swinging("oscillating-flat", face));
+  const std::string face = "base_radius = 25, centre_distance = 80";
+  const CamProblem through = read_or_fail(swinging("oscillating-flat", face, ""));
   EXPECT_EQ(through.length(CamDimension::face_offset).given, 0);
   const CamProblem free =
-      read_or_fail(swinging("oscillating-flat", face + "[bounds]\nface_offset = [-5, 5]\n"));
+      read_or_fail(swinging("oscillating-flat", face, "[bounds]\nface_offset = [-5, 5]\n"));
   EXPECT_FALSE(free.length(CamDimension::face_offset).given);
-  const CamProblem knife = read_or_fail(
-      file("translating-knife", "[mechanism]\nbase_radius = 9\noffset = 0\nroller_radius = 0\n"));
+  const CamProblem knife =
+      read_or_fail(file("translating-knife", "base_radius = 9, offset = 0, roller_radius = 0", ""));
   EXPECT_EQ(knife.length(CamDimension::roller_radius).given, 0);
 }
 
 TEST(CamProblem, MassesSpringAndMaterials) {
   const CamProblem problem = read_or_fail(
-      roller("[follower]\nmass = 0.5\nspring_rate = 2e3\nload = -3\n[drive]\nspeed = 100\n"
+      roller("mass = 0.5\nspring_rate = 2e3\nload = -3\n[drive]\nspeed = 100\n"
              "[contact]\nwidth = 0.01\nelasticity = [2e11, 1e11]\npoisson = [0.3, 0.25]\n"));
   EXPECT_TRUE(problem.has_operation);
   EXPECT_TRUE(problem.has_contact);
@@ -136,36 +136,34 @@ TEST(CamProblem, MassesSpringAndMaterials) {
   EXPECT_EQ(problem.operation.speed, 100);
   EXPECT_FALSE(problem.preload);
   EXPECT_DOUBLE_EQ(problem.operation.modulus_sum, 0.91 / 2e11 + 0.9375 / 1e11);
-  const CamProblem preloaded = read_or_fail(roller("follower.preload = 7\n"));
+  const CamProblem preloaded = read_or_fail(roller("preload = 7\n"));
   EXPECT_EQ(preloaded.preload, 7);
   EXPECT_EQ(preloaded.operation.preload, 7);
   const CamProblem groove =
-      read_or_fail(roller("[follower]\nclosure = \"groove\"\nmass = 0.5\n[drive]\nspeed = 100\n"));
+      read_or_fail(roller("closure = \"groove\"\nmass = 0.5\n[drive]\nspeed = 100\n"));
   EXPECT_EQ(groove.preload, 0) << "a groove needs no spring";
 }
 
 TEST(CamProblem, ClosureSideAndRotation) {
-  const CamProblem arm = read_or_fail(
-      swinging("oscillating-roller",
-               kArm + "rotation = \"cw\"\n[follower]\nside = \"leading\"\nclosure = \"conjugate\"\n"
-                      "arms_deg = 90\n"));
+  const CamProblem arm = read_or_fail(swinging("oscillating-roller", kArm + ", rotation = \"cw\"",
+                                               "side = \"leading\"\nclosure = \"conjugate\"\n"
+                                               "arms_deg = 90\n"));
   EXPECT_TRUE(arm.clockwise);
   EXPECT_EQ(arm.side, cam::ArmSide::leading);
   EXPECT_EQ(arm.second.closure, cam::Closure::conjugate);
   EXPECT_DOUBLE_EQ(*arm.second.arms_angle, 90 * kDegree);
-  const CamProblem flat = read_or_fail(file(
-      "translating-flat",
-      "mechanism.base_radius = 9\n[follower]\nclosure = \"constant-breadth\"\nbreadth = 38\n"));
+  const CamProblem flat = read_or_fail(file("translating-flat", "base_radius = 9",
+                                            "closure = \"constant-breadth\"\nbreadth = 38\n"));
   EXPECT_EQ(flat.second.breadth, 38);
 }
 
 TEST(CamProblem, LimitsAndObjective) {
-  const CamProblem problem = read_or_fail(
-      roller("[constraints]\npressure_angle_deg_max = 30\npressure_angle_deg_max_rise = 25\n"
-             "pressure_angle_deg_max_return = 45\nno_undercut = false\nconcave_radius_min = 12\n"
-             "profile_radius_min = 5\nprofile_radius_max = 90\ncontact_force_max = 4\n"
-             "torque_max = 6\nno_separation = false\n[target]\nobjective = \"torque\"\n"
-             "[follower]\nload = 1\n[solve]\nsolver = \"slsqp\"\nstarts = 4\ndesigns = 2\n"));
+  const CamProblem problem = read_or_fail(roller(
+      "load = 1\n[constraints]\npressure_angle_deg_max = 30\npressure_angle_deg_max_rise = 25\n"
+      "pressure_angle_deg_max_return = 45\nno_undercut = false\nconcave_radius_min = 12\n"
+      "profile_radius_min = 5\nprofile_radius_max = 90\ncontact_force_max = 4\n"
+      "torque_max = 6\nno_separation = false\n[target]\nobjective = \"torque\"\n"
+      "[solve]\nsolver = \"slsqp\"\nstarts = 4\ndesigns = 2\n"));
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max, 30 * kDegree);
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_rise, 25 * kDegree);
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_return, 45 * kDegree);
@@ -289,8 +287,8 @@ const std::vector<FaultCase> kCases = {
      "kind = \"cam\"\n" + kTurn,
      {{1, 1, "follower.type is missing; \"translating-roller\", \"translating-flat\""}}},
     {"WrongFollower",
-     file("translating-rolle", ""),
-     {{3, 17, "perhaps for \"translating-roller\""}}},
+     file("translating-rolle", "", ""),
+     {{5, 8, "perhaps for \"translating-roller\""}}},
     {"NoMotion",
      "kind = \"cam\"\nfollower.type = \"translating-flat\"\nmechanism.base_radius = 3\n",
      {{1, 1, "motion is missing; tables [[motion]]"}}},
@@ -345,12 +343,12 @@ const std::vector<FaultCase> kCases = {
      with_motion(segments("{law = \"harmonic\", over_deg = 120, rise_deg = 20}")),
      {{2, 57, "is an angle, but the follower translates; rise"}}},
     {"RiseInLength",
-     "kind = \"cam\"\n" + kTurn + "follower.type = \"oscillating-roller\"\n" + kArm,
+     file("oscillating-roller", kArm, ""),
      {{2, 53, "motion[1].rise is a length, but the follower oscillates; rise_deg"},
-      {2, 99, "motion[2].rise is a length"}}},
+      {2, 97, "motion[2].rise is a length"}}},
     {"UnknownKey",
      with_motion(segments(kLaw + ", sine = 0.2}")),
-     {{2, 57, "unknown key \"sine\" in [motion[1]]"}}},
+     {{2, 58, "unknown key \"sine\" in [motion[1]]; allowed are \"law\", \"over_deg\", \"rise\""}}},
     {"SharesTooLarge",
      with_motion(
          segments("{law = \"universal\", over_deg = 120, rise = 20, sine = 0.5, cosine = 0.75}")),
@@ -380,11 +378,22 @@ const std::vector<FaultCase> kCases = {
      with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = "
                           "[{at_deg = 120, displacement = 19}]}")),
      {{2, 72, "contradict the segment at its end"}}},
+    // Of a parabola the velocity midway is that of its chord.
     {"UnsolvableConditions",
-     with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = [{at_deg "
-                          "= 0, acceleration = 0}, {at_deg = 60, acceleration = 1}, {at_deg = 60, "
-                          "velocity = 1}, {at_deg = 120, jerk = 2}, {at_deg = 0, jerk = 0}]}")),
-     {}},
+     with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = "
+                          "[{at_deg = 60, velocity = 1}]}")),
+     {{2, 72, "have no polynomial of degree 2 that meets them all, or many"}}},
+    {"PeriodicBesideOthers",
+     with_motion("[{law = \"spline\", over_deg = 360, points = [[90, 1]], periodic = true},\n" +
+                 kDwell + "]"),
+     {{2, 10, "add up to 450 degrees, 90 too many"},
+      {2, 11, "motion[1].periodic is true beside other segments"}}},
+    {"WrongConditionOfAnArm",
+     "kind = \"cam\"\nmotion = [{law = \"polynomial\", over_deg = 120, conditions = [{at_deg = "
+     "60, displacement = 1}]}]\nmechanism = {" +
+         kArm + "}\nfollower.type = \"oscillating-roller\"\n",
+     {{2, 62, "displacement_deg is missing, or velocity"},
+      {2, 76, "unknown key \"displacement\""}}},
     {"NoPoints",
      with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20}")),
      {{2, 11, "motion[1].points is missing; an array of [at_deg, displacement]"}}},
@@ -398,17 +407,150 @@ const std::vector<FaultCase> kCases = {
     {"Degree",
      with_motion(
          segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 4}")),
-     {{2, 83, "is 4; 3 or 5"}}},
+     {{2, 84, "is 4; 3 or 5"}}},
     {"CubicAcceleration",
      with_motion(
          segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 3, "
                   "acceleration = [0, 0]}")),
-     {{2, 101, "that at the ends of a cubic spline follows"}}},
+     {{2, 102, "that at the ends of a cubic spline follows"}}},
     {"PeriodicPart",
      with_motion(segments(
          "{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], periodic = true}")),
-     {{2, 85, "is true, but the segment is no whole turn"}}},
-    {"Side", roller("follower.side = \"leading\"\n"), {{8, 17, "a translating roller has no arm"}}},
+     {{2, 86, "is true, but the segment is no whole turn"}}},
+    {"Side", roller("side = \"leading\"\n"), {{6, 8, "a translating roller has no arm"}}},
+    {"ClosureOfAFace",
+     file("translating-flat", "base_radius = 9", "closure = \"groove\"\n"),
+     {{6, 11, "is \"groove\", which a translating flat face does not have; a roller"}}},
+    {"ClosureOfAnArm",
+     swinging("oscillating-roller", kArm, "closure = \"constant-breadth\"\n"),
+     {{6, 11, "which an oscillating roller does not have; a translating flat face or"}}},
+    {"BreadthByForce", roller("breadth = 3\n"), {{6, 11, "belongs to a translating follower"}}},
+    {"ArmsMissing",
+     swinging("oscillating-roller", kArm, "closure = \"conjugate\"\n"),
+     {{4, 1, "follower.arms_deg is missing; the angle between the two arms"}}},
+    {"ArmsOfASlide", roller("arms_deg = 90\n"), {{6, 12, "belongs to an oscillating follower"}}},
+    {"ArmOfASlide",
+     file("translating-roller", "base_radius = 9, offset = 1, roller_radius = 1, arm = 3", ""),
+     {{3, 68, "mechanism.arm is given, but a translating roller has none; leave it out"}}},
+    {"RollerOfAFace",
+     file("translating-flat", "base_radius = 9", "roller_radius = 1\n"),
+     {{6, 17, "follower.roller_radius is given, but a translating flat face has none"}}},
+    {"BoundsOfNothing",
+     roller("[bounds]\ncentre_distance = [1, 2]\n"),
+     {{7, 19, "bounds.centre_distance is given, but a translating roller has none"}}},
+    {"LengthTwice", roller("roller_radius = 8\n"), {{3, 60, "is given a second time"}}},
+    {"KnifeWithRoller",
+     file("translating-knife", "base_radius = 9, offset = 1, roller_radius = 1", ""),
+     {{3, 59, "is 1, but a knife edge has none; 0 is wanted"}}},
+    {"OutsideBounds",
+     roller("[bounds]\nbase_radius = [50, 60]\n"),
+     {{3, 28, "is 40, outside its bounds; bounds.base_radius allows [50, 60]"}}},
+    {"NegativeBound",
+     roller("[bounds]\nbase_radius = [-1, 60]\n"),
+     {{7, 16, "is -1; 0, a length from 1e-30 to 1e30 or inf"}}},
+    {"ZeroBound",
+     roller("[bounds]\nbase_radius = [0, 0]\n"),
+     {{3, 28, "outside its bounds"}, {7, 15, "is [0, 0]; lengths"}}},
+    {"Rotation",
+     file("translating-roller", kGiven + ", rotation = \"left\"", ""),
+     {{3, 74, "is \"left\"; allowed are \"ccw\", \"cw\""}}},
+    {"OffsetTooLarge",
+     file("translating-roller", "base_radius = 40, offset = -40, roller_radius = 8", ""),
+     {{3, 41, "is -40, so that the follower's line passes the base circle of radius 40"}}},
+    {"RollerTooLarge",
+     file("translating-roller", "base_radius = 40, offset = 0, roller_radius = 40", ""),
+     {{3, 60, "is 40, and base_radius, of the roller's centre, is 40"}}},
+    {"ArmOutOfReach",
+     swinging("oscillating-roller",
+              "base_radius = 10, centre_distance = 60, arm = 50, roller_radius = 8", ""),
+     {{3, 28, "carries its roller from 10 to 110 from there"}}},
+    {"ArmSwingsOver",
+     swinging("oscillating-roller",
+              "base_radius = 109, centre_distance = 60, arm = 50, roller_radius = 8", ""),
+     {{3, 51, "at 164.472 degrees from the line of centres on the base circle and at 189.472"}}},
+    {"FaceOutOfReach",
+     swinging("oscillating-flat", "base_radius = 25, centre_distance = 30, face_offset = 5", ""),
+     {{3, 28, "cannot touch the base circle; a sum of less than 30"}}},
+    {"FaceSwingsOver",
+     swinging("oscillating-flat", "base_radius = 29, centre_distance = 31", ""),
+     {{3, 50, "at 69.3065 degrees from the line of centres on the base circle and at 94.3065"}}},
+    {"SwingTooWide",
+     "kind = \"cam\"\nmotion = [{law = \"cycloid\", over_deg = 90, rise_deg = 100}, {law = "
+     "\"cycloid\", over_deg = 90, rise_deg = 90}, {law = \"harmonic\", over_deg = 90, rise_deg = "
+     "-100}, {law = \"harmonic\", over_deg = 90, rise_deg = -90}]\nmechanism = {" +
+         kArm + "}\nfollower.type = \"oscillating-roller\"\n",
+     {{4, 17, "which the motion swings by 190 degrees; less than 180"}}},
+    {"MassOfAnArm",
+     swinging("oscillating-roller", kArm, "mass = 1\n"),
+     {{6, 8, "is given, but the follower oscillates; inertia about its pivot"}}},
+    {"InertiaOfASlide", roller("inertia = 1\n"), {{6, 11, "the follower translates; mass"}}},
+    {"MassWithoutSpeed",
+     roller("mass = 1\n"),
+     {{1, 1, "drive.speed is missing, without which follower.mass presses on nothing"}}},
+    {"Standstill", roller("[drive]\nspeed = 0\n"), {{7, 9, "a speed in rad/s from 1e-30"}}},
+    {"ContactWithoutForce",
+     roller("[contact]\nwidth = 1\nelasticity = [1, 1]\n"),
+     {{6, 1,
+       "nothing presses the follower on the cam; follower.mass (with drive.speed), "
+       "spring_rate, preload or load is wanted besides"}}},
+    {"HalfAContact",
+     roller("load = 1\n[contact]\npoisson = [0.3, 0.6]\n"),
+     {{7, 1, "contact.width is missing"},
+      {7, 1, "contact.elasticity is missing; [E1, E2]"},
+      {8, 17, "a ratio from 0 to 0.5"}}},
+    {"ContactOfAKnife",
+     file("translating-knife", "base_radius = 9, offset = 1",
+          "load = 1\n[contact]\nwidth = 1\nelasticity = [1, 1]\n"),
+     {{7, 1, "a knife edge presses without limit"}}},
+    {"LimitsWithoutForces",
+     roller("[constraints]\ncontact_force_max = 1\ntorque_max = 1\ncontact_stress_max = 1\n"
+            "no_separation = true\n"),
+     {{7, 21,
+       "constraints.contact_force_max is given without what it follows from; follower.mass "
+       "(with drive.speed), spring_rate, preload or load is wanted"},
+      {8, 14, "torque_max is given without"},
+      {9, 22, "preload or load, contact.width and contact.elasticity is wanted"},
+      {10, 17, "no_separation is given without"}}},
+    {"StressWithoutContact",
+     roller("load = 1\n[target]\nobjective = \"contact-stress\"\n"),
+     {{8, 13,
+       "given without what it follows from; contact.width and contact.elasticity is wanted"}}},
+    {"StressOfAKnife",
+     file("translating-knife", "base_radius = 9, offset = 1",
+          "load = 1\n[constraints]\ncontact_stress_max = 9\n"),
+     {{8, 22, "a translating knife edge presses without limit"}}},
+    {"SeparationInAGroove",
+     roller("closure = \"groove\"\nload = 1\n[constraints]\nno_separation = true\n"),
+     {{9, 17, "closure = \"groove\" lets nothing separate"}}},
+    {"Undercut",
+     roller("[constraints]\ncurvature_radius_min = 1\nno_undercut = false\n"),
+     {{8, 15, "is false beside curvature_radius_min"}}},
+    {"ConcaveFace",
+     file("translating-flat", "base_radius = 9", "[constraints]\nconcave_radius_min = 1\n"),
+     {{7, 22, "a translating flat face touches no concave profile"}}},
+    {"FaceOfARoller", roller("[constraints]\nface_width_max = 1\n"), {{7, 18, "has no face"}}},
+    {"ProfileRadii",
+     roller("[constraints]\nprofile_radius_min = 3\nprofile_radius_max = 2\n"),
+     {{7, 22, "is 3, more than profile_radius_max = 2"}}},
+    {"PressureAngle",
+     roller("[constraints]\npressure_angle_deg_max = 90\n"),
+     {{7, 26, "from 0.001 to 89.999"}}},
+    {"PressureAngleOfAFace",
+     file("translating-flat", "base_radius = 9", "[target]\nobjective = \"pressure-angle\"\n"),
+     {{7, 13, "is 0 for a translating flat face whatever its cam"}}},
+    {"Solver",
+     roller("[solve]\nsolver = \"ceres\"\ncertify = true\n"),
+     {{7, 10, "which minimises sums of squares"}, {8, 1, "unknown key \"certify\" in [solve]"}}},
+    {"Shrinks",
+     file("translating-roller", "offset = 0", "[constraints]\nno_undercut = false\n"),
+     {{3, 13, "nothing keeps this cam from shrinking to nothing; give a limit on the pressure"}}},
+    {"Grows",
+     file("translating-roller", "offset = 0, roller_radius = 3",
+          "[target]\nobjective = \"pressure-angle\"\n"),
+     {{3, 13, "the objective is the less the larger the cam is; an upper bound"}}},
+    {"NoLength",
+     swinging("oscillating-roller", "", "[constraints]\npressure_angle_deg_max = 30\n"),
+     {{3, 13, "so is every other length, and angles alone do not say how large a cam is"}}},
 };
 
 class CamFaults : public testing::TestWithParam<FaultCase> {};

@@ -13,7 +13,8 @@ class EnumNamesTest : public testing::Test {};
 
 using Enums = testing::Types<Assembly, MobilityClass, RequiredClass, SolverChoice, synthesis::Loss,
                              Timing, CrankReference, CrankSense, PointOrder, FunctionStart,
-                             FunctionObjective, Status, Defect>;
+                             FunctionObjective, Status, Defect, cam::FollowerType, cam::ArmSide,
+                             cam::Closure, cam::MotionLaw, CamObjective>;
 TYPED_TEST_SUITE(EnumNamesTest, Enums);
 
 TYPED_TEST(EnumNamesTest, EveryNameLeadsBackToItsValue) {

@@ -112,6 +112,103 @@ TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
   EXPECT_GE(count, 30);
 }
 
+// Ranges, conditions, splines, closures and materials that no file of the library uses.
+TEST(ProblemJson, ACamWithEverythingReadsBack) {
+  for (const std::string text : {
+           R"(
+    kind = "cam"
+    title = "all"
+    motion = [
+      {law = "polynomial", over_deg = 51.42857142857143, rise_deg = 7.3, conditions = [
+        {at_deg = 17.7, displacement_deg = 3.1}, {at_deg = 51.42857142857143, velocity = 0},
+        {at_deg = 33.333333333333336, acceleration = 0.01}, {at_deg = 0, jerk = 1e-3}]},
+      {law = "spline", over_deg = 70, rise_deg = 1.7, points = [[0.1, 0.01], [33.3, 1.1]],
+       velocity = [0.1, 0], acceleration = [0, 0.2]},
+      {law = "universal", over_deg = [77.7, 99.9], rise_deg = -9, sine = [0.1, 0.2],
+       constant = 0.33, cosine = [0.3, 0.7]},
+      {law = "dwell", over_deg = [100, 200]}]
+    [follower]
+    type = "oscillating-roller"
+    side = "leading"
+    closure = "conjugate"
+    arms_deg = 77
+    inertia = 0.1
+    spring_rate = 3
+    load = -2
+    [mechanism]
+    rotation = "cw"
+    arm = 33.3
+    [bounds]
+    base_radius = [10, 30]
+    centre_distance = [20, inf]
+    [drive]
+    speed = 31.4
+    [contact]
+    width = 0.01
+    elasticity = [2.1e11, 7e10]
+    poisson = [0.3, 0.33]
+    [target]
+    objective = "contact-stress"
+    [constraints]
+    pressure_angle_deg_max = 33
+    no_undercut = false
+    concave_radius_min = 3
+    profile_radius_max = 90
+    torque_max = 9
+    contact_stress_max = 1e9
+    [solve]
+    solver = "slsqp"
+    starts = 7
+    designs = 3
+    tolerance = 1e-9)",
+           R"(
+    kind = "cam"
+    motion = [{law = "spline", over_deg = 360, points = [[100, 3], [200, 5]], degree = 3,
+               periodic = true}]
+    [follower]
+    type = "translating-flat"
+    closure = "constant-breadth"
+    breadth = 90
+    preload = 3
+    [constraints]
+    face_width_max = 80
+    curvature_radius_min = 2
+    contact_force_max = 20)",
+           R"(
+    kind = "cam"
+    motion = [{law = "harmonic", over_deg = 100, rise_deg = 3},
+              {law = "3-4-5", over_deg = 260, rise_deg = -3}]
+    [follower]
+    type = "oscillating-flat"
+    preload = 2
+    [mechanism]
+    base_radius = 20
+    [bounds]
+    centre_distance = [40, 100]
+    face_offset = [-inf, 5]
+    [constraints]
+    no_separation = false)"}) {
+    const auto problem = problems::parse_cam(text);
+    ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+    expect_reads_back(*problem);
+    const auto again = problems::parse_cam(toml_of(to_json(*problem)));
+    for (std::size_t i = 0; i < problem->motion.size(); ++i) {
+      const auto &one = problem->motion[i], &other = again->motion[i];
+      EXPECT_EQ(one.over, other.over);
+      EXPECT_EQ(one.rise, other.rise);
+      for (std::size_t k = 0; k < one.conditions.size(); ++k) {
+        EXPECT_EQ(one.conditions[k].at, other.conditions[k].at);
+        EXPECT_EQ(one.conditions[k].value, other.conditions[k].value);
+      }
+      for (std::size_t k = 0; k < one.points.size(); ++k) {
+        EXPECT_EQ(one.points[k].at, other.points[k].at);
+        EXPECT_EQ(one.points[k].displacement, other.points[k].displacement);
+      }
+    }
+    EXPECT_EQ(problem->operation.modulus_sum, again->operation.modulus_sum);
+  }
+}
+
 // Axes, points and names that no file of the library uses.
 TEST(ProblemJson, AnAnalysisWithEveryKindOfDyadReadsBack) {
   const auto problem = problems::parse_analysis(R"(

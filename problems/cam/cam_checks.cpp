@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+
+#include "problems/cam/cam_extremes.hpp"
+#include "problems/cam/cam_facts.hpp"
+#include "problems/cam/second_contact.hpp"
+#include "problems/degrees.hpp"
+#include "problems/verify.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using cam::Stretch;
+
+class Checks {
+ public:
+  Checks(const CamProblem& problem, const CamDesign& design)
+      : problem_(problem), design_(design), cam_(design.cam) {}
+
+  std::vector<ConstraintCheck> all() && {
+    add_bounds();
+    add_pressure();
+    add_shape();
+    add_second_contact();
+    add_forces();
+    return std::move(checks_);
+  }
+
+ private:
+  /// value ≤ most, to the tolerance of all checks, relative to the larger of both and `size`.
+  void at_most(const std::string& name, double value, double most, double size = 0) {
+    const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(most), size});
+    checks_.push_back({name, value, most, value - most <= slack});
+  }
+  void at_least(const std::string& name, double value, double least, double size = 0) {
+    const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(least), size});
+    checks_.push_back({name, value, least, least - value <= slack});
+  }
+
+  void add_bounds() {
+    const auto& d = cam_.system.follower.dimensions;
+    const double values[] = {d.base_radius,     d.offset, d.roller_radius,
+                             d.centre_distance, d.arm,    d.face_offset};
+    constexpr const char* kNames[] = {"bounds.base_radius",   "bounds.offset",
+                                      "bounds.roller_radius", "bounds.centre_distance",
+                                      "bounds.arm",           "bounds.face_offset"};
+    for (int i = 0; i < kCamDimensions; ++i) {
+      const CamLength& length = problem_.lengths[i];
+      const bool positive = i != static_cast<int>(CamDimension::offset) &&
+                            i != static_cast<int>(CamDimension::face_offset);
+      const bool from_below =
+          std::isfinite(length.bounds.min) && !(positive && length.bounds.min <= 0);
+      const bool bounded = from_below || std::isfinite(length.bounds.max);
+      if (!length.used || length.given || !bounded) continue;
+      const double slack = kCheckTolerance * std::max(std::abs(values[i]), d.base_radius);
+      const bool inside =
+          values[i] >= length.bounds.min - slack && values[i] <= length.bounds.max + slack;
+      checks_.push_back({kNames[i], values[i], length.bounds, inside});
+    }
+  }
+
+  void add_pressure() {
+    const CamConstraints& c = problem_.constraints;
+    const double radian = degrees(1);
+    const auto check = [&](const char* name, const std::optional<FoundAt>& found, double most) {
+      at_most(name, radian * (found ? found->value : 0), radian * most, radian);
+    };
+    if (c.pressure_angle_max) {
+      check("pressure_angle_deg_max", greatest_pressure_angle(cam_), *c.pressure_angle_max);
+    }
+    if (c.pressure_angle_max_rise) {
+      check("pressure_angle_deg_max_rise", pressure_angle_of(cam_, Stretch::rises),
+            *c.pressure_angle_max_rise);
+    }
+    if (c.pressure_angle_max_return) {
+      check("pressure_angle_deg_max_return", pressure_angle_of(cam_, Stretch::falls),
+            *c.pressure_angle_max_return);
+    }
+  }
+
+  void add_shape() {
+    const CamConstraints& c = problem_.constraints;
+    const double size = cam_.system.follower.dimensions.base_radius;
+    if (c.curvature_radius_min) {
+      const auto convex = least_convex_radius(cam_);
+      const bool undercut = *c.curvature_radius_min == 0;
+      if (convex) {
+        at_least(undercut ? "no_undercut" : "curvature_radius_min", convex->value,
+                 *c.curvature_radius_min, size);
+      }
+    }
+    if (c.concave_radius_min) {
+      const auto concave = least_concave_radius(cam_);
+      if (concave) at_least("concave_radius_min", concave->value, *c.concave_radius_min, size);
+    }
+    if (c.face_width_max) at_most("face_width_max", face_width(cam_), *c.face_width_max, size);
+    if (c.profile_radius_min) {
+      at_least("profile_radius_min", least_profile_radius(cam_).value, *c.profile_radius_min, size);
+    }
+    if (c.profile_radius_max) {
+      at_most("profile_radius_max", greatest_profile_radius(cam_).value, *c.profile_radius_max,
+              size);
+    }
+  }
+
+  /// What a form-closed follower needs besides.
+  void add_second_contact() {
+    const SecondContact& second = problem_.second;
+    const auto& d = cam_.system.follower.dimensions;
+    switch (second.closure) {
+      case cam::Closure::force:
+        return;
+      case cam::Closure::groove: {
+        const auto concave = least_concave_radius(cam_);
+        if (concave && problem_.constraints.curvature_radius_min) {
+          at_least("no_undercut.outer_wall", concave->value - 2 * d.roller_radius, 0,
+                   d.base_radius);
+        }
+        return;
+      }
+      case cam::Closure::conjugate:
+        return add_second_cam();
+      case cam::Closure::constant_breadth: {
+        const double deviation = breadth_fault(cam_.programme).deviation;
+        at_most("constant_breadth", std::abs(deviation), 0, cam_.programme.highest());
+        const double breadth = constant_breadth(cam_);
+        if (second.breadth) {
+          const bool equal = std::abs(breadth - *second.breadth) <= kCheckTolerance * breadth;
+          checks_.push_back({"follower.breadth", breadth, *second.breadth, equal});
+        }
+        return;
+      }
+    }
+  }
+
+  void add_second_cam() {
+    if (!design_.second) {
+      checks_.push_back(
+          {"second_cam", std::string("none"), std::string("clear of the shaft"), false});
+      return;
+    }
+    if (!problem_.constraints.curvature_radius_min) return;
+    const auto convex = least_convex_radius(*design_.second);
+    if (!convex) return;
+    at_least("second_cam.curvature_radius_min", convex->value,
+             *problem_.constraints.curvature_radius_min,
+             design_.second->system.follower.dimensions.base_radius);
+  }
+
+  void add_forces() {
+    const CamConstraints& c = problem_.constraints;
+    const bool pressed = problem_.second.closure == cam::Closure::force;
+    if (problem_.has_operation && problem_.preload && c.no_separation && pressed) {
+      const double size = std::abs(greatest_force(cam_, !pressed).value);
+      at_least("no_separation", least_demand(cam_).value, 0, size);
+    }
+    if (c.contact_force_max) {
+      at_most("contact_force_max", greatest_force(cam_, !pressed).value, *c.contact_force_max);
+    }
+    if (c.torque_max) {
+      at_most("torque_max", std::abs(greatest_torque(cam_).value), *c.torque_max);
+    }
+    if (c.contact_stress_max) {
+      at_most("contact_stress_max", greatest_stress(cam_).value, *c.contact_stress_max);
+    }
+  }
+
+  const CamProblem& problem_;
+  const CamDesign& design_;
+  const cam::Cam& cam_;
+  std::vector<ConstraintCheck> checks_;
+};
+
+}  // namespace
+
+std::vector<ConstraintCheck> cam_checks(const CamProblem& problem, const CamDesign& design) {
+  return Checks(problem, design).all();
+}
+
+}  // namespace cognate::problems
