@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/problem_json.hpp"
 #include "app/problem_tables.hpp"
