@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "analysis/cam/contact.hpp"
 #include "app/report/cam_report_data.hpp"
 #include "app/report/report.hpp"
 #include "tests/browser/sample_cams.hpp"
@@ -186,6 +187,18 @@ TEST(CamReport, HasFiniteNumbersAlone) {
     });
     EXPECT_GT(count, 10'000u);
   }
+}
+
+// |offset| > base radius: there is no such cam.
+TEST(CamReport, BearsACamThatCannotBePutTogether) {
+  SampleCam cam = sample("translating-roller");
+  auto& system = cam.result.designs[0].cam.system;
+  system.follower.dimensions.base_radius = 10;
+  system.start = starting_place(system.follower);
+  ASSERT_FALSE(std::isfinite(system.start));
+  const auto data = data_of(cam);
+  each_number(data, [&](double value) { EXPECT_TRUE(std::isfinite(value)); });
+  EXPECT_TRUE(data["designs"][0]["table"]["contact_x"][0].is_null());
 }
 
 TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
