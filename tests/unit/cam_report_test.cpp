@@ -168,6 +168,7 @@ TEST(CamReport, TellsStrokesSegmentsLimitsAndProof) {
   EXPECT_NEAR(design["strokes"][2]["from_deg"].get<double>(), 160, 1e-6);
   ASSERT_EQ(design["segments"].size(), 4u);
   EXPECT_EQ(design["segments"][0]["law"], "constant-acceleration");
+  EXPECT_NEAR(design["segments"][2]["from_deg"].get<double>(), 160, 1e-6);
   EXPECT_NEAR(design["segments"][2]["factors"]["velocity"].get<double>(), 1.570796, 1e-5);
   EXPECT_NEAR(data["limits"]["rise_deg"].get<double>(), 35, 1e-9);
   EXPECT_TRUE(data["limits"]["pressure_deg"].is_null());
@@ -217,6 +218,15 @@ TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
   SampleCam many = sample("conjugate");
   many.result.designs.resize(10, many.result.designs[0]);
   EXPECT_LT(data_of(many).dump().size(), 1'200'000u);
+}
+
+TEST(CamReport, LeavesVeryLongListsOutOfTheResult) {
+  const SampleCam cam = sample("translating-flat");
+  const ordered_json list(30'000, ordered_json{{"law", "cycloidal"}, {"over_deg", 0.012}});
+  ordered_json document = {{"problem", {{"title", "Long"}, {"motion", list}}},
+                           {"segments", list},
+                           {"designs", {{{"mechanism", {{"type", "cam"}, {"motion", list}}}}}}};
+  EXPECT_LT(report_html(document, cam.problem, cam.result).size(), 600'000u);
 }
 
 TEST(CamReport, IsAPageThatHoldsTextAsText) {
