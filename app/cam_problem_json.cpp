@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/problem_json.hpp"
 #include "app/problem_tables.hpp"
@@ -159,8 +160,8 @@ bool is_limited(const problems::Range& range) {
 }
 
 void add_lengths(const CamProblem& problem, ordered_json& tables) {
-  ordered_json& mechanism = tables["mechanism"];
-  ordered_json& bounds = tables["bounds"] = ordered_json::object();
+  ordered_json mechanism = ordered_json::object();
+  ordered_json bounds = ordered_json::object();
   for (const auto& dimension : problems::names<problems::CamDimension>()) {
     const problems::CamLength& length = problem.length(dimension.value);
     const std::string key(dimension.name);
@@ -168,6 +169,8 @@ void add_lengths(const CamProblem& problem, ordered_json& tables) {
     if (length.used && is_limited(length.bounds)) bounds[key] = to_json(length.bounds);
   }
   mechanism["rotation"] = problem.clockwise ? "cw" : "ccw";
+  tables["mechanism"] = std::move(mechanism);
+  tables["bounds"] = std::move(bounds);
 }
 
 void add_contact(const CamProblem& problem, ordered_json& tables) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <numbers>
 
+#include "analysis/cam/universal_law.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -102,7 +104,9 @@ std::vector<cam::MotionSegment> CamVariables::motion(std::span<const double> x) 
     auto& segment = segments[free.segment];
     double* target[] = {&segment.over, &segment.shape.sine, &segment.shape.constant,
                         &segment.shape.cosine};
-    *target[static_cast<int>(free.parameter)] = x[place++];
+    const double value = x[place++];
+    const bool nothing = free.parameter != MotionParameter::over && value < cam::kLeastShare;
+    *target[static_cast<int>(free.parameter)] = nothing ? 0 : value;
   }
   return segments;
 }

@@ -17,7 +17,7 @@ inline constexpr NumberRule kSwingAngle{
     "an angle in degrees from -180 to 180"};
 
 inline constexpr NumberRule kAccelerationShare{
-    [](double x) { return x == 0 || (x >= 1e-6 && x <= 1); }, "a share from 0 to 1"};
+    [](double x) { return x == 0 || (x >= 1e-12 && x <= 1); }, "a share from 0 to 1"};
 
 inline constexpr NumberRule kPressureLimit{[](double x) { return x >= 1e-3 && x <= 89.999; },
                                            "an angle in degrees from 0.001 to 89.999"};

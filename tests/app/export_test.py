@@ -71,7 +71,7 @@ def oscillating_pitch(degrees, base, centre, arm, swing):
 
 
 def flat_profile(degrees, base, stroke):
-    step = 1e-3
+    step = 1e-5
     slope = (displacement(degrees + step, stroke) - displacement(degrees - step, stroke)) / (
         2 * math.radians(step)
     )
@@ -373,7 +373,7 @@ class ExportTest(unittest.TestCase):
         self.assertEqual(self.export(result, "svg", "--quiet").stdout, "")
 
     def test_undercut_is_told(self):
-        result = self.solve(roller_problem(base_radius=15, offset=0, roller_radius=14))
+        result = self.solve(problem(['type = "translating-flat"'], 25, {"base_radius": 5}))
         done = self.export(result, "svg")
         self.assertIn("crosses itself", done.stderr)
 
@@ -459,7 +459,7 @@ class ExportTest(unittest.TestCase):
             (changed(base_radius=-1), where + "mechanism.base_radius"),
             (changed(base_radius="wide"), where + "mechanism.base_radius"),
             (changed(base_radius=None), where),
-            (changed(frobnicate=1), where + "follower.frobnicate"),
+            (changed(frobnicate=1), where + 'unknown key "frobnicate"'),
             (changed(motion=[]), where + "motion"),
             (changed(offset=41), where),
             (changed(follower="hovering"), where + "follower.type"),
