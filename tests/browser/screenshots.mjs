@@ -2,7 +2,7 @@
 // curves, as the documentation shows it: report.png, of an analysis (with its force arrows)
 // analysis.png, of a cam cam.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees or length. In
 // docs/pictures, report.png is of path/ten-point-ellipse.toml, analysis.png of analysis/shaper.toml,
-// synthesis.png of motion/four-poses.toml with DRIVE 100 and under its new name.
+// cam.png of cam/smallest-cam.toml, synthesis.png of motion/four-poses.toml with DRIVE 100 and under its new name.
 import { mkdirSync } from "node:fs";
 import path from "node:path";
 import { SIZES, launch, open } from "./browser.mjs";
