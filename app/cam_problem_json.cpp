@@ -160,7 +160,8 @@ bool is_limited(const problems::Range& range) {
 }
 
 void add_lengths(const CamProblem& problem, ordered_json& tables) {
-  ordered_json mechanism = ordered_json::object(), bounds = ordered_json::object();
+  ordered_json mechanism = ordered_json::object();
+  ordered_json bounds = ordered_json::object();
   for (const auto& dimension : problems::names<problems::CamDimension>()) {
     const problems::CamLength& length = problem.length(dimension.value);
     const std::string key(dimension.name);

@@ -75,6 +75,9 @@ class CamSolver {
         result_(result) {}
 
   void solve() {
+    result_.work.threads = 1;
+    result_.work.skipped = {"search", "gradients"};
+    if (!problem_.has_operation) result_.work.skipped.emplace_back("forces");
     if (variables_.variables().empty()) {
       add(cam_at(variables_, {}), "given");
       return;
@@ -117,6 +120,8 @@ class CamSolver {
 
   void search(const std::optional<ExactCam>& exact) {
     const auto backends = backends_of(sought_.solve.solver);
+    std::erase_if(result_.work.skipped, [](const auto& what) { return what != "forces"; });
+    result_.work.threads = thread_count(run_.threads);
     auto starts =
         cam_starts(variables_, sought_.solve.starts.value_or(starts_for(programme_)), run_.seed);
     if (exact) starts.insert(starts.begin(), variables_.values(exact->dimensions));
@@ -213,7 +218,10 @@ CamResult solve(const CamProblem& problem, const Run& run) {
   result.status = status_of(result, deadline);
   result.notes = cam_notes(problem, result);
   if (impossibility) result.notes.insert(result.notes.begin(), *impossibility);
-  result.work.threads = thread_count(run.threads);
+  if (result.status == Status::no_solution && !impossibility) {
+    result.notes.emplace_back(
+        "No cam of these lengths can be put together with its follower; wider bounds may help.");
+  }
   result.work.seconds = deadline.spent();
   return result;
 }

@@ -53,7 +53,7 @@ const std::vector<FaultCase> kDocumentCases = {
     {"KindWrongType", "kind = 3\n", {{1, 8, "kind is an integer; a string is wanted"}}},
     {"KindMisspelt", "kind = \"path-genration\"\n", {{1, 8, "perhaps for \"path-generation\""}}},
     {"KindLater",
-     "kind = \"cam\"\n",
+     "kind = \"study\"\n",
      {{1, 8,
        "not available in this version; available are \"path-generation\", "
        "\"function-generation\""}}},

@@ -13,6 +13,7 @@
 
 #include "problems/read.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
+#include "tests/fuzz/sound_cam.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -73,6 +74,8 @@ void check(const std::string& text) {
   if (task) {
     const auto* analysis = std::get_if<AnalysisProblem>(&*task);
     ASSERT_TRUE(analysis == nullptr || is_sound(*analysis)) << text;
+    const auto* cam = std::get_if<CamProblem>(&*task);
+    ASSERT_TRUE(cam == nullptr || is_sound(*cam)) << text;
     return;
   }
   ASSERT_FALSE(task.error().empty()) << text;

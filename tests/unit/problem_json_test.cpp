@@ -118,15 +118,30 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
            R"(
     kind = "cam"
     title = "all"
-    motion = [
-      {law = "polynomial", over_deg = 51.42857142857143, rise_deg = 7.3, conditions = [
-        {at_deg = 17.7, displacement_deg = 3.1}, {at_deg = 51.42857142857143, velocity = 0},
-        {at_deg = 33.333333333333336, acceleration = 0.01}, {at_deg = 0, jerk = 1e-3}]},
-      {law = "spline", over_deg = 70, rise_deg = 1.7, points = [[0.1, 0.01], [33.3, 1.1]],
-       velocity = [0.1, 0], acceleration = [0, 0.2]},
-      {law = "universal", over_deg = [77.7, 99.9], rise_deg = -9, sine = [0.1, 0.2],
-       constant = 0.33, cosine = [0.3, 0.7]},
-      {law = "dwell", over_deg = [100, 200]}]
+    [[motion]]
+    law = "polynomial"
+    over_deg = 51.42857142857143
+    rise_deg = 7.3
+    conditions = [
+      {at_deg = 17.7, displacement_deg = 3.1}, {at_deg = 51.42857142857143, velocity = 0},
+      {at_deg = 33.333333333333336, acceleration = 0.01}, {at_deg = 0, jerk = 1e-3}]
+    [[motion]]
+    law = "spline"
+    over_deg = 70
+    rise_deg = 1.7
+    points = [[0.1, 0.01], [33.3, 1.1]]
+    velocity = [0.1, 0]
+    acceleration = [0, 0.2]
+    [[motion]]
+    law = "universal"
+    over_deg = [77.7, 99.9]
+    rise_deg = -9
+    sine = [0.1, 0.2]
+    constant = 0.33
+    cosine = [0.3, 0.7]
+    [[motion]]
+    law = "dwell"
+    over_deg = [100, 200]
     [follower]
     type = "oscillating-roller"
     side = "leading"
@@ -163,8 +178,12 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     tolerance = 1e-9)",
            R"(
     kind = "cam"
-    motion = [{law = "spline", over_deg = 360, points = [[100, 3], [200, 5]], degree = 3,
-               periodic = true}]
+    [[motion]]
+    law = "spline"
+    over_deg = 360
+    points = [[100, 3], [200, 5]]
+    degree = 3
+    periodic = true
     [follower]
     type = "translating-flat"
     closure = "constant-breadth"
@@ -192,6 +211,14 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());
     expect_reads_back(*problem);
     const auto again = problems::parse_cam(toml_of(to_json(*problem)));
+    ASSERT_TRUE(again.has_value());
+    for (std::size_t i = 0; i < std::size(problem->lengths); ++i) {
+      EXPECT_EQ(problem->lengths[i].given, again->lengths[i].given);
+      EXPECT_EQ(problem->lengths[i].bounds.min, again->lengths[i].bounds.min);
+      EXPECT_EQ(problem->lengths[i].bounds.max, again->lengths[i].bounds.max);
+    }
+    EXPECT_EQ(problem->clockwise, again->clockwise);
+    ASSERT_EQ(problem->motion.size(), again->motion.size());
     for (std::size_t i = 0; i < problem->motion.size(); ++i) {
       const auto &one = problem->motion[i], &other = again->motion[i];
       EXPECT_EQ(one.over, other.over);

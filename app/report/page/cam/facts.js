@@ -78,12 +78,13 @@ function showSegments({ drawn, kind }, goTo) {
   const factors = drawn.segments.some((s) => s.factors);
   const unit = kind.oscillating ? "°" : "";
   byId("segments-table").tHead.replaceChildren(headRow([["Law"], ["From", "number"], ["Over", "number"], ["Rise", "number"],
-    ...(factors ? [["Velocity", "number"], ["Acceleration", "number"], ["Jerk", "number"]] : []), ["At its beginning"]]));
+    ...(factors ? [["Velocity", "number"], ["Acceleration", "number"], ["Jerk", "number wide"]] : []), ["At its beginning", "wide"]]));
   const factor = (segment, key) => {
     const [own, printed] = [segment.factors?.[key], segment.handbook?.[key]];
     const text = (v) => (v === null ? "∞" : number(v, 5));
-    if (own === undefined || segment.law === "dwell") return element("td", { class: "number" }, "–");
-    return element("td", { class: "number" }, text(own), ...(printed === undefined ? [] : [element("span", { class: "printed", title: "handbook" }, text(printed))]));
+    const side = key === "jerk" ? "number wide" : "number";
+    if (own === undefined || segment.law === "dwell") return element("td", { class: side }, "–");
+    return element("td", { class: side }, text(own), ...(printed === undefined ? [] : [element("span", { class: "printed", title: "handbook" }, text(printed))]));
   };
   byId("segments-rows").replaceChildren(...drawn.segments.map((segment) => {
     const button = element("button", { type: "button", class: "link", title: "Show its beginning" }, lawTitle(segment.law));
@@ -92,7 +93,7 @@ function showSegments({ drawn, kind }, goTo) {
     return element("tr", {}, element("td", {}, element("span", { class: "landmark" }, element("span", { class: "dot", style: `background:var(${STROKE_COLOURS[sense]})` }), button)),
       element("td", { class: "number" }, degreesShort(segment.from_deg)), element("td", { class: "number" }, degreesShort(segment.over_deg)), element("td", { class: "number" }, `${number(segment.rise, 6)}${unit}`),
       ...(factors ? ["velocity", "acceleration", "jerk"].map((key) => factor(segment, key)) : []),
-      element("td", {}, jumpText(kind.jumps, segment.from_deg)));
+      element("td", { class: "wide" }, jumpText(kind.jumps, segment.from_deg)));
   }));
   byId("factors-note").hidden = !factors;
   const [count, shown] = [drawn.segment_count, drawn.segments.length];

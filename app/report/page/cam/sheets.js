@@ -30,16 +30,29 @@ function motionUnit(order, kind, byTime) {
 
 function camSheets(design, byTime) {
   const { kind, drawn, first: { table } } = design;
-  return CAM_SHEETS.filter(({ column }) => table[column]).map((spec) => {
+  return CAM_SHEETS.filter(({ column }) => table[column] && !isIdle(column, kind)).map((spec) => {
     const rate = byTime && spec.order ? drawn.speed ** spec.order : 1;
-    const values = rate === 1 ? table[spec.column] : table[spec.column].map((v) => (v === null ? null : rate * v));
+    const values = plotted(table[spec.column], rate, spec.column === "radius" ? design.radius : Infinity);
     const unit = spec.order === undefined ? spec.unit : motionUnit(spec.order, kind, byTime);
     const lines = [line(spec, values)];
     const other = design.second?.table[spec.column];
     if (other && spec.order === undefined && !["force", "torque", "stress"].includes(spec.column)) {
-      lines.push({ ...line(spec, resampled(design.second.table, spec.column, table.deg)), label: `${spec.sign}, other cam`, dash: [6, 4] });
+      lines.push({ ...line(spec, plotted(resampled(design.second.table, spec.column, table.deg), 1, spec.column === "radius" ? design.radius : Infinity)), label: `${spec.sign}, other cam`, dash: [6, 4] });
     }
     return fitted({ ...overTurn(design), ...limitsOf(spec, design, rate), title: spec.title, unit, spec, lines, x: table.deg });
+  });
+}
+
+// A face square to its travel has no pressure angle.
+const isIdle = (column, kind) => column === "pressure_deg" && kind.flat && !kind.oscillating;
+
+// Values as they are plotted: rounding is no motion, and there is a gap where they go from one side
+// of infinity to the other, beyond `pole`.
+function plotted(values, rate, pole) {
+  const least = 1e-11 * quantile(values, 1);
+  return values.map((v, i) => {
+    const next = values[i + 1] ?? v;
+    return v === null || (v * next < 0 && Math.abs(v - next) > 2 * pole) ? null : Math.abs(v) < least ? 0 : rate * v;
   });
 }
 
