@@ -257,9 +257,10 @@ class ExportTest(unittest.TestCase):
         self.assertEqual(default, explicit)
 
     def test_clockwise_cams_are_mirror_images(self):
-        ccw = self.points(self.solve(roller_problem()))
-        cw = self.points(self.solve(roller_problem(rotation="cw")))
-        self.assertEqual(cw, [(-x, y) for x, y in ccw])
+        ccw = self.table(self.solve(roller_problem()))
+        cw = self.table(self.solve(roller_problem(rotation="cw")))
+        mirrored = [[deg, -x, y, -nx, ny, radius] for deg, x, y, nx, ny, radius in ccw]
+        self.assertEqual(cw, mirrored)
 
     def test_groove_has_two_walls(self):
         result = self.solve(roller_problem('closure = "groove"'))
