@@ -155,8 +155,14 @@ ordered_json constraints(const CamProblem& problem) {
   return table;
 }
 
-bool is_limited(const problems::Range& range) {
-  return range.min > 0 || std::isfinite(range.max) || (range.min < 0 && std::isfinite(range.min));
+/// Whether bounds say more than that lengths are positive; that a face's offset has any says that
+/// it is free.
+bool says_anything(problems::CamDimension dimension, const problems::CamLength& length) {
+  const auto& [min, max] = length.bounds;
+  const bool is_face_offset = dimension == problems::CamDimension::face_offset;
+  if (is_face_offset && !length.given) return true;
+  const bool is_signed = is_face_offset || dimension == problems::CamDimension::offset;
+  return std::isfinite(max) || (is_signed ? std::isfinite(min) : min > 0);
 }
 
 void add_lengths(const CamProblem& problem, ordered_json& tables) {
@@ -166,7 +172,9 @@ void add_lengths(const CamProblem& problem, ordered_json& tables) {
     const problems::CamLength& length = problem.length(dimension.value);
     const std::string key(dimension.name);
     if (length.given) mechanism[key] = *length.given;
-    if (length.used && is_limited(length.bounds)) bounds[key] = to_json(length.bounds);
+    if (length.used && says_anything(dimension.value, length)) {
+      bounds[key] = to_json(length.bounds);
+    }
   }
   mechanism["rotation"] = problem.clockwise ? "cw" : "ccw";
   tables["mechanism"] = std::move(mechanism);

@@ -55,9 +55,12 @@ ordered_json without_large_tables(const ordered_json& document) {
     }
   }
   erase_large(kept, "loci");
+  for (const char* member : {"motion", "segments", "jumps"}) erase_large(kept, member);
   if (kept.contains("problem")) erase_large(kept["problem"], "motion");
   if (kept.contains("designs")) {
-    for (auto& design : kept["designs"]) erase_large(design, "motion");
+    for (auto& design : kept["designs"]) {
+      if (design.contains("mechanism")) erase_large(design["mechanism"], "motion");
+    }
   }
   return kept;
 }

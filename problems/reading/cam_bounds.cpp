@@ -39,8 +39,14 @@ bool has_least_radius(const CamConstraints& c) {
   return is_positive(c.curvature_radius_min) || c.profile_radius_min.has_value();
 }
 
-bool has_force_limit(const CamConstraints& c) {
-  return c.contact_force_max || c.contact_stress_max;
+// The force on a sliding face is what the motion demands, whatever the cam's size.
+bool has_force_by_size(const CamProblem& problem) {
+  return problem.follower != FollowerType::translating_flat;
+}
+
+bool has_force_limit(const CamProblem& problem) {
+  const CamConstraints& c = problem.constraints;
+  return c.contact_stress_max || (c.contact_force_max && has_force_by_size(problem));
 }
 
 // A small cam bends sharply: a face or a roller of some size would undercut it.
@@ -56,7 +62,8 @@ bool may_shrink(const CamProblem& problem) {
   }
   if (stays_above_zero(problem, CamDimension::base_radius)) return false;
   const bool pressed = has_pressure_limit(c) && !is_flat(problem.follower);
-  return !pressed && !has_least_radius(c) && !has_undercut_limit(problem) && !has_force_limit(c);
+  return !pressed && !has_least_radius(c) && !has_undercut_limit(problem) &&
+         !has_force_limit(problem);
 }
 
 // An oscillating follower's angles say nothing of lengths: one must.
@@ -69,15 +76,16 @@ bool lacks_length(const CamProblem& problem) {
   };
   const CamConstraints& c = problem.constraints;
   return std::ranges::none_of(names<CamDimension>(), says) && !has_least_radius(c) &&
-         !c.concave_radius_min && !has_force_limit(c);
+         !c.concave_radius_min && !has_force_limit(problem);
 }
 
 // The larger the cam, the less it slopes and presses.
 bool may_grow(const CamProblem& problem) {
   const CamObjective objective = problem.objective;
-  const bool shrinks_with_size = objective == CamObjective::pressure_angle ||
-                                 objective == CamObjective::contact_force ||
-                                 objective == CamObjective::contact_stress;
+  const bool shrinks_with_size =
+      objective == CamObjective::pressure_angle ||
+      (objective == CamObjective::contact_force && has_force_by_size(problem)) ||
+      objective == CamObjective::contact_stress;
   if (!shrinks_with_size || !is_free(problem, CamDimension::base_radius)) return false;
   return !stays_finite(problem, CamDimension::base_radius) &&
          !stays_finite(problem, CamDimension::centre_distance) &&

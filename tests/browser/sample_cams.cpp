@@ -29,7 +29,7 @@ cam::Cam cam_of(const cam::CamFollower<double>& follower, const std::vector<Moti
 
 /// A cam as a file gives it, all dimensions known, with facts as a solver would tell them.
 SampleCam sample(std::string name, const cam::CamFollower<double>& follower,
-                 std::vector<MotionSegment> motion) {
+                 const std::vector<MotionSegment>& motion) {
   SampleCam sample{.name = std::move(name), .problem = {}, .result = {}};
   CamProblem& problem = sample.problem;
   problem.title = "Sample: " + sample.name;
@@ -38,12 +38,12 @@ SampleCam sample(std::string name, const cam::CamFollower<double>& follower,
   problem.constraints.pressure_angle_max_rise = 35 * kDegree;
   problem.constraints.pressure_angle_max_return = 60 * kDegree;
   CamDesign design{.cam = cam_of(follower, motion, problem.operation), .motion = motion};
-  design.metrics = {{"profile_radius.min", 30.0},
-                    {"pressure_angle_deg.max", 38.71},
-                    {"pressure_angle_deg.max_at_deg", 50.0}};
+  design.metrics = {{"profile_radius_min", 30.0},
+                    {"pressure_angle_deg_max_rise", 38.71},
+                    {"pressure_angle_deg_max_rise_at_deg", 50.0}};
   design.constraints = {
-      {.name = "pressure_angle_rise_deg_max", .value = 38.71, .bound = 35.0, .satisfied = false},
-      {.name = "pressure_angle_return_deg_max", .value = 52.16, .bound = 60.0}};
+      {.name = "pressure_angle_deg_max_rise", .value = 38.71, .bound = 35.0, .satisfied = false},
+      {.name = "pressure_angle_deg_max_return", .value = 52.16, .bound = 60.0}};
   design.origin = "given";
   CamResult& result = sample.result;
   result.status = Status::solved;
@@ -75,7 +75,7 @@ SampleCam translating_roller() {
                     motion(MotionLaw::constant_acceleration, MotionLaw::harmonic, 60));
   run(cam, true);
   cam.result.designs[0].proof =
-      SizeProof{38.2, {{50 * kDegree, "pressure_angle_rise_deg_max", 35 * kDegree}}};
+      SizeProof{38.2, {{50 * kDegree, "pressure_angle_deg_max_rise", 35 * kDegree}}};
   cam.result.notes = {"The acceleration jumps at five cam angles."};
   CamDesign other = cam.result.designs[0];
   other.cam.system.follower.dimensions.base_radius = 70;

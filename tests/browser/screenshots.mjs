@@ -1,8 +1,9 @@
 // Pictures of a report, whole at desktop and phone width in light and dark, and its head down to the
 // curves, as the documentation shows it: report.png, of an analysis (with its force arrows)
-// analysis.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees or length. In
-// docs/pictures, report.png is of path/ten-point-ellipse.toml, analysis.png of analysis/shaper.toml,
-// synthesis.png of motion/four-poses.toml with DRIVE 100 and under its new name.
+// analysis.png, of a cam cam.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees
+// or length. In docs/pictures, report.png is of path/ten-point-ellipse.toml, analysis.png of
+// analysis/shaper.toml, cam.png of cam/smallest-cam.toml, synthesis.png of motion/four-poses.toml
+// with DRIVE 100 and under its new name.
 import { mkdirSync } from "node:fs";
 import path from "node:path";
 import { SIZES, launch, open } from "./browser.mjs";
@@ -35,7 +36,7 @@ for (const size of Object.keys(SIZES)) {
     await page.waitForTimeout(100);
     await page.screenshot({ path: path.join(folder, `${size}-${scheme}.png`), fullPage: true });
     if (size === "desktop" && scheme === "light") {
-      const kind = await page.locator("#drive").count() ? "analysis" : "report";
+      const kind = await page.locator(".cam-body").count() ? "cam" : await page.locator("#drive").count() ? "analysis" : "report";
       await head(page, path.join(folder, `${kind}.png`));
     }
     for (const fault of faults) console.error(fault);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "analysis/cam/contact.hpp"
 #include "app/report/cam_report_data.hpp"
 #include "app/report/report.hpp"
 #include "tests/browser/sample_cams.hpp"
@@ -167,6 +168,7 @@ TEST(CamReport, TellsStrokesSegmentsLimitsAndProof) {
   EXPECT_NEAR(design["strokes"][2]["from_deg"].get<double>(), 160, 1e-6);
   ASSERT_EQ(design["segments"].size(), 4u);
   EXPECT_EQ(design["segments"][0]["law"], "constant-acceleration");
+  EXPECT_NEAR(design["segments"][2]["from_deg"].get<double>(), 160, 1e-6);
   EXPECT_NEAR(design["segments"][2]["factors"]["velocity"].get<double>(), 1.570796, 1e-5);
   EXPECT_NEAR(data["limits"]["rise_deg"].get<double>(), 35, 1e-9);
   EXPECT_TRUE(data["limits"]["pressure_deg"].is_null());
@@ -188,6 +190,18 @@ TEST(CamReport, HasFiniteNumbersAlone) {
   }
 }
 
+// |offset| > base radius: there is no such cam.
+TEST(CamReport, BearsACamThatCannotBePutTogether) {
+  SampleCam cam = sample("translating-roller");
+  auto& system = cam.result.designs[0].cam.system;
+  system.follower.dimensions.base_radius = 10;
+  system.start = starting_place(system.follower);
+  ASSERT_FALSE(std::isfinite(system.start));
+  const auto data = data_of(cam);
+  each_number(data, [&](double value) { EXPECT_TRUE(std::isfinite(value)); });
+  EXPECT_TRUE(data["designs"][0]["table"]["contact_x"][0].is_null());
+}
+
 TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
   SampleCam cam = sample("translating-flat");
   constexpr int kSegments = 100'000;
@@ -204,6 +218,15 @@ TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
   SampleCam many = sample("conjugate");
   many.result.designs.resize(10, many.result.designs[0]);
   EXPECT_LT(data_of(many).dump().size(), 1'200'000u);
+}
+
+TEST(CamReport, LeavesVeryLongListsOutOfTheResult) {
+  const SampleCam cam = sample("translating-flat");
+  const ordered_json list(30'000, ordered_json{{"law", "cycloidal"}, {"over_deg", 0.012}});
+  ordered_json document = {{"problem", {{"title", "Long"}, {"motion", list}}},
+                           {"segments", list},
+                           {"designs", {{{"mechanism", {{"type", "cam"}, {"motion", list}}}}}}};
+  EXPECT_LT(report_html(document, cam.problem, cam.result).size(), 600'000u);
 }
 
 TEST(CamReport, IsAPageThatHoldsTextAsText) {

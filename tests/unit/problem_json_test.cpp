@@ -204,9 +204,16 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     base_radius = 20
     [bounds]
     centre_distance = [40, 100]
-    face_offset = [-inf, 5]
+    face_offset = [-inf, inf]
     [constraints]
-    no_separation = false)"}) {
+    no_separation = false)",
+           R"(
+    kind = "cam"
+    motion = [{law = "harmonic", over_deg = 100, rise = 3},
+              {law = "3-4-5", over_deg = 260, rise = -3}]
+    follower.type = "translating-knife"
+    bounds.offset = [0, inf]
+    constraints.pressure_angle_deg_max = 20)"}) {
     const auto problem = problems::parse_cam(text);
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());
     expect_reads_back(*problem);

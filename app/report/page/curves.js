@@ -1,7 +1,7 @@
 // Plots over the drive, drawn by uPlot.
 
 // Steps of an axis of angles, in degrees.
-const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90];
+const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 
 // Makes the plots in `holder`; `onPick` is called with the drive coordinate pointed at.
 class Curves {

@@ -19,7 +19,7 @@ function showCamDimensions({ drawn, kind, breadth }) {
     ...(drawn.second ? [element("dt", { class: "heading" }, "Other cam"), element("dd", {}, ""), ...lengths(drawn.second.dimensions)] : []),
     ...(breadth === null ? [] : fact("Breadth", number(breadth, 7))),
     ...fact("Rotation", kind.clockwise ? "clockwise" : "counter-clockwise"),
-    ...(kind.oscillating ? fact("Arm", drawn.side > 0 ? "trailing" : "leading") : []),
+    ...(kind.oscillating ? fact("Side of the arm", drawn.side > 0 ? "trailing" : "leading") : []),
     ...(drawn.speed ? fact("Speed", `${number(drawn.speed, 5)} rad/s`) : []), ...(drawn.preload ? fact("Preload", number(drawn.preload, 6)) : []),
     ...fact("Found by", drawn.origin || "–"));
   showProof(drawn.proof);

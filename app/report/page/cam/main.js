@@ -112,6 +112,7 @@ showHead(result, `Cam with ${data.oscillating ? "an" : "a"} ${FOLLOWERS[data.fol
 showNotes(result.notes ?? []);
 showWork(result.work);
 followTheme(() => curves.redraw());
+if (result.problem && !result.problem.motion) byId("save").textContent = "Save the result without its motion as JSON";
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
   for (const id of ["stage", "dimensions", "facts", "curves", "segments", "constraints", "table"]) byId(id).hidden = true;

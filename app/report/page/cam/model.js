@@ -134,7 +134,6 @@ class CamDesign {
     this.part = 0.11 * this.radius;
   }
 
-  get groove() { return this.kind.closure === "groove"; }
   get sound() { return this.first.profile.every((p) => p.every((v) => v !== null)) && this.radius > 0; }
 
   // The distance of the parallel faces of a follower of constant breadth.
