@@ -14,7 +14,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::json;
-using problems::CamDimension;
 using problems::CamProblem;
 using problems::CamResult;
 
