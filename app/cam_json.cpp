@@ -93,7 +93,7 @@ ordered_json proof_json(const problems::SizeProof& proof) {
   for (const auto& position : proof.positions) {
     positions.push_back({{"crank_deg", degrees(position.angle)},
                          {"limit", position.limit},
-                         {"bound_deg", degrees(position.bound)}});
+                         {"bound", position.bound}});
   }
   return {{"base_radius_least", proof.base_radius_least}, {"positions", positions}};
 }

@@ -111,9 +111,8 @@ std::string proof_line(const CamResult& result) {
   const auto& proof = *result.designs.front().proof;
   std::string because;
   for (const auto& position : proof.positions) {
-    because +=
-        fmt::format("{}{} = {:.6g} at {:.6g} deg", because.empty() ? "" : " and ", position.limit,
-                    problems::degrees(position.bound), problems::degrees(position.angle));
+    because += fmt::format("{}{} = {:.6g} at {:.6g} deg", because.empty() ? "" : " and ",
+                           position.limit, position.bound, problems::degrees(position.angle));
   }
   return fmt::format("proved: no base radius below {:.10g} keeps {}\n", proof.base_radius_least,
                      because.empty() ? "to the limits" : because);

@@ -114,10 +114,9 @@ ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
   if (!proof) return nullptr;
   ordered_json positions = ordered_json::array();
   for (const auto& position : proof->positions) {
-    positions.push_back({{"deg", drawn(kDegrees * position.angle)}, {"limit", position.limit}});
-    const bool angular = position.limit.find("_deg") != std::string::npos;
-    positions.back()[angular ? "bound_deg" : "bound"] =
-        drawn((angular ? kDegrees : 1) * position.bound);
+    positions.push_back({{"deg", drawn(kDegrees * position.angle)},
+                         {"limit", position.limit},
+                         {"bound", drawn(position.bound)}});
   }
   return {{"base_radius", drawn(proof->base_radius_least)}, {"positions", positions}};
 }

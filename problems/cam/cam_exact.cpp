@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/cam/turn_extremes.hpp"
+#include "problems/degrees.hpp"
 #include "synthesis/exact/cam/smallest_cam.hpp"
 
 namespace cognate::problems {
@@ -32,15 +33,16 @@ SizeProof proof_of(const CamProblem& problem, const synthesis::SmallestCam& smal
   for (const auto& binding : smallest.binding) {
     switch (binding.limit) {
       case PressureLimit::whole:
-        proof.positions.push_back({binding.angle, "pressure_angle_deg_max", *c.pressure_angle_max});
+        proof.positions.push_back(
+            {binding.angle, "pressure_angle_deg_max", degrees(*c.pressure_angle_max)});
         break;
       case PressureLimit::rise:
         proof.positions.push_back(
-            {binding.angle, "pressure_angle_deg_max_rise", *c.pressure_angle_max_rise});
+            {binding.angle, "pressure_angle_deg_max_rise", degrees(*c.pressure_angle_max_rise)});
         break;
       case PressureLimit::fall:
-        proof.positions.push_back(
-            {binding.angle, "pressure_angle_deg_max_return", *c.pressure_angle_max_return});
+        proof.positions.push_back({binding.angle, "pressure_angle_deg_max_return",
+                                   degrees(*c.pressure_angle_max_return)});
         break;
     }
   }

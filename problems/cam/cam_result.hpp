@@ -16,7 +16,7 @@ namespace cognate::problems {
 struct BindingPosition {
   double angle = 0;   ///< of the cam
   std::string limit;  ///< the constraint's key
-  double bound = 0;   ///< its value, rad
+  double bound = 0;   ///< its value as the file has it: degrees for an angle
 };
 
 /// Why no cam of these limits on the pressure angle can be smaller: the half planes of one or two

@@ -14,7 +14,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::json;
-using problems::CamDimension;
 using problems::CamProblem;
 using problems::CamResult;
 
@@ -25,8 +24,7 @@ CamProblem planted_problem() {
   problem.has_operation = true;
   problem.operation.speed = 10;
   problem.operation.inertia = 0.5;
-  problem.motion = {segment(cam::MotionLaw::harmonic, 120, 20),
-                    segment(cam::MotionLaw::dwell, 60),
+  problem.motion = {segment(cam::MotionLaw::harmonic, 120, 20), segment(cam::MotionLaw::dwell, 60),
                     segment(cam::MotionLaw::cycloidal, 80, -20),
                     segment(cam::MotionLaw::dwell, 100)};
   problem.free_motion = {{2, problems::MotionParameter::over, {60 * kDegree, 100 * kDegree}},
@@ -70,20 +68,19 @@ json read_back(const CamProblem& problem, const CamResult& result) {
 TEST(CamJson, MechanismIsTheWholeCam) {
   const auto problem = planted_problem();
   const json mechanism = read_back(problem, planted_result(problem))["designs"][0]["mechanism"];
-  const json expected = {
-      {"type", "cam"},
-      {"follower", "translating-roller"},
-      {"closure", "force"},
-      {"base_radius", 42.25},
-      {"offset", -3.5},
-      {"roller_radius", 8.0},
-      {"rotation", "cw"},
-      {"preload", 17.5},
-      {"motion",
-       {{{"law", "harmonic"}, {"over_deg", 120.0}, {"rise", 20.0}},
-        {{"law", "dwell"}, {"over_deg", 60.0}},
-        {{"law", "cycloidal"}, {"over_deg", 90.0}, {"rise", -20.0}},
-        {{"law", "dwell"}, {"over_deg", 90.0}}}}};
+  const json expected = {{"type", "cam"},
+                         {"follower", "translating-roller"},
+                         {"closure", "force"},
+                         {"base_radius", 42.25},
+                         {"offset", -3.5},
+                         {"roller_radius", 8.0},
+                         {"rotation", "cw"},
+                         {"preload", 17.5},
+                         {"motion",
+                          {{{"law", "harmonic"}, {"over_deg", 120.0}, {"rise", 20.0}},
+                           {{"law", "dwell"}, {"over_deg", 60.0}},
+                           {{"law", "cycloidal"}, {"over_deg", 90.0}, {"rise", -20.0}},
+                           {{"law", "dwell"}, {"over_deg", 90.0}}}}};
   EXPECT_EQ(mechanism, expected);
 }
 
@@ -104,8 +101,7 @@ TEST(CamJson, MetricsHoldFactsAndWhatEveryDesignHas) {
 TEST(CamJson, TransmissionAngleIsThatBesideThePressureAngle) {
   const auto problem = planted_problem();
   const auto result = planted_result(problem);
-  const json angle =
-      read_back(problem, result)["designs"][0]["metrics"]["transmission_angle_deg"];
+  const json angle = read_back(problem, result)["designs"][0]["metrics"]["transmission_angle_deg"];
   const double start = std::sqrt(42.25 * 42.25 - 3.5 * 3.5);
   double least = HUGE_VAL, greatest = -HUGE_VAL;
   for (int i = 0; i < 72000; ++i) {
@@ -122,18 +118,17 @@ TEST(CamJson, TransmissionAngleIsThatBesideThePressureAngle) {
 TEST(CamJson, HoldsProofSegmentsAndJumps) {
   const auto problem = planted_problem();
   const json document = read_back(problem, planted_result(problem));
-  const json proof = {{"base_radius_least", 41.0},
-                      {"positions",
-                       {{{"crank_deg", 52.0},
-                         {"limit", "pressure_angle_deg_max_rise"},
-                         {"bound_deg", 30.0}}}}};
+  const json proof = {
+      {"base_radius_least", 41.0},
+      {"positions",
+       {{{"crank_deg", 52.0}, {"limit", "pressure_angle_deg_max_rise"}, {"bound", 30.0}}}}};
   EXPECT_EQ(document["designs"][0]["proof"], proof);
   const json factors = {{"velocity", 1.5}, {"acceleration", 4.5}, {"jerk", nullptr}};
   EXPECT_EQ(document["segments"][0]["peak_factors"], factors);
   EXPECT_EQ(document["segments"][0]["handbook"]["jerk"], 15.0);
   EXPECT_FALSE(document["segments"][1].contains("handbook"));
-  const json jumps = json::array(
-      {{{"at_deg", 120.0}, {"of", "acceleration"}, {"before", -9.0}, {"after", 0.0}}});
+  const json jumps =
+      json::array({{{"at_deg", 120.0}, {"of", "acceleration"}, {"before", -9.0}, {"after", 0.0}}});
   EXPECT_EQ(document["jumps"], jumps);
   EXPECT_EQ(document["problem"]["motion"][2]["over_deg"], json({60.0, 100.0}));
 }

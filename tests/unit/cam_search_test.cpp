@@ -74,7 +74,7 @@ TEST(CamSearch, ProofHoldsInItsPositions) {
     for (const auto& position : design.proof->positions) {
       const auto m = design.cam.programme.at(position.angle);
       const double angle = value_of(cam::Quantity::pressure_angle, design.cam.system, m);
-      EXPECT_NEAR(std::abs(angle), position.bound, 1e-9) << i;
+      EXPECT_NEAR(std::abs(angle) / kDegree, position.bound, 1e-9) << i;
     }
   }
 }

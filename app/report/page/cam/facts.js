@@ -29,7 +29,7 @@ function showCamDimensions({ drawn, kind, breadth }) {
 function showProof(proof) {
   byId("proof").hidden = !proof;
   if (!proof) return;
-  const limit = ({ deg, limit: key, bound, bound_deg: angle }) => `${key} = ${angle === undefined ? number(bound, 6) : number(angle, 6)} at cam angle ${degrees(deg)}`;
+  const limit = ({ deg, limit: key, bound }) => `${key} = ${number(bound, 6)} at cam angle ${degrees(deg)}`;
   const where = proof.positions.length ? `: ${proof.positions.map(limit).join(" and ")} ${proof.positions.length > 1 ? "allow" : "allows"} nothing smaller` : "";
   byId("proof").textContent = `Proved: no base radius below ${number(proof.base_radius, 7)} keeps the limits${where}.`;
 }
