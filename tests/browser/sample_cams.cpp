@@ -75,7 +75,7 @@ SampleCam translating_roller() {
                     motion(MotionLaw::constant_acceleration, MotionLaw::harmonic, 60));
   run(cam, true);
   cam.result.designs[0].proof =
-      SizeProof{38.2, {{50 * kDegree, "pressure_angle_deg_max_rise", 35 * kDegree}}};
+      SizeProof{38.2, {{50 * kDegree, "pressure_angle_deg_max_rise", 35}}};
   cam.result.notes = {"The acceleration jumps at five cam angles."};
   CamDesign other = cam.result.designs[0];
   other.cam.system.follower.dimensions.base_radius = 70;

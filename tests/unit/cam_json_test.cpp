@@ -49,7 +49,7 @@ CamResult planted_result(const CamProblem& problem) {
   design.constraints = {{"pressure_angle_deg_max_rise", 29.5, 30.0, true},
                         {"no_undercut", -1.25, 0.0, false}};
   design.origin = "exact:half-planes";
-  design.proof = {41.0, {{52 * kDegree, "pressure_angle_deg_max_rise", 30 * kDegree}}};
+  design.proof = {41.0, {{52 * kDegree, "pressure_angle_deg_max_rise", 30}}};
   CamResult result;
   result.status = problems::Status::infeasible;
   result.designs = {design};
