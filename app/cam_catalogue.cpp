@@ -151,6 +151,34 @@ bool has_parameters(MotionLaw law) {
   return law == MotionLaw::universal || law == MotionLaw::polynomial || law == MotionLaw::spline;
 }
 
+constexpr Metric kCamMetrics[] = {
+    {"stroke", "length", "greatest displacement of a translating follower"},
+    {"swing_deg", "deg", "of an oscillating one"},
+    {"pressure_angle_deg_max", "deg", "greatest of either sign"},
+    {"pressure_angle_deg_max_rise", "deg", "in the rises, on the side to which the cam pushes"},
+    {"pressure_angle_deg_max_return", "deg", "in the returns, on the other side"},
+    {"curvature_radius_min", "length", "of the profile where it is convex; negative: undercut"},
+    {"concave_radius_min", "length", "of the profile where it is concave"},
+    {"undercut", "boolean", "whether the profile cannot guide its follower everywhere"},
+    {"profile_radius_min, profile_radius_max", "length", "distance of the profile from the centre"},
+    {"face_width", "length", "of a flat face that the contact passes over"},
+    {"breadth", "length", "of parallel contacts, constant"},
+    {"second_cam_base_radius", "length", "of the other cam of a conjugate pair"},
+    {"second_cam_pressure_angle_deg_max", "deg", "of that cam"},
+    {"second_cam_curvature_radius_min", "length", "of that cam"},
+    {"roller_speed_max", "rad/s", "of the roller about its axis, as seen from the follower"},
+    {"roller_speed_ratio_max", "1", "the same over the cam's speed, where none is given"},
+    {"follower_velocity_max", "length/s or rad/s", "at the cam's speed"},
+    {"follower_acceleration_max", "length/s² or rad/s²", "at the cam's speed"},
+    {"follower_jerk_max", "length/s³ or rad/s³", "at the cam's speed"},
+    {"preload", "N or N·m", "of the follower: given, or the least that keeps contact"},
+    {"preload_min", "N or N·m", "the least that keeps contact"},
+    {"demand_min", "N or N·m", "least push along the motion; negative: lifts off"},
+    {"contact_force_max", "N", "along the normal"},
+    {"torque_max", "N·m", "that drives the cam, the greatest of either sense"},
+    {"contact_stress_max", "Pa", "Hertzian pressure of the line contact"},
+    {"..._at_deg", "deg", "of an extreme NAME, as NAME_at_deg: the cam angle where it is"}};
+
 }  // namespace
 
 std::span<const KeyedEntry> cam_followers() {
@@ -173,6 +201,10 @@ std::vector<MotionLawEntry> motion_laws() {
     all.push_back(entry);
   }
   return all;
+}
+
+std::span<const Metric> cam_metrics() {
+  return kCamMetrics;
 }
 
 }  // namespace cognate::app

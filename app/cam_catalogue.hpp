@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/cam/motion_law.hpp"
+#include "app/catalogue.hpp"
 #include "app/mechanism_catalogue.hpp"
 
 namespace cognate::app {
@@ -17,6 +18,9 @@ std::span<const KeyedEntry> cam_followers();
 
 /// The tables of `kind = "cam"` and their keys.
 std::span<const KeyedEntry> cam_tables();
+
+/// Keys of the metrics of a cam besides those that all designs have.
+std::span<const Metric> cam_metrics();
 
 /// A motion law and the greatest velocity, acceleration and jerk of a rise of 1 over a cam angle of
 /// 1, computed from the law itself and as handbooks print them; infinite where acceleration jumps.

@@ -88,27 +88,7 @@ constexpr Metric kMetrics[] = {
     {"crank_to_deg_at_0_001, _at_0_01", "deg", "crank angle at which it ends"},
     {"speed_variation_at_0_001, _at_0_01", "1",
      "(max - min)/mean of the speed along the line for a crank of constant speed"},
-    {"straight_length_over_longest_link", "1", "straight length at 0.1 % over the longest link"},
-    {"pressure_angle_deg_max, _at_deg", "deg", "greatest of either sign, and the cam angle (cams)"},
-    {"pressure_angle_deg_max_rise, pressure_angle_deg_max_rise_at_deg", "deg", "in the rises"},
-    {"pressure_angle_deg_max_return, pressure_angle_deg_max_return_at_deg", "deg",
-     "in the returns"},
-    {"curvature_radius_min, _at_deg", "length; deg", "of the profile where it is convex"},
-    {"concave_radius_min, _at_deg", "length; deg", "of the profile where it is concave"},
-    {"undercut", "boolean", "whether the profile cannot guide its follower everywhere"},
-    {"profile_radius_min, profile_radius_max", "length", "distance of the profile from the centre"},
-    {"face_width", "length", "of a flat face that the contact passes over"},
-    {"roller_speed_max, _at_deg", "rad/s; deg", "of the roller about its axis"},
-    {"roller_speed_ratio_max, _at_deg", "1; deg",
-     "the same over the cam's speed, where none is given"},
-    {"follower_velocity_max, _at_deg", "length/s or rad/s; deg", "at the cam's speed"},
-    {"follower_acceleration_max, _at_deg", "length/s² or rad/s²; deg", "at the cam's speed"},
-    {"follower_jerk_max, _at_deg", "length/s³ or rad/s³; deg", "at the cam's speed"},
-    {"preload, preload_min", "N or N·m", "of the follower, and the least that keeps contact"},
-    {"demand_min, _at_deg", "N or N·m; deg", "least push along the motion; negative: lifts off"},
-    {"contact_force_max, _at_deg", "N; deg", "along the normal"},
-    {"torque_max, _at_deg", "N·m; deg", "greatest of either sense that drives the cam"},
-    {"contact_stress_max, _at_deg", "Pa; deg", "Hertzian pressure of the line contact"}};
+    {"straight_length_over_longest_link", "1", "straight length at 0.1 % over the longest link"}};
 
 constexpr Metric kFacts[] = {
     {"problems_solved", "1", "searches and refinements from neighbours, with solve.objectives"},

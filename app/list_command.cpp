@@ -121,6 +121,7 @@ std::string metrics_section(const std::string& heading, std::span<const Metric> 
 
 std::string metrics_text() {
   return metrics_section("metric of a design", metrics()) + '\n' +
+         metrics_section("metric of a cam", cam_metrics()) + '\n' +
          metrics_section("fact of a synthesis", facts()) + '\n' +
          metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
          metrics_section("column of an analysis", analysis_columns());
@@ -175,6 +176,7 @@ ordered_json list_json(bool with_metrics) {
   ordered_json document = {{"format", "cognate-list/1"}, {"version", version()}};
   if (with_metrics) {
     document["metrics"] = metrics_json(metrics());
+    document["cam_metrics"] = metrics_json(cam_metrics());
     document["facts"] = metrics_json(facts());
     document["analysis_metrics"] = metrics_json(analysis_metrics());
     document["analysis_columns"] = metrics_json(analysis_columns());
