@@ -141,30 +141,6 @@ TEST(CamProfile, TouchesFlatFaces) {
   }
 }
 
-// Curvature against that of the circle through three near points of the pitch curve, in long
-// double.
-TEST(CamProfile, CurvatureIsThatOfTheCurve) {
-  std::mt19937_64 random(4);
-  const CamProblem problems_of[] = {translating_roller(50, 8, 6),
-                                    oscillating_roller(40, 80, 60, 5)};
-  for (CamProblem problem : problems_of) {
-    problem.motion = random_motion(random, is_oscillating(problem.follower) ? 0.3 : 20);
-    const Cam cam = cam_of(problem);
-    const CamCurve curve{cam.system, cam.programme, 0};
-    const int pieces = int(cam.programme.pieces().size());
-    for (int piece = 0; piece < pieces; ++piece) {
-      constexpr double kStep = 1e-4;
-      for (const double t : {0.2, 0.45, 0.8}) {
-        const auto here = curve_point(curve, piece, t);
-        const auto a = curve_point(curve, piece, t - kStep).at, b = here.at,
-                   c = curve_point(curve, piece, t + kStep).at;
-        const double menger = -2 * cross(b - a, c - b) / (norm(b - a) * norm(c - b) * norm(c - a));
-        EXPECT_NEAR(here.curvature, menger, 1e-5 * (std::abs(menger) + 1.0 / 50));
-      }
-    }
-  }
-}
-
 // A roller larger than the pitch curve's radius undercuts, and the profile then crosses itself.
 TEST(CamProfile, UndercutCrossesItself) {
   CamProblem problem = translating_roller(30, 0, 5);
