@@ -12,6 +12,8 @@ bool belongs(const StrokePart& part, Stretch stretch) {
       return part.stroke == Stroke::rise;
     case Stretch::falls:
       return part.stroke == Stroke::fall;
+    case Stretch::dwells:
+      return part.stroke == Stroke::dwell;
     default:
       return true;
   }

@@ -28,7 +28,7 @@ struct TurnExtremes {
 };
 
 /// Which part of the turn is meant; a stretch has its ends.
-enum class Stretch { whole, rises, falls };
+enum class Stretch { whole, rises, falls, dwells };
 
 /// A function of the motion that is analytic on each piece of a programme.
 class MotionFunction {

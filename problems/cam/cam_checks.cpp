@@ -14,8 +14,8 @@ using cam::Stretch;
 
 class Checks {
  public:
-  Checks(const CamProblem& problem, const CamDesign& design)
-      : problem_(problem), design_(design), cam_(design.cam) {}
+  Checks(const CamProblem& problem, const CamDesign& design, const CamExtremes& extremes)
+      : problem_(problem), design_(design), extremes_(extremes), cam_(extremes.cam()) {}
 
   std::vector<ConstraintCheck> all() && {
     add_bounds();
@@ -66,14 +66,14 @@ class Checks {
       at_most(name, radian * (found ? found->value : 0), radian * most, radian);
     };
     if (c.pressure_angle_max) {
-      check("pressure_angle_deg_max", greatest_pressure_angle(cam_), *c.pressure_angle_max);
+      check("pressure_angle_deg_max", extremes_.pressure_angle(), *c.pressure_angle_max);
     }
     if (c.pressure_angle_max_rise) {
-      check("pressure_angle_deg_max_rise", pressure_angle_of(cam_, Stretch::rises),
+      check("pressure_angle_deg_max_rise", extremes_.pressure_angle(Stretch::rises),
             *c.pressure_angle_max_rise);
     }
     if (c.pressure_angle_max_return) {
-      check("pressure_angle_deg_max_return", pressure_angle_of(cam_, Stretch::falls),
+      check("pressure_angle_deg_max_return", extremes_.pressure_angle(Stretch::falls),
             *c.pressure_angle_max_return);
     }
   }
@@ -82,7 +82,7 @@ class Checks {
     const CamConstraints& c = problem_.constraints;
     const double size = cam_.system.follower.dimensions.base_radius;
     if (c.curvature_radius_min) {
-      const auto convex = least_convex_radius(cam_);
+      const auto convex = extremes_.convex_radius();
       const bool undercut = *c.curvature_radius_min == 0;
       if (convex) {
         at_least(undercut ? "no_undercut" : "curvature_radius_min", convex->value,
@@ -90,15 +90,16 @@ class Checks {
       }
     }
     if (c.concave_radius_min) {
-      const auto concave = least_concave_radius(cam_);
+      const auto concave = extremes_.concave_radius();
       if (concave) at_least("concave_radius_min", concave->value, *c.concave_radius_min, size);
     }
-    if (c.face_width_max) at_most("face_width_max", face_width(cam_), *c.face_width_max, size);
+    if (c.face_width_max)
+      at_most("face_width_max", extremes_.face_width(), *c.face_width_max, size);
     if (c.profile_radius_min) {
-      at_least("profile_radius_min", least_profile_radius(cam_).value, *c.profile_radius_min, size);
+      at_least("profile_radius_min", extremes_.least_profile_radius(), *c.profile_radius_min, size);
     }
     if (c.profile_radius_max) {
-      at_most("profile_radius_max", greatest_profile_radius(cam_).value, *c.profile_radius_max,
+      at_most("profile_radius_max", extremes_.greatest_profile_radius(), *c.profile_radius_max,
               size);
     }
   }
@@ -111,7 +112,7 @@ class Checks {
       case cam::Closure::force:
         return;
       case cam::Closure::groove: {
-        const auto concave = least_concave_radius(cam_);
+        const auto concave = extremes_.concave_radius();
         if (concave && problem_.constraints.curvature_radius_min) {
           at_least("no_undercut.outer_wall", concave->value - 2 * d.roller_radius, 0,
                    d.base_radius);
@@ -140,7 +141,7 @@ class Checks {
       return;
     }
     if (!problem_.constraints.curvature_radius_min) return;
-    const auto convex = least_convex_radius(*design_.second);
+    const auto convex = CamExtremes(*design_.second).convex_radius();
     if (!convex) return;
     at_least("second_cam.curvature_radius_min", convex->value,
              *problem_.constraints.curvature_radius_min,
@@ -151,30 +152,32 @@ class Checks {
     const CamConstraints& c = problem_.constraints;
     const bool pressed = problem_.second.closure == cam::Closure::force;
     if (problem_.has_operation && problem_.preload && c.no_separation && pressed) {
-      const double size = std::abs(greatest_force(cam_, !pressed).value);
-      at_least("no_separation", least_demand(cam_).value, 0, size);
+      const double size = std::abs(extremes_.contact_force(!pressed).value);
+      at_least("no_separation", extremes_.least_demand().value, 0, size);
     }
     if (c.contact_force_max) {
-      at_most("contact_force_max", greatest_force(cam_, !pressed).value, *c.contact_force_max);
+      at_most("contact_force_max", extremes_.contact_force(!pressed).value, *c.contact_force_max);
     }
     if (c.torque_max) {
-      at_most("torque_max", std::abs(greatest_torque(cam_).value), *c.torque_max);
+      at_most("torque_max", std::abs(extremes_.torque().value), *c.torque_max);
     }
     if (c.contact_stress_max) {
-      at_most("contact_stress_max", greatest_stress(cam_).value, *c.contact_stress_max);
+      at_most("contact_stress_max", extremes_.stress().value, *c.contact_stress_max);
     }
   }
 
   const CamProblem& problem_;
   const CamDesign& design_;
+  const CamExtremes& extremes_;
   const cam::Cam& cam_;
   std::vector<ConstraintCheck> checks_;
 };
 
 }  // namespace
 
-std::vector<ConstraintCheck> cam_checks(const CamProblem& problem, const CamDesign& design) {
-  return Checks(problem, design).all();
+std::vector<ConstraintCheck> cam_checks(const CamProblem& problem, const CamDesign& design,
+                                        const CamExtremes& extremes) {
+  return Checks(problem, design, extremes).all();
 }
 
 }  // namespace cognate::problems

@@ -1,7 +1,7 @@
 #include "problems/cam/cam_extremes.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cognate::problems {
 namespace {
@@ -9,11 +9,6 @@ namespace {
 using cam::Quantity;
 using cam::Stretch;
 using cam::TurnExtremes;
-
-TurnExtremes extremes(const cam::Cam& cam, Quantity quantity) {
-  return turn_extremes(cam.programme, Stretch::whole, cam.system, quantity)
-      .value_or(TurnExtremes{});
-}
 
 FoundAt found(const cam::PlacedExtreme& extreme) {
   return {extreme.value, extreme.place.angle};
@@ -25,73 +20,110 @@ FoundAt larger(const TurnExtremes& all) {
                                                                   : found(all.greatest);
 }
 
-FoundAt root(const cam::PlacedExtreme& square) {
-  return {std::sqrt(std::max(0.0, square.value)), square.place.angle};
+FoundAt with_size(FoundAt signed_value) {
+  return {std::abs(signed_value.value), signed_value.angle};
+}
+
+double root(const cam::PlacedExtreme& square) {
+  return std::sqrt(std::max(0.0, square.value));
 }
 
 }  // namespace
 
-FoundAt greatest_pressure_angle(const cam::Cam& cam) {
-  FoundAt greatest = larger(extremes(cam, Quantity::pressure_angle));
-  greatest.value = std::abs(greatest.value);
+const TurnExtremes& CamExtremes::whole(Quantity quantity) const {
+  auto& known = known_[static_cast<std::size_t>(quantity)];
+  if (!known) {
+    known = turn_extremes(cam_.programme, Stretch::whole, cam_.system, quantity)
+                .value_or(TurnExtremes{});
+  }
+  return *known;
+}
+
+const std::array<std::optional<TurnExtremes>, 3>& CamExtremes::pressure_of_strokes() const {
+  if (!pressure_) {
+    const auto over = [&](Stretch stretch) {
+      return turn_extremes(cam_.programme, stretch, cam_.system, Quantity::pressure_angle);
+    };
+    pressure_ = {over(Stretch::rises), over(Stretch::falls), over(Stretch::dwells)};
+  }
+  return *pressure_;
+}
+
+FoundAt CamExtremes::pressure_angle() const {
+  FoundAt greatest;
+  for (const auto& stroke : pressure_of_strokes()) {
+    if (!stroke) continue;
+    const FoundAt here = with_size(larger(*stroke));
+    if (here.value > greatest.value) greatest = here;
+  }
   return greatest;
 }
 
-std::optional<FoundAt> pressure_angle_of(const cam::Cam& cam, Stretch stretch) {
-  const auto all = turn_extremes(cam.programme, stretch, cam.system, Quantity::pressure_angle);
-  if (!all) return std::nullopt;
-  if (stretch != Stretch::falls) return found(all->greatest);
-  return FoundAt{-all->least.value, all->least.place.angle};
+std::optional<FoundAt> CamExtremes::pressure_angle(Stretch stretch) const {
+  const auto& [rises, falls, dwells] = pressure_of_strokes();
+  if (stretch == Stretch::rises && rises) return found(rises->greatest);
+  if (stretch == Stretch::falls && falls) {
+    return FoundAt{-falls->least.value, falls->least.place.angle};
+  }
+  return std::nullopt;
 }
 
-std::optional<FoundAt> least_convex_radius(const cam::Cam& cam) {
-  if (is_flat(cam.system.follower.type)) return found(extremes(cam, Quantity::face_radius).least);
-  const auto sharpest = extremes(cam, Quantity::pitch_curvature).greatest;
+std::optional<FoundAt> CamExtremes::convex_radius() const {
+  const auto& follower = cam_.system.follower;
+  if (is_flat(follower.type)) return found(whole(Quantity::face_radius).least);
+  const auto& sharpest = whole(Quantity::pitch_curvature).greatest;
   if (!(sharpest.value > 0)) return std::nullopt;
-  return FoundAt{1 / sharpest.value - cam.system.follower.dimensions.roller_radius,
-                 sharpest.place.angle};
+  return FoundAt{1 / sharpest.value - follower.dimensions.roller_radius, sharpest.place.angle};
 }
 
-std::optional<FoundAt> least_concave_radius(const cam::Cam& cam) {
-  if (is_flat(cam.system.follower.type)) return std::nullopt;
-  const auto hollowest = extremes(cam, Quantity::pitch_curvature).least;
+std::optional<FoundAt> CamExtremes::concave_radius() const {
+  const auto& follower = cam_.system.follower;
+  if (is_flat(follower.type)) return std::nullopt;
+  const auto& hollowest = whole(Quantity::pitch_curvature).least;
   if (!(hollowest.value < 0)) return std::nullopt;
-  return FoundAt{cam.system.follower.dimensions.roller_radius - 1 / hollowest.value,
-                 hollowest.place.angle};
+  return FoundAt{follower.dimensions.roller_radius - 1 / hollowest.value, hollowest.place.angle};
 }
 
-FoundAt least_profile_radius(const cam::Cam& cam) {
-  return root(extremes(cam, Quantity::squared_radius).least);
+double CamExtremes::least_profile_radius() const {
+  return root(whole(Quantity::squared_radius).least);
 }
 
-FoundAt greatest_profile_radius(const cam::Cam& cam) {
-  return root(extremes(cam, Quantity::squared_radius).greatest);
+double CamExtremes::greatest_profile_radius() const {
+  return root(whole(Quantity::squared_radius).greatest);
 }
 
-double face_width(const cam::Cam& cam) {
-  const auto reach = extremes(cam, Quantity::reach);
+double CamExtremes::face_width() const {
+  const TurnExtremes& reach = whole(Quantity::reach);
   return reach.greatest.value - reach.least.value;
 }
 
-FoundAt greatest_force(const cam::Cam& cam, bool both_ways) {
-  const TurnExtremes all = extremes(cam, Quantity::contact_force);
+FoundAt CamExtremes::contact_force(bool both_ways) const {
+  const TurnExtremes& all = whole(Quantity::contact_force);
   return both_ways ? larger(all) : found(all.greatest);
 }
 
-FoundAt least_demand(const cam::Cam& cam) {
-  return found(extremes(cam, Quantity::demand).least);
+FoundAt CamExtremes::least_demand() const {
+  return found(whole(Quantity::demand).least);
 }
 
-FoundAt greatest_torque(const cam::Cam& cam) {
-  return larger(extremes(cam, Quantity::torque));
+FoundAt CamExtremes::torque() const {
+  return larger(whole(Quantity::torque));
 }
 
-FoundAt greatest_stress(const cam::Cam& cam) {
-  return root(extremes(cam, Quantity::squared_stress).greatest);
+FoundAt CamExtremes::stress() const {
+  const auto& square = whole(Quantity::squared_stress).greatest;
+  return {root(square), square.place.angle};
 }
 
-FoundAt greatest_roller_speed(const cam::Cam& cam) {
-  return larger(extremes(cam, Quantity::roller_speed));
+FoundAt CamExtremes::roller_speed() const {
+  return larger(whole(Quantity::roller_speed));
+}
+
+FoundAt CamExtremes::motion(double cam::FollowerMotion<double>::*derivative) const {
+  const auto all =
+      turn_extremes(cam_.programme, Stretch::whole,
+                    [derivative](const cam::FollowerMotion<double>& m) { return m.*derivative; });
+  return with_size(larger(*all));
 }
 
 }  // namespace cognate::problems

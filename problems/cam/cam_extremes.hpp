@@ -1,6 +1,7 @@
 /// @file The extremes of a cam that facts and checks speak of.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "analysis/cam/cam.hpp"
@@ -15,32 +16,51 @@ struct FoundAt {
   double angle = 0;
 };
 
-/// The greatest pressure angle of either sign.
-FoundAt greatest_pressure_angle(const cam::Cam& cam);
+/// The extremes of one cam, which must outlive this: each quantity is looked at over the turn once,
+/// when it is first asked for. One thread at a time.
+class CamExtremes {
+ public:
+  explicit CamExtremes(const cam::Cam& cam) : cam_(cam) {}
 
-/// The greatest over the rises, on the side to which the cam pushes in them; over the returns, on
-/// the other. Nothing where the motion has none.
-std::optional<FoundAt> pressure_angle_of(const cam::Cam& cam, cam::Stretch stretch);
+  const cam::Cam& cam() const { return cam_; }
 
-/// Radii of curvature of the profile: the least where it is convex (negative: undercut, the profile
-/// would turn back on itself), and where it is concave. Nothing where it is nowhere so.
-std::optional<FoundAt> least_convex_radius(const cam::Cam& cam);
-std::optional<FoundAt> least_concave_radius(const cam::Cam& cam);
+  /// The greatest pressure angle of either sign.
+  FoundAt pressure_angle() const;
+  /// The greatest over the rises, on the side to which the cam pushes in them; over the falls, on
+  /// the other. Nothing where the motion has none.
+  std::optional<FoundAt> pressure_angle(cam::Stretch stretch) const;
 
-/// Least and greatest distance of the profile from the cam's centre.
-FoundAt least_profile_radius(const cam::Cam& cam);
-FoundAt greatest_profile_radius(const cam::Cam& cam);
+  /// Radii of curvature of the profile: the least where it is convex (negative: undercut, the
+  /// profile would turn back on itself), and where it is concave. Nothing where it is nowhere so.
+  std::optional<FoundAt> convex_radius() const;
+  std::optional<FoundAt> concave_radius() const;
 
-/// The width of the part of a flat face that the cam touches.
-double face_width(const cam::Cam& cam);
+  /// Least and greatest distance of the profile from the cam's centre.
+  double least_profile_radius() const;
+  double greatest_profile_radius() const;
 
-/// The greatest contact force; `both_ways`, of a form-closed follower, the one of greatest size.
-FoundAt greatest_force(const cam::Cam& cam, bool both_ways);
+  /// The width of the part of a flat face that the cam touches.
+  double face_width() const;
 
-/// The least demand, the torque of greatest size, the greatest stress, the roller's greatest speed.
-FoundAt least_demand(const cam::Cam& cam);
-FoundAt greatest_torque(const cam::Cam& cam);
-FoundAt greatest_stress(const cam::Cam& cam);
-FoundAt greatest_roller_speed(const cam::Cam& cam);
+  /// The greatest contact force; `both_ways`, of a form-closed follower, the one of greatest size.
+  FoundAt contact_force(bool both_ways) const;
+  FoundAt least_demand() const;
+  FoundAt torque() const;  ///< of greatest size
+  FoundAt stress() const;
+  FoundAt roller_speed() const;  ///< of greatest size
+
+  /// A derivative of the motion by the cam angle, its greatest size.
+  FoundAt motion(double cam::FollowerMotion<double>::*derivative) const;
+
+ private:
+  const cam::TurnExtremes& whole(cam::Quantity quantity) const;
+  const std::array<std::optional<cam::TurnExtremes>, 3>& pressure_of_strokes() const;
+
+  static constexpr int kQuantities = 10;
+  const cam::Cam& cam_;
+  mutable std::array<std::optional<cam::TurnExtremes>, kQuantities> known_;
+  /// Of the pressure angle over rises, falls and dwells: nothing for a stretch that there is not.
+  mutable std::optional<std::array<std::optional<cam::TurnExtremes>, 3>> pressure_;
+};
 
 }  // namespace cognate::problems

@@ -15,8 +15,8 @@ using cam::Stretch;
 
 class Facts {
  public:
-  Facts(const CamProblem& problem, const CamDesign& design)
-      : problem_(problem), design_(design), cam_(design.cam) {}
+  Facts(const CamProblem& problem, const CamDesign& design, const CamExtremes& extremes)
+      : problem_(problem), design_(design), extremes_(extremes), cam_(extremes.cam()) {}
 
   std::vector<Fact> all() && {
     add_motion();
@@ -42,12 +42,9 @@ class Facts {
     const double speed = problem_.operation.speed;
     if (!(speed > 0)) return;
     const auto peak = [&](double cam::FollowerMotion<double>::*derivative, double unit) {
-      const auto all = turn_extremes(
-          cam_.programme, Stretch::whole,
-          [derivative](const cam::FollowerMotion<double>& m) { return m.*derivative; });
-      const bool down = -all->least.value > all->greatest.value;
-      const auto& far = down ? all->least : all->greatest;
-      return FoundAt{unit * std::abs(far.value), far.place.angle};
+      FoundAt found = extremes_.motion(derivative);
+      found.value *= unit;
+      return found;
     };
     using Motion = cam::FollowerMotion<double>;
     add_at("follower_velocity_max", peak(&Motion::velocity, speed));
@@ -60,21 +57,21 @@ class Facts {
       add("pressure_angle_deg_max", 0);
       return;
     }
-    add_at("pressure_angle_deg_max", greatest_pressure_angle(cam_), degrees(1));
-    const auto rise = pressure_angle_of(cam_, Stretch::rises);
-    const auto fall = pressure_angle_of(cam_, Stretch::falls);
+    add_at("pressure_angle_deg_max", extremes_.pressure_angle(), degrees(1));
+    const auto rise = extremes_.pressure_angle(Stretch::rises);
+    const auto fall = extremes_.pressure_angle(Stretch::falls);
     if (rise) add_at("pressure_angle_deg_max_rise", *rise, degrees(1));
     if (fall) add_at("pressure_angle_deg_max_return", *fall, degrees(1));
   }
 
   void add_shape() {
-    const auto convex = least_convex_radius(cam_), concave = least_concave_radius(cam_);
+    const auto convex = extremes_.convex_radius(), concave = extremes_.concave_radius();
     if (convex) add_at("curvature_radius_min", *convex);
     if (concave) add_at("concave_radius_min", *concave);
     facts_.push_back({"undercut", (convex && convex->value < 0) || profile_crosses_itself()});
-    add("profile_radius_min", least_profile_radius(cam_).value);
-    add("profile_radius_max", greatest_profile_radius(cam_).value);
-    if (is_flat(problem_.follower)) add("face_width", face_width(cam_));
+    add("profile_radius_min", extremes_.least_profile_radius());
+    add("profile_radius_max", extremes_.greatest_profile_radius());
+    if (is_flat(problem_.follower)) add("face_width", extremes_.face_width());
   }
 
   /// The second cam of a conjugate pair, the distance of parallel faces.
@@ -85,8 +82,8 @@ class Facts {
     if (!design_.second) return;
     const cam::Cam& second = *design_.second;
     add("second_cam_base_radius", second.system.follower.dimensions.base_radius);
-    add_at("second_cam_pressure_angle_deg_max", greatest_pressure_angle(second), degrees(1));
-    const auto convex = least_convex_radius(second);
+    add_at("second_cam_pressure_angle_deg_max", CamExtremes(second).pressure_angle(), degrees(1));
+    const auto convex = CamExtremes(second).convex_radius();
     if (convex) add_at("second_cam_curvature_radius_min", *convex);
   }
 
@@ -103,7 +100,7 @@ class Facts {
     const double speed = problem_.operation.speed;
     if (rolls) {
       const bool known = speed > 0;
-      add_at(known ? "roller_speed_max" : "roller_speed_ratio_max", greatest_roller_speed(cam_),
+      add_at(known ? "roller_speed_max" : "roller_speed_ratio_max", extremes_.roller_speed(),
              known ? speed : 1);
     }
     if (!problem_.has_operation) return;
@@ -111,27 +108,29 @@ class Facts {
       add("preload", design_.operation.preload);
       add("preload_min", least_preload(cam_));
     }
-    add_at("demand_min", least_demand(cam_));
+    add_at("demand_min", extremes_.least_demand());
     add_at("contact_force_max",
-           greatest_force(cam_, problem_.second.closure != cam::Closure::force));
-    add_at("torque_max", greatest_torque(cam_));
-    if (problem_.has_contact) add_at("contact_stress_max", greatest_stress(cam_));
+           extremes_.contact_force(problem_.second.closure != cam::Closure::force));
+    add_at("torque_max", extremes_.torque());
+    if (problem_.has_contact) add_at("contact_stress_max", extremes_.stress());
   }
 
   const CamProblem& problem_;
   const CamDesign& design_;
+  const CamExtremes& extremes_;
   const cam::Cam& cam_;
   std::vector<Fact> facts_;
 };
 
 }  // namespace
 
-std::vector<Fact> cam_facts(const CamProblem& problem, const CamDesign& design) {
-  return Facts(problem, design).all();
+std::vector<Fact> cam_facts(const CamProblem& problem, const CamDesign& design,
+                            const CamExtremes& extremes) {
+  return Facts(problem, design, extremes).all();
 }
 
 double least_preload(const cam::Cam& cam) {
-  return std::max(0.0, cam.system.operation.preload - least_demand(cam).value);
+  return std::max(0.0, cam.system.operation.preload - CamExtremes(cam).least_demand().value);
 }
 
 }  // namespace cognate::problems

@@ -42,7 +42,7 @@ void add_other_side(const CamProblem& problem, const CamDesign& design,
                     std::vector<std::string>& notes) {
   const CamConstraints& c = problem.constraints;
   if (c.pressure_angle_max || !(c.pressure_angle_max_rise || c.pressure_angle_max_return)) return;
-  const auto greatest = greatest_pressure_angle(design.cam);
+  const auto greatest = CamExtremes(design.cam).pressure_angle();
   const double most =
       std::max(c.pressure_angle_max_rise.value_or(0), c.pressure_angle_max_return.value_or(0));
   if (greatest.value <= most * (1 + 1e-9)) return;
@@ -54,7 +54,7 @@ void add_other_side(const CamProblem& problem, const CamDesign& design,
 
 void add_cusp(const CamProblem& problem, const CamDesign& design, std::vector<std::string>& notes) {
   if (problem.constraints.curvature_radius_min != 0.0) return;
-  const auto convex = least_convex_radius(design.cam);
+  const auto convex = CamExtremes(design.cam).convex_radius();
   const double size = design.cam.system.follower.dimensions.base_radius;
   if (!convex || std::abs(convex->value) > 1e-6 * size) return;
   if (problem.follower == cam::FollowerType::translating_knife) return;

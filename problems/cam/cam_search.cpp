@@ -23,9 +23,9 @@ constexpr double kBroken = 0.3 * kCamFeasibility;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool covers(cam::Stretch stretch, cam::Stroke stroke) {
-  if (stretch == cam::Stretch::rises) return stroke == cam::Stroke::rise;
-  if (stretch == cam::Stretch::falls) return stroke == cam::Stroke::fall;
-  return true;
+  using cam::Stretch, cam::Stroke;
+  return stretch == Stretch::whole || (stretch == Stretch::rises && stroke == Stroke::rise) ||
+         (stretch == Stretch::falls && stroke == Stroke::fall);
 }
 
 std::optional<cam::Quantity> quantity_of(CamObjective objective) {
@@ -208,7 +208,8 @@ class Exchange {
     made.violation = std::max({made.violation, (base.min - radius) / variables_.unit(),
                                (radius - base.max) / variables_.unit()});
     const auto& width = variables_.problem().constraints.face_width_max;
-    if (width) made.violation = std::max(made.violation, face_width(cam) / *width - 1);
+    if (width)
+      made.violation = std::max(made.violation, CamExtremes(cam).face_width() / *width - 1);
     return made;
   }
 

@@ -23,7 +23,7 @@ double greatest_radius(const CamProblem& problem, cam::Cam cam) {
   if (std::isfinite(bound)) return bound;
   auto& dimensions = cam.system.follower.dimensions;
   dimensions.roller_radius = 0;
-  const auto sharpest = least_convex_radius(cam);
+  const auto sharpest = CamExtremes(cam).convex_radius();
   const double usual = kOfBase * dimensions.base_radius;
   return sharpest ? std::min(usual, kOfCurvature * sharpest->value) : usual;
 }
@@ -50,7 +50,7 @@ void enlarge_roller(const CamProblem& problem, cam::Cam& cam) {
     radius = tried;
     CamDesign design;
     design.cam = cam;
-    return all_satisfied(cam_checks(problem, design));
+    return all_satisfied(cam_checks(problem, design, CamExtremes(design.cam)));
   };
   double good = least_radius(problem), bad = most;
   if (keeps_limits(most)) return;

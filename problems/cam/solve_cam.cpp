@@ -43,8 +43,9 @@ CamDesign design_of(const CamProblem& problem, cam::Cam cam, std::vector<cam::Mo
   if (problem.second.closure == cam::Closure::conjugate) {
     design.second = conjugate_cam(design.cam, problem.second);
   }
-  design.metrics = cam_facts(problem, design);
-  design.constraints = cam_checks(problem, design);
+  const CamExtremes extremes(design.cam);
+  design.metrics = cam_facts(problem, design, extremes);
+  design.constraints = cam_checks(problem, design, extremes);
   design.origin = std::move(origin);
   return design;
 }

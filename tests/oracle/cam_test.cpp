@@ -166,8 +166,8 @@ TEST(CamOracle, PressureAngleAndCurvatureOfTheOffsetRoller) {
 // 38.71° where the halves of the rise meet, and 52.16° in the return: the book does not say so.
 TEST(CamOracle, GreatestPressureAnglesOfTheOffsetRoller) {
   const auto design = only_design(offset_roller());
-  const auto rise = problems::pressure_angle_of(design.cam, cam::Stretch::rises);
-  const auto fall = problems::pressure_angle_of(design.cam, cam::Stretch::falls);
+  const auto rise = problems::CamExtremes(design.cam).pressure_angle(cam::Stretch::rises);
+  const auto fall = problems::CamExtremes(design.cam).pressure_angle(cam::Stretch::falls);
   EXPECT_NEAR(rise->value / kDegree, 38.706724066970544, 1e-11);
   EXPECT_NEAR(rise->angle / kDegree, 50, 1e-12);
   // To 30 digits by a zero of the derivative: 52.1596066341532782 at 61.3838535339225569.
@@ -180,7 +180,8 @@ TEST(CamOracle, GreatestPressureAngleOfAHarmonicRise) {
   CamProblem problem = translating_roller(40, 0, 5);
   problem.motion = {segment(MotionLaw::harmonic, 90, 20), segment(MotionLaw::harmonic, 90, -20),
                     segment(MotionLaw::dwell, 180)};
-  const auto rise = problems::pressure_angle_of(only_design(problem).cam, cam::Stretch::rises);
+  const auto rise =
+      problems::CamExtremes(only_design(problem).cam).pressure_angle(cam::Stretch::rises);
   EXPECT_NEAR(rise->value, std::atan(20 * std::sqrt(0.96) / 48), 1e-15);
   EXPECT_NEAR(rise->angle, 0.5 * std::acos(0.2), 1e-12);
 }

@@ -54,7 +54,8 @@ TEST(CamStress, SmallRisesOnLargeCams) {
     problem.motion = rise_and_return(MotionLaw::cycloidal, stroke);
     const auto result = solve(problem, {.threads = 1});
     expect_finite(result);
-    const auto rise = problems::pressure_angle_of(result.designs.at(0).cam, cam::Stretch::rises);
+    const auto rise =
+        problems::CamExtremes(result.designs.at(0).cam).pressure_angle(cam::Stretch::rises);
     EXPECT_NEAR(rise->value, 2 * stroke / (100 * kDegree) / 100, 1.1 * stroke / 100 * rise->value)
         << stroke;
   }
@@ -73,7 +74,7 @@ TEST(CamStress, OffsetsAsLargeAsTheCam) {
     const double left = (50 - offset) / 50;  // exact
     const double start = 50 * std::sqrt(left * (2 - left));
     EXPECT_NEAR(std::tan(-still) * start, offset, 1e-14 * 50 * (1 + 50 / start)) << missing;
-    EXPECT_GE(problems::greatest_pressure_angle(cam).value, -still);
+    EXPECT_GE(problems::CamExtremes(cam).pressure_angle().value, -still);
   }
 }
 
@@ -83,13 +84,14 @@ TEST(CamStress, RollersAsLargeAsTheLeastRadius) {
   CamProblem problem = translating_roller(30, 4, 0);
   problem.motion = rise_and_return(MotionLaw::harmonic, 20);
   problem.constraints.curvature_radius_min.reset();
-  const double least =
-      problems::least_convex_radius(solve(problem, {.threads = 1}).designs.at(0).cam)->value;
+  const double least = problems::CamExtremes(solve(problem, {.threads = 1}).designs.at(0).cam)
+                           .convex_radius()
+                           ->value;
   for (const double share : {1 - 1e-6, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-6}) {
     problem.length(CamDimension::roller_radius).given = share * least;
     const auto result = solve(problem, {.threads = 1});
     expect_finite(result);
-    const double left = problems::least_convex_radius(result.designs.at(0).cam)->value;
+    const double left = problems::CamExtremes(result.designs.at(0).cam).convex_radius()->value;
     EXPECT_NEAR(left, (1 - share) * least, 1e-14 * least) << share;
   }
 }
@@ -131,7 +133,7 @@ TEST(CamStress, ManySegments) {
   expect_finite(result);
   const auto& cam = result.designs.at(0).cam;
   const double steepest = 2 * 1e-3 / (std::numbers::pi / kWaves);
-  const auto rise = problems::pressure_angle_of(cam, cam::Stretch::rises);
+  const auto rise = problems::CamExtremes(cam).pressure_angle(cam::Stretch::rises);
   // At the steepest place, half way up, or near it where the height is less.
   EXPECT_NEAR(std::tan(rise->value) * (100 + 5e-4), steepest, 1e-6 * steepest);
 }

@@ -92,8 +92,8 @@ TEST(CamForces, LeastPreloadJustKeepsContact) {
     problem.preload.reset();
     const auto design = solve(problem, {.threads = 1}).designs.at(0);
     ASSERT_GT(design.operation.preload, 0);
-    const double greatest = problems::greatest_force(design.cam, false).value;
-    EXPECT_NEAR(problems::least_demand(design.cam).value, 0, 1e-12 * greatest);
+    const double greatest = problems::CamExtremes(design.cam).contact_force(false).value;
+    EXPECT_NEAR(problems::CamExtremes(design.cam).least_demand().value, 0, 1e-12 * greatest);
   }
 }
 

@@ -102,7 +102,7 @@ TEST(CamProfile, TouchesTranslatingRollers) {
     CamProblem problem = translating_roller(60, offset(random), roller(random));
     problem.motion = random_motion(random, 20);
     const Cam cam = cam_of(problem);
-    const auto sharpest = problems::least_convex_radius(cam);
+    const auto sharpest = problems::CamExtremes(cam).convex_radius();
     if (sharpest->value > 0) expect_roller_touches(cam);
   }
 }
@@ -135,7 +135,7 @@ TEST(CamProfile, TouchesFlatFaces) {
       }
       problem.motion = random_motion(random, swings ? 2 * kDegree : 8);
       const Cam cam = cam_of(problem);
-      ASSERT_GT(problems::least_convex_radius(cam)->value, 0);
+      ASSERT_GT(problems::CamExtremes(cam).convex_radius()->value, 0);
       expect_face_touches(cam);
     }
   }
@@ -148,7 +148,7 @@ TEST(CamProfile, UndercutCrossesItself) {
                     segment(cam::MotionLaw::harmonic, 60, -20),
                     segment(cam::MotionLaw::dwell, 240)};
   const Cam sound = cam_of(problem);
-  const double radius = problems::least_convex_radius(sound)->value + 5;
+  const double radius = problems::CamExtremes(sound).convex_radius()->value + 5;
   for (const double share : {0.7, 0.95, 1.05, 1.3}) {
     Cam cam = sound;
     cam.system.follower.dimensions.roller_radius = share * radius;
