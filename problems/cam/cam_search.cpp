@@ -195,7 +195,7 @@ class Exchange {
   }
 
   CamCandidate candidate(const Cam& cam, std::span<const double> x) const {
-    CamCandidate made{{x.begin(), x.end()}, objective(cam), 0};
+    CamCandidate made{{x.begin(), x.end()}, objective(cam), 0, backend_};
     for (const auto& [limit, places] : places_.limits) {
       const auto missing = [&, &limit = limit](const FollowerMotion<double>& m) {
         return -margin(limit, cam.system, m, variables_.unit());

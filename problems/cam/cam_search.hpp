@@ -18,8 +18,9 @@ std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const do
 /// Where a search ended.
 struct CamCandidate {
   std::vector<double> x;
-  double objective = 0;  ///< in the file's unit (rad for angles), exact over the turn
-  double violation = 0;  ///< the worst of all margins below 0, exact over the turn
+  double objective = 0;          ///< in the file's unit (rad for angles), exact over the turn
+  double violation = 0;          ///< the worst of all margins below 0, exact over the turn
+  synthesis::Backend backend{};  ///< which came here
 };
 
 /// Limits at every position are infinitely many. They are kept by exchange (Blankenship & Falk

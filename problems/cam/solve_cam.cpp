@@ -130,7 +130,7 @@ class CamSolver {
     std::vector<Work> work(starts.size());
     parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
       const auto i = static_cast<std::size_t>(index);
-      if (deadline_.reached()) return;
+      if (index > 0 && deadline_.reached()) return;
       for (const Backend backend : backends) {
         const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
         if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
@@ -168,9 +168,7 @@ class CamSolver {
       if (static_cast<int>(kept.size()) == sought_.solve.designs) break;
       if (std::ranges::any_of(kept, [&](const auto* k) { return is_same(*k, *end); })) continue;
       kept.push_back(&*end);
-      const std::string origin =
-          "search + " + std::string(name(backends_of(sought_.solve.solver).front()));
-      add(cam_at(variables_, end->x), origin, end->x);
+      add(cam_at(variables_, end->x), "search + " + std::string(name(end->backend)), end->x);
       if (exact) result_.designs.back().proof = exact->proof;
     }
   }
