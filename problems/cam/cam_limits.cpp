@@ -45,7 +45,8 @@ double typical_demand(const CamProblem& problem) {
   return size > 0 ? size : 1;
 }
 
-void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
+/// What depends on the motion alone: no length could mend it.
+void add_motion_limits(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const CamConstraints& c = problem.constraints;
   const auto add = [&](CamLimitKind kind, double bound, double sign = 1) {
     limits.push_back({kind, cam::Stretch::whole, bound, sign});
@@ -54,15 +55,22 @@ void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
       problem.second.closure == cam::Closure::force) {
     add(CamLimitKind::separation, typical_demand(problem));
   }
+  if (c.torque_max) {
+    add(CamLimitKind::torque, *c.torque_max, 1);
+    add(CamLimitKind::torque, *c.torque_max, -1);
+  }
+}
+
+void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
+  const CamConstraints& c = problem.constraints;
+  const auto add = [&](CamLimitKind kind, double bound, double sign = 1) {
+    limits.push_back({kind, cam::Stretch::whole, bound, sign});
+  };
   if (c.contact_force_max) {
     add(CamLimitKind::force, *c.contact_force_max);
     if (problem.second.closure != cam::Closure::force) {
       add(CamLimitKind::force, *c.contact_force_max, -1);
     }
-  }
-  if (c.torque_max) {
-    add(CamLimitKind::torque, *c.torque_max, 1);
-    add(CamLimitKind::torque, *c.torque_max, -1);
   }
   if (c.contact_stress_max) add(CamLimitKind::stress, *c.contact_stress_max);
 }
@@ -74,6 +82,7 @@ std::vector<CamLimit> cam_limits(const CamProblem& problem) {
   add_pressure(problem.constraints, limits);
   add_shape(problem, limits);
   add_forces(problem, limits);
+  if (!problem.free_motion.empty()) add_motion_limits(problem, limits);
   if (problem.follower != cam::FollowerType::translating_flat) {
     limits.push_back({CamLimitKind::assembly, cam::Stretch::whole, 0, 1});
   }

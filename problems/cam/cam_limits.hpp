@@ -34,7 +34,7 @@ struct CamLimit {
   double sign = 1;
 };
 
-/// Every constraint of `problem` that is one of positions, in the order of the file's keys.
+/// Every constraint of `problem` that is one of positions and depends on what is free.
 std::vector<CamLimit> cam_limits(const CamProblem& problem);
 
 /// By how much `limit` is kept, of order 1: ≥ 0 where it is. Lengths count in `unit`. Smooth in all
