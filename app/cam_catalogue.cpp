@@ -166,6 +166,8 @@ constexpr Metric kCamMetrics[] = {
     {"second_cam_base_radius", "length", "of the other cam of a conjugate pair"},
     {"second_cam_pressure_angle_deg_max", "deg", "of that cam"},
     {"second_cam_curvature_radius_min", "length", "of that cam"},
+    {"second_cam_contact_force_max", "N", "of that cam, which takes what the first cannot"},
+    {"second_cam_contact_stress_max", "Pa", "of that cam"},
     {"roller_speed_max", "rad/s", "of the roller about its axis, as seen from the follower"},
     {"roller_speed_ratio_max", "1", "the same over the cam's speed, where none is given"},
     {"follower_velocity_max", "length/s or rad/s", "at the cam's speed"},

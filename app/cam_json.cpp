@@ -95,7 +95,9 @@ ordered_json proof_json(const problems::SizeProof& proof) {
                          {"limit", position.limit},
                          {"bound", position.bound}});
   }
-  return {{"base_radius_least", proof.base_radius_least}, {"positions", positions}};
+  ordered_json table = {{"base_radius_least", proof.base_radius_least}, {"positions", positions}};
+  if (!proof.within.empty()) table["within"] = proof.within;
+  return table;
 }
 
 ordered_json design_json(const CamProblem& problem, const CamDesign& design) {

@@ -114,8 +114,12 @@ std::string proof_line(const CamResult& result) {
     because += fmt::format("{}{} = {:.6g} at {:.6g} deg", because.empty() ? "" : " and ",
                            position.limit, position.bound, problems::degrees(position.angle));
   }
-  return fmt::format("proved: no base radius below {:.10g} keeps {}\n", proof.base_radius_least,
-                     because.empty() ? "to the limits" : because);
+  const double base = result.designs.front().cam.system.follower.dimensions.base_radius;
+  const bool reached = base <= proof.base_radius_least * (1 + 1e-9);
+  return fmt::format("{}: no base radius below {:.10g} keeps {}{}\n",
+                     reached ? "proved" : "lower bound", proof.base_radius_least,
+                     because.empty() ? "to the limits" : because,
+                     proof.within.empty() ? "" : ", with " + proof.within);
 }
 
 }  // namespace

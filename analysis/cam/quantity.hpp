@@ -75,7 +75,9 @@ T roller_speed(const CamSystem<T>& cam, const RollerState<T>& state, const Follo
   const T& radius = cam.follower.dimensions.roller_radius;
   const T length = sqrt(squared_norm(state.tangent));
   // The cam's surface passes the roller's centre with −tangent, less what the radius turns.
-  const T spin = (radius - length) / radius;
+  // On the outer wall of a groove it passes the other side of the roller.
+  const bool outside = cam.groove && demand(cam.operation, m) < T(0);
+  const T spin = (outside ? radius + length : radius - length) / radius;
   const bool swings = cam.follower.type == FollowerType::oscillating_roller;
   return swings ? spin + T(sign_of(cam.follower.side)) * m.velocity : spin;
 }

@@ -58,8 +58,9 @@ std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stre
     const PlacedExtreme greatest{place_of(piece, part.piece, here.greatest.at),
                                  here.greatest.value};
     if (!found) found = TurnExtremes{least, greatest};
-    if (least.value < found->least.value) found->least = least;
-    if (greatest.value > found->greatest.value) found->greatest = greatest;
+    // Written so that a value that is no number gives way to any.
+    if (!(found->least.value <= least.value)) found->least = least;
+    if (!(found->greatest.value >= greatest.value)) found->greatest = greatest;
   });
   return found;
 }

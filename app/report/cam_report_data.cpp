@@ -118,7 +118,9 @@ ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
                          {"limit", position.limit},
                          {"bound", drawn(position.bound)}});
   }
-  return {{"base_radius", drawn(proof->base_radius_least)}, {"positions", positions}};
+  return {{"base_radius", drawn(proof->base_radius_least)},
+          {"positions", positions},
+          {"within", proof->within}};
 }
 
 ordered_json jumps_json(const CamResult& result) {

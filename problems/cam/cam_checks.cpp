@@ -19,6 +19,7 @@ class Checks {
 
   std::vector<ConstraintCheck> all() && {
     add_bounds();
+    add_assembly();
     add_pressure();
     add_shape();
     add_second_contact();
@@ -34,7 +35,7 @@ class Checks {
   }
   void at_least(const std::string& name, double value, double least, double size = 0) {
     const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(least), size});
-    checks_.push_back({name, value, least, least - value <= slack});
+    checks_.push_back({name, value, least, std::isfinite(value) && least - value <= slack});
   }
 
   void add_bounds() {
@@ -57,6 +58,17 @@ class Checks {
           values[i] >= length.bounds.min - slack && values[i] <= length.bounds.max + slack;
       checks_.push_back({kNames[i], values[i], length.bounds, inside});
     }
+  }
+
+  /// What is told only where it fails: the follower stays on its side of the cam's centre, and a
+  /// roller clear of it.
+  void add_assembly() {
+    const auto& d = cam_.system.follower.dimensions;
+    if (problem_.follower != cam::FollowerType::translating_flat) {
+      const double along = extremes_.least_along();
+      if (!(along > 0)) checks_.push_back({"assembly", along, 0.0, false});
+    }
+    if (d.roller_radius >= d.base_radius) at_most("roller_radius", d.roller_radius, d.base_radius);
   }
 
   void add_pressure() {
@@ -113,9 +125,10 @@ class Checks {
         return;
       case cam::Closure::groove: {
         const auto concave = extremes_.concave_radius();
-        if (concave && problem_.constraints.curvature_radius_min) {
-          at_least("no_undercut.outer_wall", concave->value - 2 * d.roller_radius, 0,
-                   d.base_radius);
+        const auto& least = problem_.constraints.curvature_radius_min;
+        if (concave && least) {
+          at_least(*least == 0 ? "no_undercut.outer_wall" : "curvature_radius_min.outer_wall",
+                   concave->value - 2 * d.roller_radius, *least, d.base_radius);
         }
         return;
       }
@@ -134,29 +147,54 @@ class Checks {
     }
   }
 
+  /// The other cam of a conjugate pair keeps the same limits.
   void add_second_cam() {
     if (!design_.second) {
       checks_.push_back(
           {"second_cam", std::string("none"), std::string("clear of the shaft"), false});
       return;
     }
-    if (!problem_.constraints.curvature_radius_min) return;
-    const auto convex = CamExtremes(*design_.second).convex_radius();
-    if (!convex) return;
-    at_least("second_cam.curvature_radius_min", convex->value,
-             *problem_.constraints.curvature_radius_min,
-             design_.second->system.follower.dimensions.base_radius);
+    const CamConstraints& c = problem_.constraints;
+    const CamExtremes second(*design_.second);
+    const double size = design_.second->system.follower.dimensions.base_radius;
+    if (c.pressure_angle_max) {
+      at_most("second_cam.pressure_angle_deg_max", degrees(second.pressure_angle().value),
+              degrees(*c.pressure_angle_max), degrees(1));
+    }
+    const auto convex = second.convex_radius();
+    if (c.curvature_radius_min && convex) {
+      at_least("second_cam.curvature_radius_min", convex->value, *c.curvature_radius_min, size);
+    }
+    if (const auto concave = second.concave_radius(); c.concave_radius_min && concave) {
+      at_least("second_cam.concave_radius_min", concave->value, *c.concave_radius_min, size);
+    }
+    if (c.profile_radius_min) {
+      at_least("second_cam.profile_radius_min", second.least_profile_radius(),
+               *c.profile_radius_min, size);
+    }
+    if (c.profile_radius_max) {
+      at_most("second_cam.profile_radius_max", second.greatest_profile_radius(),
+              *c.profile_radius_max, size);
+    }
+    if (c.contact_force_max) {
+      at_most("second_cam.contact_force_max", second.contact_force(false).value,
+              *c.contact_force_max);
+    }
+    if (c.contact_stress_max) {
+      at_most("second_cam.contact_stress_max", second.stress().value, *c.contact_stress_max);
+    }
   }
 
   void add_forces() {
     const CamConstraints& c = problem_.constraints;
     const bool pressed = problem_.second.closure == cam::Closure::force;
     if (problem_.has_operation && problem_.preload && c.no_separation && pressed) {
-      const double size = std::abs(extremes_.contact_force(!pressed).value);
+      const double size = std::abs(extremes_.contact_force(false).value);
       at_least("no_separation", extremes_.least_demand().value, 0, size);
     }
     if (c.contact_force_max) {
-      at_most("contact_force_max", extremes_.contact_force(!pressed).value, *c.contact_force_max);
+      at_most("contact_force_max", extremes_.contact_force(presses_both_ways()).value,
+              *c.contact_force_max);
     }
     if (c.torque_max) {
       at_most("torque_max", std::abs(extremes_.torque().value), *c.torque_max);
@@ -164,6 +202,12 @@ class Checks {
     if (c.contact_stress_max) {
       at_most("contact_stress_max", extremes_.stress().value, *c.contact_stress_max);
     }
+  }
+
+  /// Whether one cam takes the forces of both senses; of a conjugate pair each takes one.
+  bool presses_both_ways() const {
+    return problem_.second.closure == cam::Closure::groove ||
+           problem_.second.closure == cam::Closure::constant_breadth;
   }
 
   const CamProblem& problem_;

@@ -1,5 +1,7 @@
 #include "problems/cam/cam_exact.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,9 +29,20 @@ synthesis::PressureLimits limits_of(const CamProblem& problem) {
   return {c.pressure_angle_max, c.pressure_angle_max_rise, c.pressure_angle_max_return};
 }
 
+/// What a proof takes for granted besides its positions.
+std::string granted(const CamProblem& problem, const synthesis::SmallestCam& smallest) {
+  if (is_oscillating(problem.follower)) {
+    return fmt::format("arm = {:.10g}", given(problem, CamDimension::arm));
+  }
+  const CamLength& offset = problem.length(CamDimension::offset);
+  if (offset.given) return fmt::format("offset = {:.10g}", *offset.given);
+  if (!smallest.bound_binds) return {};
+  return fmt::format("offset from {:.10g} to {:.10g}", offset.bounds.min, offset.bounds.max);
+}
+
 SizeProof proof_of(const CamProblem& problem, const synthesis::SmallestCam& smallest) {
   const CamConstraints& c = problem.constraints;
-  SizeProof proof{smallest.dimensions.base_radius, {}};
+  SizeProof proof{smallest.dimensions.base_radius, {}, granted(problem, smallest)};
   for (const auto& binding : smallest.binding) {
     switch (binding.limit) {
       case PressureLimit::whole:
@@ -75,7 +88,8 @@ ExactCam exact_face(const CamProblem& problem, const cam::MotionProgramme& progr
   exact.dimensions.offset = given(problem, CamDimension::offset);
   exact.dimensions.base_radius = std::max(0.0, bound - sharpest->least.value);
   exact.proof = {exact.dimensions.base_radius,
-                 {{sharpest->least.place.angle, "curvature_radius_min", bound}}};
+                 {{sharpest->least.place.angle, "curvature_radius_min", bound}},
+                 {}};
   return exact;
 }
 

@@ -25,7 +25,7 @@ FoundAt with_size(FoundAt signed_value) {
 }
 
 double root(const cam::PlacedExtreme& square) {
-  return std::sqrt(std::max(0.0, square.value));
+  return square.value < 0 ? 0 : std::sqrt(square.value);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ std::optional<FoundAt> CamExtremes::pressure_angle(Stretch stretch) const {
   return std::nullopt;
 }
 
-std::optional<FoundAt> CamExtremes::convex_radius() const {
+std::optional<FoundAt> CamExtremes::smooth_convex_radius() const {
   const auto& follower = cam_.system.follower;
   if (is_flat(follower.type)) return found(whole(Quantity::face_radius).least);
   const auto& sharpest = whole(Quantity::pitch_curvature).greatest;
@@ -76,12 +76,47 @@ std::optional<FoundAt> CamExtremes::convex_radius() const {
   return FoundAt{1 / sharpest.value - follower.dimensions.roller_radius, sharpest.place.angle};
 }
 
+std::optional<FoundAt> CamExtremes::convex_radius() const {
+  const auto& follower = cam_.system.follower;
+  auto least = smooth_convex_radius();
+  for (const cam::Jump& corner : corners()) {
+    if (corner.after > corner.before) continue;
+    const double radius =
+        is_flat(follower.type) ? corner.after - corner.before : -follower.dimensions.roller_radius;
+    if (!least || radius < least->value) least = FoundAt{radius, corner.angle};
+  }
+  return least;
+}
+
 std::optional<FoundAt> CamExtremes::concave_radius() const {
   const auto& follower = cam_.system.follower;
   if (is_flat(follower.type)) return std::nullopt;
+  const double roller = follower.dimensions.roller_radius;
+  std::optional<FoundAt> least;
   const auto& hollowest = whole(Quantity::pitch_curvature).least;
-  if (!(hollowest.value < 0)) return std::nullopt;
-  return FoundAt{follower.dimensions.roller_radius - 1 / hollowest.value, hollowest.place.angle};
+  if (hollowest.value < 0) least = FoundAt{roller - 1 / hollowest.value, hollowest.place.angle};
+  for (const cam::Jump& corner : corners()) {
+    if (corner.after > corner.before && (!least || roller < least->value)) {
+      least = FoundAt{roller, corner.angle};
+    }
+  }
+  return least;
+}
+
+const std::vector<cam::Jump>& CamExtremes::corners() const {
+  if (!corners_) {
+    corners_ = jumps(cam_.programme);
+    std::erase_if(*corners_, [](const cam::Jump& jump) { return jump.order != 1; });
+  }
+  return *corners_;
+}
+
+double CamExtremes::least_along() const {
+  const auto along = [&](const cam::FollowerMotion<double>& m) {
+    return pressure_parts(cam_.system, m).along;
+  };
+  const auto all = turn_extremes(cam_.programme, Stretch::whole, along);
+  return all ? all->least.value : 0;
 }
 
 double CamExtremes::least_profile_radius() const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "analysis/cam/cam.hpp"
 #include "analysis/cam/turn_extremes.hpp"
@@ -32,8 +33,14 @@ class CamExtremes {
 
   /// Radii of curvature of the profile: the least where it is convex (negative: undercut, the
   /// profile would turn back on itself), and where it is concave. Nothing where it is nowhere so.
+  /// Where the velocity drops suddenly the pitch curve has a corner, of radius 0, and the contact
+  /// on a flat face jumps back by the drop.
   std::optional<FoundAt> convex_radius() const;
   std::optional<FoundAt> concave_radius() const;
+
+  /// The least height of a roller above the cam's centre, seen along its travel, or of an arm's or
+  /// a face's end likewise: not positive where the follower would pass the centre.
+  double least_along() const;
 
   /// Least and greatest distance of the profile from the cam's centre.
   double least_profile_radius() const;
@@ -54,11 +61,14 @@ class CamExtremes {
 
  private:
   const cam::TurnExtremes& whole(cam::Quantity quantity) const;
+  std::optional<FoundAt> smooth_convex_radius() const;
+  const std::vector<cam::Jump>& corners() const;
   const std::array<std::optional<cam::TurnExtremes>, 3>& pressure_of_strokes() const;
 
   static constexpr int kQuantities = 10;
   const cam::Cam& cam_;
   mutable std::array<std::optional<cam::TurnExtremes>, kQuantities> known_;
+  mutable std::optional<std::vector<cam::Jump>> corners_;  ///< jumps of the velocity
   /// Of the pressure angle over rises, falls and dwells: nothing for a stretch that there is not.
   mutable std::optional<std::array<std::optional<cam::TurnExtremes>, 3>> pressure_;
 };

@@ -7,6 +7,7 @@
 #include "problems/cam/cam_extremes.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/degrees.hpp"
+#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -68,7 +69,9 @@ class Facts {
     const auto convex = extremes_.convex_radius(), concave = extremes_.concave_radius();
     if (convex) add_at("curvature_radius_min", *convex);
     if (concave) add_at("concave_radius_min", *concave);
-    facts_.push_back({"undercut", (convex && convex->value < 0) || profile_crosses_itself()});
+    const double rounding = kCheckTolerance * cam_.system.follower.dimensions.base_radius;
+    const bool turns_back = convex && convex->value < -rounding;
+    facts_.push_back({"undercut", turns_back || profile_crosses_itself()});
     add("profile_radius_min", extremes_.least_profile_radius());
     add("profile_radius_max", extremes_.greatest_profile_radius());
     if (is_flat(problem_.follower)) add("face_width", extremes_.face_width());
@@ -82,9 +85,15 @@ class Facts {
     if (!design_.second) return;
     const cam::Cam& second = *design_.second;
     add("second_cam_base_radius", second.system.follower.dimensions.base_radius);
-    add_at("second_cam_pressure_angle_deg_max", CamExtremes(second).pressure_angle(), degrees(1));
-    const auto convex = CamExtremes(second).convex_radius();
+    const CamExtremes extremes(second);
+    add_at("second_cam_pressure_angle_deg_max", extremes.pressure_angle(), degrees(1));
+    const auto convex = extremes.convex_radius();
     if (convex) add_at("second_cam_curvature_radius_min", *convex);
+    if (problem_.has_operation)
+      add_at("second_cam_contact_force_max", extremes.contact_force(false));
+    if (!problem_.has_contact) return;
+    const FoundAt stress = extremes.stress();
+    if (std::isfinite(stress.value)) add_at("second_cam_contact_stress_max", stress);
   }
 
   bool profile_crosses_itself() const {
@@ -108,9 +117,10 @@ class Facts {
       add("preload", design_.operation.preload);
       add("preload_min", least_preload(cam_));
     }
+    const bool presses_both_ways = problem_.second.closure == cam::Closure::groove ||
+                                   problem_.second.closure == cam::Closure::constant_breadth;
     add_at("demand_min", extremes_.least_demand());
-    add_at("contact_force_max",
-           extremes_.contact_force(problem_.second.closure != cam::Closure::force));
+    add_at("contact_force_max", extremes_.contact_force(presses_both_ways));
     add_at("torque_max", extremes_.torque());
     if (!problem_.has_contact) return;
     const FoundAt stress = extremes_.stress();

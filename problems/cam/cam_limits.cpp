@@ -34,7 +34,7 @@ void add_shape(const CamProblem& problem, std::vector<CamLimit>& limits) {
   add(flat ? CamLimitKind::face_radius : CamLimitKind::convex_radius, least_convex_radius(problem));
   if (!flat) add(CamLimitKind::concave_radius, c.concave_radius_min);
   if (problem.second.closure == cam::Closure::groove && c.curvature_radius_min) {
-    add(CamLimitKind::outer_wall, 0.0);
+    add(CamLimitKind::outer_wall, c.curvature_radius_min);
   }
   add(CamLimitKind::profile_min, c.profile_radius_min);
   add(CamLimitKind::profile_max, c.profile_radius_max);

@@ -15,7 +15,7 @@ enum class CamLimitKind {
   pressure,        ///< sign · pressure angle ≤ bound
   convex_radius,   ///< of the profile, at least the bound where it is convex
   concave_radius,  ///< of the profile, at least the bound where it is concave
-  outer_wall,      ///< of a groove: no undercut where the pitch curve is concave
+  outer_wall,      ///< of a groove, where it is convex towards the roller
   face_radius,     ///< of a profile for a flat face, at least the bound
   profile_min,     ///< the profile's distance from the cam's centre
   profile_max,
@@ -75,7 +75,8 @@ T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
       return T(1) + value(Quantity::pitch_curvature) * beyond;
     }
     case CamLimitKind::outer_wall:
-      return T(1) + value(Quantity::pitch_curvature) * system.follower.dimensions.roller_radius;
+      return T(1) + value(Quantity::pitch_curvature) *
+                        (system.follower.dimensions.roller_radius + T(limit.bound));
     case CamLimitKind::face_radius:
       return (value(Quantity::face_radius) - T(limit.bound)) * T(1 / unit);
     case CamLimitKind::profile_min:

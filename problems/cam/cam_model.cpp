@@ -14,6 +14,9 @@ namespace {
 constexpr int kStride = 4;
 using Jet = ceres::Jet<double, kStride>;
 
+/// By how much a base radius must exceed the roller's: the profile does not reach the shaft.
+constexpr double kClearOfCentre = 1 + 1e-3;
+
 template <class T>
 T objective_value(CamObjective objective, const cam::CamSystem<T>& system,
                   const cam::FollowerMotion<T>& m) {
@@ -66,10 +69,15 @@ CamModel::CamModel(const CamVariables& variables, CamPlaces places, double objec
   frees_angles_ = std::ranges::any_of(problem.free_motion, [](const auto& free) {
     return free.parameter == MotionParameter::over;
   });
+  for (const FreeMotionParameter& free : problem.free_motion) {
+    if (free.parameter == MotionParameter::over) continue;
+    if (shared_.empty() || shared_.back() != free.segment) shared_.push_back(free.segment);
+  }
   const Range& bounds = problem.length(CamDimension::base_radius).bounds;
   if (variables.frees(CamDimension::base_radius)) {
     bounds_ = int(bounds.min > 0) + int(std::isfinite(bounds.max));
   }
+  rolls_ = problem.length(CamDimension::roller_radius).used;
   for (const LimitPlaces& limit : places_.limits) {
     all_.insert(all_.end(), limit.places.begin(), limit.places.end());
   }
@@ -89,7 +97,8 @@ int CamModel::residual_count() const {
 }
 
 int CamModel::constraint_count() const {
-  return static_cast<int>(of_limits_ + places_.face.size()) + bounds_ + int(frees_angles_);
+  return static_cast<int>(of_limits_ + places_.face.size() + shared_.size()) + bounds_ +
+         int(frees_angles_) + int(rolls_);
 }
 
 synthesis::Objective CamModel::objective() const {
@@ -132,6 +141,20 @@ T CamModel::angles_left(std::span<const T> x) const {
 }
 
 template <class T>
+T CamModel::share_left(std::size_t segment, std::span<const T> x) const {
+  const CamProblem& problem = variables_.problem();
+  const auto& shape = problem.motion[segment].shape;
+  T shares[] = {T(shape.sine), T(shape.constant), T(shape.cosine)};
+  std::size_t place = x.size() - problem.free_motion.size();
+  for (const FreeMotionParameter& free : problem.free_motion) {
+    const T& value = x[place++];
+    if (free.segment != segment || free.parameter == MotionParameter::over) continue;
+    shares[static_cast<int>(free.parameter) - static_cast<int>(MotionParameter::sine)] = value;
+  }
+  return T(1) - shares[0] - shares[1] - shares[2];
+}
+
+template <class T>
 void CamModel::evaluate_constraints(std::span<const T> x, std::span<T> c) const {
   const CamProblem& problem = variables_.problem();
   const double unit = variables_.unit();
@@ -139,6 +162,11 @@ void CamModel::evaluate_constraints(std::span<const T> x, std::span<T> c) const 
   const auto motion = motions(x);
   std::size_t k = 0;
   if (frees_angles_) c[k++] = angles_left(x);
+  for (const std::size_t segment : shared_) c[k++] = share_left(segment, x);
+  if (rolls_) {
+    const auto& d = system.follower.dimensions;
+    c[k++] = (d.base_radius - T(kClearOfCentre) * d.roller_radius) * T(1 / unit);
+  }
   if (bounds_ > 0) {
     const Range& bounds = problem.length(CamDimension::base_radius).bounds;
     const T& base = system.follower.dimensions.base_radius;

@@ -63,6 +63,9 @@ class CamModel final : public synthesis::Model {
   void evaluate_residuals(std::span<const T> x, std::span<T> r) const;
   template <class T>
   T angles_left(std::span<const T> x) const;
+  /// What the shares of a segment leave of 1.
+  template <class T>
+  T share_left(std::size_t segment, std::span<const T> x) const;
 
   const CamVariables& variables_;
   CamPlaces places_;
@@ -70,7 +73,9 @@ class CamModel final : public synthesis::Model {
   std::vector<cam::FollowerMotion<double>> still_;  ///< there, where no motion is free
   std::size_t of_limits_ = 0;                       ///< how many of them are of limits
   bool frees_angles_ = false;
-  int bounds_ = 0;  ///< constraints that the bounds of the base radius become
+  std::vector<std::size_t> shared_;  ///< segments with free shares
+  bool rolls_ = false;               ///< a roller must stay clear of the cam's centre
+  int bounds_ = 0;                   ///< constraints that the bounds of the base radius become
   double objective_unit_ = 1;
 };
 

@@ -63,6 +63,17 @@ void add_cusp(const CamProblem& problem, const CamDesign& design, std::vector<st
                   degrees(convex->angle)));
 }
 
+/// A motion that goes below its beginning.
+void add_dip(const CamDesign& design, std::vector<std::string>& notes) {
+  const auto& programme = design.cam.programme;
+  if (programme.lowest() >= -kCheckTolerance * programme.highest()) return;
+  const bool swings = is_oscillating(design.cam.system.follower.type);
+  const double dip = -programme.lowest();
+  notes.push_back(fmt::format(
+      "The motion goes {:.6g}{} below its beginning, and so the follower below the base circle.",
+      swings ? degrees(dip) : dip, swings ? "°" : ""));
+}
+
 /// Limits of the pressure angle that a given or bounded base radius is too small for.
 void add_size_missing(const CamProblem& problem, const CamDesign& design,
                       std::vector<std::string>& notes) {
@@ -82,6 +93,7 @@ void add_size_missing(const CamProblem& problem, const CamDesign& design,
   if (!exact) return;
   const auto& has = design.cam.system.follower.dimensions;
   const auto& wants = exact->dimensions;
+  if (!(has.base_radius < wants.base_radius)) return;
   const bool swings = is_oscillating(problem.follower);
   notes.push_back(fmt::format(
       "The limits of the pressure angle need a base radius of at least {:.6g} (with {} {:.6g}), "
@@ -120,6 +132,7 @@ std::vector<std::string> cam_notes(const CamProblem& problem, const CamResult& r
   std::vector<std::string> notes;
   add_jumps(result, notes);
   if (result.designs.empty()) return notes;
+  add_dip(result.designs.front(), notes);
   add_other_side(problem, result.designs.front(), notes);
   add_cusp(problem, result.designs.front(), notes);
   add_size_missing(problem, result.designs.front(), notes);

@@ -24,6 +24,7 @@ struct BindingPosition {
 struct SizeProof {
   double base_radius_least = 0;
   std::vector<BindingPosition> positions;
+  std::string within;  ///< what of the file it takes for granted: "offset = 3"; empty: nothing
 };
 
 struct CamDesign {

@@ -20,6 +20,8 @@ constexpr int kMostRounds = 30;
 constexpr std::size_t kMostPlaces = 40;
 /// What a limit may be broken by before its position is added.
 constexpr double kBroken = 0.3 * kCamFeasibility;
+/// A relaxation that ends with more is taken to have no solution near its start.
+constexpr double kHopeless = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool covers(cam::Stretch stretch, cam::Stroke stroke) {
@@ -94,7 +96,8 @@ class Exchange {
       if (!cam) break;
       const CamCandidate here = candidate(*cam, x);
       if (is_better(here, best)) best = here;
-      if (!add_broken(*cam, x, kBroken)) break;
+      // What even the relaxation cannot keep more positions cannot mend.
+      if (!add_broken(*cam, x, kBroken) || relaxed_violation_ > kHopeless) break;
     }
     return best;
   }
@@ -132,7 +135,9 @@ class Exchange {
       added |=
           add(cam, shares, local_maxima(cam.programme, limit.stretch, missing, broken), places);
     }
-    return add_objective(cam, shares, broken) || add_face(cam, shares, broken) || added;
+    added |= add_objective(cam, shares, broken);
+    added |= add_face(cam, shares, broken);
+    return added;
   }
 
   bool add_objective(const Cam& cam, const SegmentShares& shares, double broken) {
@@ -191,6 +196,7 @@ class Exchange {
     work_.positions += solution.evaluations * static_cast<std::uint64_t>(model.constraint_count());
     work_.gradients += solution.gradients;
     reached_ = solution.objective * unit_;
+    relaxed_violation_ = solution.violation;
     return solution.x;
   }
 
@@ -201,7 +207,10 @@ class Exchange {
         return -margin(limit, cam.system, m, variables_.unit());
       };
       const auto worst = turn_extremes(cam.programme, limit.stretch, missing);
-      if (worst) made.violation = std::max(made.violation, worst->greatest.value);
+      if (worst && !(worst->greatest.value <= made.violation)) {
+        const double missing_there = worst->greatest.value;
+        made.violation = std::isfinite(missing_there) ? missing_there : kInfinity;
+      }
     }
     const Range& base = variables_.problem().length(CamDimension::base_radius).bounds;
     const double radius = cam.system.follower.dimensions.base_radius;
@@ -233,7 +242,8 @@ class Exchange {
   Work& work_;
   CamPlaces places_;
   double unit_ = 1;
-  double reached_ = 0;  ///< the objective at the positions of the last relaxation
+  double relaxed_violation_ = 0;  ///< of the last relaxation's constraints
+  double reached_ = 0;            ///< the objective at the positions of the last relaxation
 };
 
 bool is_possible(const Cam& cam) {

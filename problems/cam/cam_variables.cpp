@@ -46,6 +46,15 @@ double typical_length(const CamProblem& problem) {
   return greatest > 0 ? greatest : 1;
 }
 
+/// Shares that a solver's rounding brought above 1 together are made 1.
+void keep_whole(cam::MotionSegment& segment) {
+  constexpr double kRounding = 1e-6;
+  auto& [sine, constant, cosine] = segment.shape;
+  const double sum = sine + constant + cosine;
+  if (sum <= 1 || sum > 1 + kRounding) return;
+  for (double* share : {&sine, &constant, &cosine}) *share /= sum;
+}
+
 }  // namespace
 
 CamVariables::CamVariables(const CamProblem& problem)
@@ -69,7 +78,7 @@ void CamVariables::add_start() {
     return;
   }
   const double most = std::isfinite(base.bounds.max) ? base.bounds.max : kFarthest * unit_;
-  variables_.push_back({"start", kLeast * unit_, most, unit_});
+  variables_.push_back({"start", std::min(kLeast * unit_, most), most, unit_});
 }
 
 void CamVariables::add_length(CamDimension dimension, const char* name) {
@@ -108,6 +117,7 @@ std::vector<cam::MotionSegment> CamVariables::motion(std::span<const double> x) 
     const bool nothing = free.parameter != MotionParameter::over && value < cam::kLeastShare;
     *target[static_cast<int>(free.parameter)] = nothing ? 0 : value;
   }
+  for (const FreeMotionParameter& free : problem_->free_motion) keep_whole(segments[free.segment]);
   return segments;
 }
 

@@ -5,6 +5,7 @@
 
 #include "problems/cam/cam_extremes.hpp"
 #include "problems/cam/cam_facts.hpp"
+#include "problems/cam/second_contact.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -28,11 +29,24 @@ double greatest_radius(const CamProblem& problem, cam::Cam cam) {
   return sharpest ? std::min(usual, kOfCurvature * sharpest->value) : usual;
 }
 
+/// `problem` with those limits alone that a roller's radius matters to.
+CamProblem limits_of_radius(const CamProblem& problem) {
+  CamProblem limits = problem;
+  limits.constraints = {};
+  limits.constraints.curvature_radius_min = problem.constraints.curvature_radius_min;
+  limits.constraints.profile_radius_min = problem.constraints.profile_radius_min;
+  limits.has_operation = false;
+  return limits;
+}
+
 }  // namespace
 
 bool frees_roller(const CamProblem& problem) {
   const CamLength& roller = problem.length(CamDimension::roller_radius);
-  return roller.used && !roller.given && problem.objective != CamObjective::contact_stress;
+  const CamConstraints& c = problem.constraints;
+  const bool helps = problem.objective == CamObjective::contact_stress || c.contact_stress_max ||
+                     c.concave_radius_min || c.profile_radius_max;
+  return roller.used && !roller.given && !helps;
 }
 
 CamProblem without_roller(CamProblem problem) {
@@ -46,11 +60,15 @@ void enlarge_roller(const CamProblem& problem, cam::Cam& cam) {
   constexpr int kHalvings = 52;
   double& radius = cam.system.follower.dimensions.roller_radius;
   const double most = greatest_radius(problem, cam);
+  const CamProblem limits = limits_of_radius(problem);
   const auto keeps_limits = [&](double tried) {
     radius = tried;
     CamDesign design;
     design.cam = cam;
-    return all_satisfied(cam_checks(problem, design, CamExtremes(design.cam)));
+    if (problem.second.closure == cam::Closure::conjugate) {
+      design.second = conjugate_cam(cam, problem.second);
+    }
+    return all_satisfied(cam_checks(limits, design, CamExtremes(design.cam)));
   };
   double good = least_radius(problem), bad = most;
   if (keeps_limits(most)) return;

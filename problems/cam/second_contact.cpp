@@ -83,8 +83,11 @@ double constant_breadth(const cam::Cam& cam) {
 std::optional<cam::Cam> conjugate_cam(const cam::Cam& first, const SecondContact& contact) {
   const auto follower = conjugate_follower(first, contact);
   if (!(follower.dimensions.base_radius > follower.dimensions.roller_radius)) return std::nullopt;
-  return cam::Cam{{follower, starting_place(follower), first.system.operation},
-                  complement(first.programme)};
+  // Its own displacement is highest − s, and it gives what the first cam would have to hold back.
+  cam::Operation operation = first.system.operation;
+  operation.preload = -operation.preload - operation.spring_rate * first.programme.highest();
+  operation.load = -operation.load;
+  return cam::Cam{{follower, starting_place(follower), operation}, complement(first.programme)};
 }
 
 }  // namespace cognate::problems

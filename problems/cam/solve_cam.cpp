@@ -20,9 +20,12 @@ namespace cognate::problems {
 namespace {
 
 using synthesis::Backend;
+using Ends = std::vector<std::optional<CamCandidate>>;  ///< one for each start
 
 /// Starts of a search; fewer for motions of so many pieces that each takes long.
 constexpr std::size_t kStarts = 12, kManyPieces = 2000;
+/// Starts that a second solver takes up where the first found no cam that keeps every limit.
+constexpr std::size_t kRetried = 3;
 
 int starts_for(const cam::MotionProgramme& programme) {
   const std::size_t share = kStarts * kManyPieces / (programme.pieces().size() + 1);
@@ -61,6 +64,19 @@ CamProblem with_preload(CamProblem problem, const cam::MotionProgramme& programm
   return problem;
 }
 
+/// The problem with the base radius that a given distance of parallel contacts asks for.
+CamProblem with_breadth(CamProblem problem, const cam::MotionProgramme& programme) {
+  CamLength& base = problem.length(CamDimension::base_radius);
+  const SecondContact& second = problem.second;
+  if (second.closure != cam::Closure::constant_breadth || !second.breadth || base.given) {
+    return problem;
+  }
+  cam::Cam still;
+  still.programme = programme;
+  base.given = 0.5 * (*second.breadth - constant_breadth(still));
+  return problem;
+}
+
 /// Solves one problem; keeps what its parts share.
 class CamSolver {
  public:
@@ -68,7 +84,7 @@ class CamSolver {
             const Deadline& deadline, CamResult& result)
       : asked_(problem),
         programme_(programme),
-        problem_(with_preload(problem, programme_)),
+        problem_(with_breadth(with_preload(problem, programme_), programme_)),
         sought_(without_roller(problem_)),
         variables_(sought_),
         run_(run),
@@ -84,6 +100,12 @@ class CamSolver {
       return;
     }
     const auto exact = exact_cam(sought_, programme_);
+    const Range& base = sought_.length(CamDimension::base_radius).bounds;
+    if (exact && exact->proof.base_radius_least > base.max * (1 + kCheckTolerance)) {
+      // Proved to be impossible: the cam that the limits need shows by how much.
+      add(cam_at(variables_, variables_.values(exact->dimensions)), "exact:half-planes");
+      if (!result_.designs.empty()) return tell_proof(*exact);
+    }
     if (exact && sought_.solve.solver == SolverChoice::automatic && add_exact(*exact)) return;
     search(exact);
   }
@@ -102,7 +124,8 @@ class CamSolver {
     auto d = exact.dimensions;
     const Range& base = sought_.length(CamDimension::base_radius).bounds;
     if (d.base_radius < base.min) {
-      // (e, s₀) away from the origin stays in every half plane; an arm's cam is searched for.
+      // (e, s₀) farther from the origin mostly stays in every half plane, which is checked; an
+      // arm's cam is searched for.
       if (is_oscillating(sought_.follower)) return false;
       if (!sought_.length(CamDimension::offset).given) d.offset *= base.min / d.base_radius;
       d.base_radius = base.min;
@@ -115,8 +138,12 @@ class CamSolver {
     if (!all_satisfied(made.constraints)) return false;
     add(std::move(cam), "exact:half-planes", x);
     if (is_flat(sought_.follower)) result_.designs.back().origin = "exact:curvature";
-    result_.designs.back().proof = exact.proof;
+    tell_proof(exact);
     return true;
+  }
+
+  void tell_proof(const ExactCam& exact) {
+    if (exact.proof.base_radius_least > 0) result_.designs.back().proof = exact.proof;
   }
 
   void search(const std::optional<ExactCam>& exact) {
@@ -126,22 +153,30 @@ class CamSolver {
     auto starts =
         cam_starts(variables_, sought_.solve.starts.value_or(starts_for(programme_)), run_.seed);
     if (exact) starts.insert(starts.begin(), variables_.values(exact->dimensions));
-    std::vector<std::optional<CamCandidate>> ends(starts.size());
+    Ends ends(starts.size());
+    for (const Backend backend : backends) {
+      refine(starts, backend, ends);
+      const bool found = std::ranges::any_of(
+          ends, [](const auto& end) { return end && end->violation <= kCamFeasibility; });
+      if (found || deadline_.reached()) break;
+      starts.resize(std::min(starts.size(), kRetried));
+    }
+    take_best(ends, exact);
+  }
+
+  /// Brings every start to its end, which replaces that of its index where it is better.
+  void refine(const std::vector<std::vector<double>>& starts, Backend backend, Ends& ends) {
     std::vector<Work> work(starts.size());
     parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
       const auto i = static_cast<std::size_t>(index);
       if (index > 0 && deadline_.reached()) return;
-      for (const Backend backend : backends) {
-        const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
-        if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
-        if (ends[i] && ends[i]->violation <= kCamFeasibility) break;
-      }
+      const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
+      if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
       if (thread == 0 && run_.progress) {
         run_.progress(double(i + 1) / double(starts.size()), ends[i] ? ends[i]->objective : 0);
       }
     });
     add_work(work);
-    take_best(ends, exact);
   }
 
   static std::vector<Backend> backends_of(SolverChoice choice) {
@@ -150,7 +185,7 @@ class CamSolver {
   }
 
   void add_work(const std::vector<Work>& parts) {
-    result_.work.candidates = parts.size();
+    result_.work.candidates += parts.size();
     for (const Work& part : parts) {
       result_.work.positions += part.positions;
       result_.work.gradients += part.gradients;
@@ -159,8 +194,7 @@ class CamSolver {
   }
 
   /// The best of different ends, as many as the file asks for.
-  void take_best(std::vector<std::optional<CamCandidate>>& ends,
-                 const std::optional<ExactCam>& exact) {
+  void take_best(Ends& ends, const std::optional<ExactCam>& exact) {
     std::erase(ends, std::nullopt);
     std::ranges::stable_sort(ends, [](const auto& a, const auto& b) { return is_better(*a, *b); });
     std::vector<const CamCandidate*> kept;
@@ -169,7 +203,7 @@ class CamSolver {
       if (std::ranges::any_of(kept, [&](const auto* k) { return is_same(*k, *end); })) continue;
       kept.push_back(&*end);
       add(cam_at(variables_, end->x), "search + " + std::string(name(end->backend)), end->x);
-      if (exact) result_.designs.back().proof = exact->proof;
+      if (exact) tell_proof(*exact);
     }
   }
 
@@ -208,7 +242,13 @@ CamResult solve(const CamProblem& problem, const Run& run) {
     result.segments.push_back({peak_factors(segment), cam::handbook_factors(segment.law)});
   }
   const auto programme = programme_of(problem.motion);
-  const auto impossibility = motion_impossibility(problem, *programme);
+  if (!programme) {
+    result.notes.emplace_back(
+        "A segment of the motion has no solution for its conditions or points.");
+    return result;
+  }
+  const bool still = problem.free_motion.empty();
+  const auto impossibility = still ? motion_impossibility(problem, *programme) : std::nullopt;
   if (!impossibility) CamSolver(problem, *programme, run, deadline, result).solve();
   const auto all =
       jumps(result.designs.empty() ? *programme : result.designs.front().cam.programme);

@@ -65,6 +65,7 @@ struct Found {
   double distance = 0;
   std::vector<BindingLimit> binding;
   int rounds = 0;
+  bool other_binds = false;  ///< a half plane of no position
 };
 
 /// The point nearest to `centre` that keeps every limit at every position. `plane_of(side, motion)`
@@ -74,29 +75,36 @@ std::optional<Found> exchange(const cam::MotionProgramme& programme,
                               const std::vector<LimitSide>& sides, const Vec2d& centre,
                               Exchange working, PlaneOf plane_of) {
   constexpr int kMostRounds = 100;
-  constexpr double kRounding = 4e-16;
+  constexpr double kRounding = 4e-16, kStalled = 1e-13;
+  double last = -1;
   for (int round = 1; round <= kMostRounds; ++round) {
     const auto nearest = nearest_point(centre, working.planes);
     if (!nearest || !std::isfinite(nearest->distance)) return std::nullopt;
-    bool added = false;
+    const double size = nearest->distance + norm(centre);
+    double worst = 0;
     for (const LimitSide& side : sides) {
       const auto missing = [&](const FollowerMotion<double>& m) {
         const HalfPlane plane = plane_of(side, m);
         return (plane.bound - dot(plane.normal, nearest->at)) / norm(plane.normal);
       };
-      const auto worst = turn_extremes(programme, side.stretch, missing);
-      const double size = nearest->distance + norm(centre);
-      if (!worst || !(worst->greatest.value > kRounding * size)) continue;
-      const auto& place = worst->greatest.place;
+      const auto extremes = turn_extremes(programme, side.stretch, missing);
+      if (!extremes || !(extremes->greatest.value > kRounding * size)) continue;
+      worst = std::max(worst, extremes->greatest.value);
+      const auto& place = extremes->greatest.place;
       working.add(plane_of(side, motion_at(programme, place)),
                   BindingLimit{place.angle, side.limit});
-      added = true;
     }
-    const bool repeats = round == kMostRounds;
-    if (added && !repeats) continue;
+    // What is still missing may be rounding of a place that is known already.
+    const bool stalled = nearest->distance - last <= kRounding * size && worst <= kStalled * size;
+    last = nearest->distance;
+    if (worst > 0 && !stalled) continue;
     Found found{nearest->at, nearest->distance, {}, round};
     for (const std::size_t i : nearest->binding) {
-      if (working.origins[i]) found.binding.push_back(*working.origins[i]);
+      if (working.origins[i]) {
+        found.binding.push_back(*working.origins[i]);
+      } else {
+        found.other_binds = true;
+      }
     }
     return found;
   }
@@ -122,6 +130,7 @@ std::optional<SmallestCam> smallest_translating(const cam::MotionProgramme& prog
   smallest.dimensions.offset = found->at.x;
   smallest.dimensions.base_radius = found->distance;
   smallest.binding = found->binding;
+  smallest.bound_binds = found->other_binds;
   smallest.rounds = found->rounds;
   return smallest;
 }
@@ -144,6 +153,7 @@ std::optional<SmallestCam> smallest_oscillating(const cam::MotionProgramme& prog
   smallest.dimensions.centre_distance = norm(found->at);
   smallest.dimensions.base_radius = found->distance;
   smallest.binding = found->binding;
+  smallest.bound_binds = found->other_binds;
   smallest.rounds = found->rounds;
   return smallest;
 }

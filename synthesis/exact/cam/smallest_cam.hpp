@@ -28,9 +28,11 @@ struct BindingLimit {
 
 struct SmallestCam {
   cam::CamDimensions<double> dimensions;
-  /// The one or two positions that alone force the base radius: no cam that keeps the limit in them
-  /// is smaller. Empty where it is not the pressure angle that limits the size.
+  /// The one or two positions that force the base radius: no cam that keeps the limit in them is
+  /// smaller. Empty where it is not the pressure angle that limits the size.
   std::vector<BindingLimit> binding;
+  /// Whether they do so only together with a bound (the offset's, or that of the follower's place).
+  bool bound_binds = false;
   int rounds = 0;  ///< of exchange
 };
 

@@ -31,7 +31,7 @@ function showProof(proof) {
   if (!proof) return;
   const limit = ({ deg, limit: key, bound }) => `${key} = ${number(bound, 6)} at cam angle ${degrees(deg)}`;
   const where = proof.positions.length ? `: ${proof.positions.map(limit).join(" and ")} ${proof.positions.length > 1 ? "allow" : "allows"} nothing smaller` : "";
-  byId("proof").textContent = `Proved: no base radius below ${number(proof.base_radius, 7)} keeps the limits${where}.`;
+  byId("proof").textContent = `Proved: no base radius below ${number(proof.base_radius, 7)} keeps the limits${proof.within ? ` with ${proof.within}` : ""}${where}.`;
 }
 
 // A metric's name in words: "Greatest pressure angle in the return" of "pressure_angle_deg_max_return".
