@@ -9,7 +9,9 @@ using cam::MotionLaw;
 
 constexpr Entry kTranslatingRoller[] = {
     {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
-    {"offset", "of the follower's line from the cam's centre; positive helps the rise"},
+    {"offset",
+     "of the follower's line from the cam's centre; positive helps the rise; 0 with constant "
+     "breadth"},
     {"roller_radius", "in [mechanism] or [follower]"}};
 constexpr Entry kTranslatingFlat[] = {
     {"base_radius", "least distance of the face from the cam's centre"},
@@ -46,7 +48,9 @@ constexpr Entry kFollower[] = {
     {"arms_deg", "oscillating conjugate: angle between the arms"},
     {"mass", "translating; inertia: oscillating, about the pivot; with drive.speed"},
     {"spring_rate", "by length, or by radian of an oscillating follower"},
-    {"preload", "of the spring at displacement 0; left out: the least that keeps contact"},
+    {"preload",
+     "of the spring at displacement 0; left out: the least that keeps contact; wanted "
+     "where angles or shares of the motion are free and forces limited or least"},
     {"load", "constant, against the rise: a force, or a moment about the pivot"}};
 
 constexpr Entry kMotion[] = {
@@ -77,7 +81,7 @@ constexpr Entry kBounds[] = {
 constexpr Entry kTarget[] = {
     {"objective",
      "what is least: \"size\" (the base radius, default), \"pressure-angle\", \"contact-force\", "
-     "\"torque\" or \"contact-stress\""}};
+     "\"torque\" or \"contact-stress\"; of conjugate cams neither contact force nor stress"}};
 
 constexpr Entry kConstraints[] = {
     {"pressure_angle_deg_max", "of either sign, everywhere"},
@@ -88,9 +92,9 @@ constexpr Entry kConstraints[] = {
     {"concave_radius_min", "of the profile where it is concave (not flat faces)"},
     {"face_width_max", "flat faces"},
     {"profile_radius_min, profile_radius_max", "of the profile from the cam's centre"},
-    {"contact_force_max", "with masses, spring or load"},
-    {"torque_max", "that drives the cam, of either sense; likewise"},
-    {"contact_stress_max", "with [contact] besides"},
+    {"contact_force_max", "with masses, spring or load; not of rollers of constant breadth"},
+    {"torque_max", "that drives the cam, of either sense; with masses, spring or load"},
+    {"contact_stress_max", "with [contact] besides; not with constant breadth"},
     {"no_separation", "true (default): the follower never lifts off; force closure"}};
 
 constexpr Entry kDrive[] = {{"speed", "of the cam, constant, rad/s"}};

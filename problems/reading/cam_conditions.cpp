@@ -163,6 +163,15 @@ bool check_periodic(TableReader& table, double over_deg, const cam::MotionSegmen
   return false;
 }
 
+bool check_spline(TableReader& table, const cam::MotionSegment& segment) {
+  std::vector<cam::MotionPiece<double>> pieces;
+  if (cam::append_pieces(segment, 0, 0, 0, pieces)) return true;
+  table.fault(kPoints, fmt::format("have no spline of degree {} that can be computed; points "
+                                   "farther apart are wanted",
+                                   segment.degree));
+  return false;
+}
+
 }  // namespace
 
 bool read_conditions(TableReader& table, bool oscillating, double over_deg,
@@ -203,7 +212,7 @@ bool read_spline(TableReader& table, bool oscillating, double over_deg,
   if (segment.degree == 3) {
     refuse(table, {"acceleration"}, "that at the ends of a cubic spline follows");
   }
-  return check_periodic(table, over_deg, segment);
+  return check_periodic(table, over_deg, segment) && check_spline(table, segment);
 }
 
 }  // namespace cognate::problems::reading

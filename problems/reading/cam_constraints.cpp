@@ -71,15 +71,44 @@ void check_known(TableReader& table, std::string_view key, const CamProblem& pro
   table.fault(key, fmt::format("is given without what it follows from; {} is wanted", missing));
 }
 
+// Of two contacts of constant breadth the angle of the first face is also that of the second, but
+// neither the angle of rollers nor any curvature is.
+bool hides_second_contact(const CamProblem& problem, bool stress) {
+  return problem.second.closure == cam::Closure::constant_breadth &&
+         (stress || has_opposite_roller(problem));
+}
+
+void check_contact(TableReader& table, std::string_view key, const CamProblem& problem,
+                   bool stress) {
+  if (!hides_second_contact(problem, stress)) return check_known(table, key, problem, stress);
+  if (!table.has(key)) return;
+  table.fault(key, fmt::format("is given, but with closure = \"constant-breadth\" the {} of the "
+                               "second contact is not judged; leave it out",
+                               stress ? "curvature" : "pressure angle"));
+}
+
+void check_contact_objective(TableReader& target, std::string_view key, const CamProblem& problem,
+                             bool stress) {
+  const bool pair = problem.second.closure == cam::Closure::conjugate;
+  if (!pair && !hides_second_contact(problem, stress)) {
+    return check_known(target, key, problem, stress);
+  }
+  target.fault(key, fmt::format("is \"{}\", but with closure = \"{}\" {}; another objective is "
+                                "wanted",
+                                to_string(problem.objective), to_string(problem.second.closure),
+                                pair ? "only the first of both cams would be judged"
+                                     : "the second contact would not be judged"));
+}
+
 void read_forces(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
   constraints.contact_force_max = table.number(kForce, kPositive);
   constraints.torque_max = table.number(kTorque, kPositive);
   constraints.contact_stress_max = table.number(kStress, kPositive);
-  check_known(table, kForce, problem, false);
+  check_contact(table, kForce, problem, false);
   check_known(table, kTorque, problem, false);
   const bool knife = problem.follower == FollowerType::translating_knife;
   refuse_where(table, kStress, knife, problem.follower, "presses without limit");
-  if (!knife) check_known(table, kStress, problem, true);
+  if (!knife) check_contact(table, kStress, problem, true);
   constraints.no_separation = table.boolean(kSeparation).value_or(true);
   if (!table.has(kSeparation)) return;
   if (problem.second.closure != cam::Closure::force) {
@@ -121,6 +150,7 @@ void read_cam_objective(TableReader& target, CamProblem& problem) {
                                            in_words(problem.follower)));
       return;
     case CamObjective::contact_force:
+      return check_contact_objective(target, kObjective, problem, false);
     case CamObjective::torque:
       return check_known(target, kObjective, problem, false);
     case CamObjective::contact_stress:
@@ -130,7 +160,7 @@ void read_cam_objective(TableReader& target, CamProblem& problem) {
                      "another objective, or a roller, is wanted");
         return;
       }
-      return check_known(target, kObjective, problem, true);
+      return check_contact_objective(target, kObjective, problem, true);
   }
 }
 

@@ -102,6 +102,11 @@ std::string_view in_words(FollowerType type) {
   return {};
 }
 
+bool has_opposite_roller(const CamProblem& problem) {
+  return problem.second.closure == Closure::constant_breadth &&
+         problem.follower == FollowerType::translating_roller;
+}
+
 bool read_follower(TableReader& follower, CamProblem& problem) {
   if (!follower.has(kType)) {
     std::vector<std::string_view> types;

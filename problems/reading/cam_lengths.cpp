@@ -81,10 +81,12 @@ std::optional<double> read_given(TableReader& table, CamDimension dimension, Fol
   return 0;
 }
 
-// What a file need not say: a flat face's line does not matter to it, a face goes through its
-// pivot unless its bounds say that it may be set off.
-bool is_zero_by_default(TableReader& bounds, CamDimension dimension, FollowerType type) {
-  if (dimension == CamDimension::offset) return type == FollowerType::translating_flat;
+// What a file need not say: a flat face's line does not matter to it, that of two opposite rollers
+// has one place, a face goes through its pivot unless its bounds say that it may be set off.
+bool is_zero_by_default(TableReader& bounds, CamDimension dimension, const CamProblem& problem) {
+  if (dimension == CamDimension::offset) {
+    return problem.follower == FollowerType::translating_flat || has_opposite_roller(problem);
+  }
   return dimension == CamDimension::face_offset && !bounds.has("face_offset");
 }
 
@@ -102,12 +104,22 @@ void read_length(CamLengthTables& tables, CamDimension dimension, CamProblem& pr
   TableReader& table = table_of(tables, dimension);
   length.bounds = read_bounds(tables.bounds, dimension);
   length.given = read_given(table, dimension, type);
-  if (!table.has(key) && is_zero_by_default(tables.bounds, dimension, type)) length.given = 0;
+  if (!table.has(key) && is_zero_by_default(tables.bounds, dimension, problem)) length.given = 0;
   if (!length.given) return;
   const auto& [min, max] = length.bounds;
   if (*length.given >= min && *length.given <= max) return;
   table.fault(key, fmt::format("is {}, outside its bounds; {} allows [{}, {}]", *length.given,
                                tables.bounds.name(key), min, max));
+}
+
+void check_opposite_roller(CamLengthTables& tables, const CamProblem& problem) {
+  const double offset = problem.length(CamDimension::offset).given.value_or(0);
+  if (!has_opposite_roller(problem) || offset == 0) return;
+  tables.mechanism.fault("offset",
+                         fmt::format("is {}, but the second roller of closure = "
+                                     "\"constant-breadth\" would stand at the other side of the "
+                                     "cam's centre; 0 is wanted",
+                                     offset));
 }
 
 void check_offset(CamLengthTables& tables, const CamProblem& problem) {
@@ -185,6 +197,7 @@ void read_cam_lengths(CamLengthTables& tables, CamProblem& problem) {
   for (const auto& dimension : names<CamDimension>()) {
     read_length(tables, dimension.value, problem);
   }
+  check_opposite_roller(tables, problem);
 }
 
 void check_cam_assembly(CamLengthTables& tables, const CamProblem& problem) {

@@ -7,7 +7,7 @@
 namespace cognate::problems::reading {
 
 /// Reads every segment into `problem.motion` and `problem.free_motion`, whose follower is known.
-/// Together they must be one turn, begin and end on the base circle and never go below it.
+/// Together they must be one turn, begin and end on the base circle, and none may end below it.
 void read_cam_motion(TableReader& document, CamProblem& problem);
 
 /// The greatest displacement at an end of a segment.

@@ -63,6 +63,14 @@ void read_contact(TableReader& contact, CamProblem& problem) {
   problem.materials = materials;
 }
 
+bool judges_forces(const CamProblem& problem) {
+  const CamConstraints& c = problem.constraints;
+  return c.contact_force_max || c.torque_max || c.contact_stress_max ||
+         problem.objective == CamObjective::contact_force ||
+         problem.objective == CamObjective::torque ||
+         problem.objective == CamObjective::contact_stress;
+}
+
 std::string joined(const std::vector<std::string>& keys) {
   std::string text;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -100,6 +108,13 @@ void read_cam_operation(TableReader& document, TableReader& follower, CamProblem
   read_contact(contact, problem);
   contact.finish();
   problem.has_contact = problem.has_operation && problem.materials.has_value();
+}
+
+void check_preload(TableReader& follower, const CamProblem& problem) {
+  if (problem.preload || problem.free_motion.empty() || !judges_forces(problem)) return;
+  follower.fault(kPreload,
+                 "is missing; with free angles or shares of the motion and forces to be judged a "
+                 "preload is wanted (the least one would change with the motion)");
 }
 
 std::string missing_for_forces(const CamProblem& problem, bool stress) {

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include "problems/reading/cam_bounds.hpp"
+#include "problems/reading/cam_constraints.hpp"
 #include "problems/reading/cam_follower.hpp"
 #include "problems/reading/cam_lengths.hpp"
-#include "problems/reading/cam_constraints.hpp"
 #include "problems/reading/cam_motion.hpp"
 #include "problems/reading/cam_operation.hpp"
 #include "problems/reading/constraint_tables.hpp"
@@ -51,6 +51,7 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   if (document.faults().size() > before) return;  // what follows takes the rest for granted
   check_cam_assembly(lengths, problem);
   check_cam_size(tables.mechanism, problem);
+  check_preload(tables.follower, problem);
 }
 
 }  // namespace

@@ -136,9 +136,9 @@ bool read_shape(TableReader& table, CamSegment& read) {
   }
   constexpr double kRounding = 1e-12;
   if (least > 1 + kRounding) {
-    table.fault("sine", fmt::format("+ constant + cosine is {}; 1 at most is wanted, the rest is "
-                                    "constant velocity",
-                                    least));
+    table.fault("sine", fmt::format("+ constant + cosine is {}{}; 1 at most is wanted, the rest "
+                                    "is constant velocity",
+                                    least < most ? "at least " : "", least));
     return false;
   }
   if (most == 0) {

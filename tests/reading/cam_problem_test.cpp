@@ -53,6 +53,13 @@ std::string segments(const std::string& first) {
   return "[" + first + ",\n" + kReturn + ",\n" + kDwell + "]";
 }
 
+// A roller's motion with two free angles; `lines` begins with keys of [follower], as in `file`.
+std::string free_motion(const std::string& lines) {
+  return "kind = \"cam\"\nmotion = [{law = \"cycloid\", over_deg = [80, 280], rise = 20}, {law = "
+         "\"cycloid\", over_deg = [80, 280], rise = -20}]\nmechanism = {" +
+         kGiven + "}\n[follower]\ntype = \"translating-roller\"\n" + lines;
+}
+
 CamProblem read_or_fail(const std::string& text) {
   auto problem = parse_cam(text);
   if (problem) return *std::move(problem);
@@ -124,6 +131,19 @@ TEST(CamProblem, FacesHaveTheirOwnDefaults) {
   EXPECT_EQ(knife.length(CamDimension::roller_radius).given, 0);
 }
 
+// Two rollers face each other on a line through the cam's centre, a single one may be set off.
+TEST(CamProblem, TheLineOfOppositeRollersGoesThroughTheCentre) {
+  const CamProblem problem =
+      read_or_fail(file("translating-roller", "base_radius = 40, roller_radius = 8",
+                        "closure = \"constant-breadth\"\n"));
+  EXPECT_EQ(problem.length(CamDimension::offset).given, 0);
+  read_or_fail(file("translating-roller", "base_radius = 40, roller_radius = 8, offset = 0",
+                    "closure = \"constant-breadth\"\n"));
+  const CamProblem one = read_or_fail(
+      file("translating-roller", "base_radius = 40, roller_radius = 8", "closure = \"groove\"\n"));
+  EXPECT_FALSE(one.length(CamDimension::offset).given);
+}
+
 TEST(CamProblem, MassesSpringAndMaterials) {
   const CamProblem problem = read_or_fail(
       roller("mass = 0.5\nspring_rate = 2e3\nload = -3\n[drive]\nspeed = 100\n"
@@ -179,6 +199,29 @@ TEST(CamProblem, LimitsAndObjective) {
   EXPECT_EQ(problem.solve.designs, 2);
 }
 
+// The least preload of a motion that is known is a number; of form closed followers none is wanted.
+TEST(CamProblem, APreloadIsWantedOnlyWhereForcesOfAFreeMotionAreJudged) {
+  const std::string limits = "[constraints]\ntorque_max = 6\n";
+  EXPECT_FALSE(read_or_fail(roller("load = 1\n" + limits)).preload);
+  EXPECT_FALSE(read_or_fail(free_motion("load = 1\n")).preload);
+  EXPECT_EQ(read_or_fail(free_motion("preload = 0\n" + limits)).preload, 0);
+  read_or_fail(free_motion("closure = \"groove\"\nload = 1\n" + limits));
+}
+
+// What the second cam of a pair bears can be limited, and so can the force on parallel faces.
+TEST(CamProblem, LimitsThatHoldForTheSecondContact) {
+  const std::string contact = "load = 1\n[contact]\nwidth = 1\nelasticity = [1, 1]\n";
+  const std::string limits = "[constraints]\ncontact_force_max = 1\n";
+  const CamProblem pair =
+      read_or_fail(roller("closure = \"conjugate\"\n" + contact + limits +
+                          "contact_stress_max = 2\n[target]\nobjective = \"torque\"\n"));
+  EXPECT_EQ(pair.constraints.contact_stress_max, 2);
+  const CamProblem faces = read_or_fail(file("translating-flat", "base_radius = 9",
+                                             "closure = \"constant-breadth\"\n" + contact + limits +
+                                                 "[target]\nobjective = \"contact-force\"\n"));
+  EXPECT_EQ(faces.constraints.contact_force_max, 1);
+}
+
 // 80 to 140 and 30 to 60 beside 180: the turn wants 180 of 110 to 200, 7/9 of each width.
 TEST(CamProblem, FreeAnglesHoldValuesThatMakeATurn) {
   const CamProblem problem = read_or_fail(
@@ -226,6 +269,14 @@ TEST(CamProblem, ASplineGoesThroughItsPoints) {
   EXPECT_NEAR(programme->at(70 * kDegree).displacement, 13, 1e-12);
   EXPECT_NEAR(programme->at(120 * kDegree - 1e-9).velocity, 1.5, 1e-6);
   EXPECT_EQ(problem.motion[0].degree, 3);
+}
+
+TEST(CamProblem, ASplineMayDipBelowTheBaseCircle) {
+  const CamProblem problem = read_or_fail(
+      with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[30, -4]]}")));
+  const auto programme = cam::programme_of(problem.motion);
+  ASSERT_TRUE(programme);
+  EXPECT_LE(programme->lowest(), -4);
 }
 
 TEST(CamProblem, LawsAreKnownByOtherNamesToo) {
@@ -281,6 +332,10 @@ TEST(CamProblem, TheLibraryHasEveryRollerAndFace) {
 }
 
 const std::string kLaw = "{law = \"cycloidal\", over_deg = 120, rise = 20";
+
+const std::string kMaterials = "[contact]\nwidth = 1\nelasticity = [1, 1]\n";
+const std::string kBreadth = "closure = \"constant-breadth\"\nload = 1\n";
+const std::string kConjugate = "closure = \"conjugate\"\nload = 1\n";
 
 const std::vector<FaultCase> kCases = {
     {"NoFollower",
@@ -353,6 +408,10 @@ const std::vector<FaultCase> kCases = {
      with_motion(
          segments("{law = \"universal\", over_deg = 120, rise = 20, sine = 0.5, cosine = 0.75}")),
      {{2, 65, "motion[1].sine + constant + cosine is 1.25; 1 at most"}}},
+    {"SharesTooLargeAtLeast",
+     with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20, sine = [0.5, 0.6], "
+                          "cosine = [0.625, 1]}")),
+     {{2, 65, "motion[1].sine + constant + cosine is at least 1.125; 1 at most"}}},
     {"NoShares",
      with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20}")),
      {{2, 11, "motion[1].sine + constant + cosine is 0"}}},
@@ -417,6 +476,11 @@ const std::vector<FaultCase> kCases = {
      with_motion(segments(
          "{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], periodic = true}")),
      {{2, 86, "is true, but the segment is no whole turn"}}},
+    // 360/2^80: all that numbers keep of this spline is a piece that may bend as it likes.
+    {"PointsTooClose",
+     with_motion("[{law = \"spline\", over_deg = 360, points = [[2.9778502051908996e-22, 1]], "
+                 "periodic = true}]"),
+     {{2, 53, "motion[1].points have no spline of degree 5 that can be computed; points farther"}}},
     {"Side", roller("side = \"leading\"\n"), {{6, 8, "a translating roller has no arm"}}},
     {"ClosureOfAFace",
      file("translating-flat", "base_radius = 9", "closure = \"groove\"\n"),
@@ -480,6 +544,9 @@ const std::vector<FaultCase> kCases = {
      "-100}, {law = \"harmonic\", over_deg = 90, rise_deg = -90}]\nmechanism = {" +
          kArm + "}\nfollower.type = \"oscillating-roller\"\n",
      {{4, 17, "which the motion swings by 190 degrees; less than 180"}}},
+    {"OffsetOfOppositeRollers",
+     roller("closure = \"constant-breadth\"\n"),
+     {{3, 41, "is 5, but the second roller of closure = \"constant-breadth\" would stand"}}},
     {"MassOfAnArm",
      swinging("oscillating-roller", kArm, "mass = 1\n"),
      {{6, 8, "is given, but the follower oscillates; inertia about its pivot"}}},
@@ -522,6 +589,49 @@ const std::vector<FaultCase> kCases = {
     {"SeparationInAGroove",
      roller("closure = \"groove\"\nload = 1\n[constraints]\nno_separation = true\n"),
      {{9, 17, "closure = \"groove\" lets nothing separate"}}},
+    {"PreloadOfAFreeMotion",
+     free_motion("load = 1\n[target]\nobjective = \"torque\"\n"),
+     {{4, 1, "follower.preload is missing; with free angles or shares of the motion and forces"}}},
+    {"PreloadOfAFreeMotionByItsForce",
+     free_motion("load = 1\n[target]\nobjective = \"contact-force\"\n"),
+     {{4, 1, "follower.preload is missing"}}},
+    {"PreloadOfAFreeMotionByItsStress",
+     free_motion("load = 1\n" + kMaterials + "[target]\nobjective = \"contact-stress\"\n"),
+     {{4, 1, "follower.preload is missing"}}},
+    {"PreloadOfALimitedForce",
+     free_motion("load = 1\n[constraints]\ncontact_force_max = 9\n"),
+     {{4, 1, "follower.preload is missing"}}},
+    {"PreloadOfALimitedTorque",
+     free_motion("load = 1\n[constraints]\ntorque_max = 9\n"),
+     {{4, 1, "follower.preload is missing"}}},
+    {"PreloadOfALimitedStress",
+     free_motion("load = 1\n" + kMaterials + "[constraints]\ncontact_stress_max = 9\n"),
+     {{4, 1, "follower.preload is missing"}}},
+    {"StressOfOppositeFaces",
+     file("translating-flat", "base_radius = 9",
+          kBreadth + kMaterials +
+              "[constraints]\ncontact_stress_max = 9\n[target]\nobjective = "
+              "\"contact-stress\"\n"),
+     {{12, 22,
+       "is given, but with closure = \"constant-breadth\" the curvature of the second contact is "
+       "not judged; leave it out"},
+      {14, 13,
+       "is \"contact-stress\", but with closure = \"constant-breadth\" the second contact would "
+       "not be judged; another objective"}}},
+    {"ForceOfOppositeRollers",
+     file("translating-roller", "base_radius = 40, roller_radius = 8",
+          kBreadth + "[constraints]\ncontact_force_max = 9\n[target]\nobjective = "
+                     "\"contact-force\"\n"),
+     {{9, 21, "the pressure angle of the second contact is not judged; leave it out"},
+      {11, 13, "is \"contact-force\", but with closure = \"constant-breadth\" the second"}}},
+    {"ForceOfAPair",
+     roller(kConjugate + "[target]\nobjective = \"contact-force\"\n"),
+     {{9, 13,
+       "is \"contact-force\", but with closure = \"conjugate\" only the first of both cams would "
+       "be judged; another objective"}}},
+    {"StressOfAPair",
+     roller(kConjugate + kMaterials + "[target]\nobjective = \"contact-stress\"\n"),
+     {{12, 13, "is \"contact-stress\", but with closure = \"conjugate\" only the first"}}},
     {"Undercut",
      roller("[constraints]\ncurvature_radius_min = 1\nno_undercut = false\n"),
      {{8, 15, "is false beside curvature_radius_min"}}},

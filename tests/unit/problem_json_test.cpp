@@ -163,7 +163,7 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     elasticity = [2.1e11, 7e10]
     poisson = [0.3, 0.33]
     [target]
-    objective = "contact-stress"
+    objective = "torque"
     [constraints]
     pressure_angle_deg_max = 33
     no_undercut = false
