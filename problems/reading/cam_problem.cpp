@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include "problems/reading/cam_bounds.hpp"
+#include "problems/reading/cam_constraints.hpp"
 #include "problems/reading/cam_follower.hpp"
 #include "problems/reading/cam_lengths.hpp"
-#include "problems/reading/cam_constraints.hpp"
 #include "problems/reading/cam_motion.hpp"
 #include "problems/reading/cam_operation.hpp"
 #include "problems/reading/constraint_tables.hpp"
