@@ -80,10 +80,10 @@ T roller_speed(const CamSystem<T>& cam, const RollerState<T>& state, const Follo
   return swings ? spin + T(sign_of(cam.follower.side)) * m.velocity : spin;
 }
 
-/// Curvature of the profile that a roller of `radius` touches from outside.
-template <class T>
-T profile_curvature(const T& pitch, const T& radius) {
-  return pitch / (T(1) - radius * pitch);
+/// Squared pressure of a line contact over force and relative curvature (Johnson, Contact
+/// Mechanics, equation 4.45).
+inline double hertz_factor(const Operation& o) {
+  return 1 / (pi_of<double>() * o.width * o.modulus_sum);
 }
 
 template <class T>
@@ -106,13 +106,12 @@ T roller_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMoti
     case Quantity::contact_force:
       return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
     case Quantity::squared_stress: {
+      // κ/(1 − rκ) + 1/r = 1/(r (1 − rκ)); on the outer wall of a groove r changes its sign.
       const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
-      const T pitch = pitch_curvature(state);
+      const T turn = radius * pitch_curvature(state);
       const bool outside = cam.groove && force < T(0);
-      const T relative = outside ? profile_curvature(pitch, -radius) - T(1) / radius
-                                 : profile_curvature(pitch, radius) + T(1) / radius;
-      const Operation& o = cam.operation;
-      return force * relative * T(1 / (pi_of<double>() * o.width * o.modulus_sum));
+      const T wall = outside ? T(-1) - turn : T(1) - turn;
+      return T(hertz_factor(cam.operation)) * force / (radius * wall);
     }
     default:
       return T(0);
@@ -136,8 +135,7 @@ T face_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion
       return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
     case Quantity::squared_stress: {
       const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
-      const Operation& o = cam.operation;
-      return force / state.radius * T(1 / (pi_of<double>() * o.width * o.modulus_sum));
+      return T(hertz_factor(cam.operation)) * force / state.radius;
     }
     default:
       return T(0);

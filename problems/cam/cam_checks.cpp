@@ -30,7 +30,7 @@ class Checks {
   /// value ≤ most, to the tolerance of all checks, relative to the larger of both and `size`.
   void at_most(const std::string& name, double value, double most, double size = 0) {
     const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(most), size});
-    checks_.push_back({name, value, most, value - most <= slack});
+    checks_.push_back({name, value, most, std::isfinite(value) && value - most <= slack});
   }
   void at_least(const std::string& name, double value, double least, double size = 0) {
     const double slack = kCheckTolerance * std::max({std::abs(value), std::abs(least), size});

@@ -111,6 +111,12 @@ FoundAt CamExtremes::torque() const {
 }
 
 FoundAt CamExtremes::stress() const {
+  const auto convex = convex_radius(), concave = concave_radius();
+  if (convex && convex->value <= 0) return {HUGE_VAL, convex->angle};
+  const double roller = cam_.system.follower.dimensions.roller_radius;
+  if (cam_.system.groove && concave && concave->value <= 2 * roller) {
+    return {HUGE_VAL, concave->angle};
+  }
   const auto& square = whole(Quantity::squared_stress).greatest;
   return {root(square), square.place.angle};
 }

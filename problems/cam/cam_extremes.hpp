@@ -45,8 +45,8 @@ class CamExtremes {
   /// The greatest contact force; `both_ways`, of a form-closed follower, the one of greatest size.
   FoundAt contact_force(bool both_ways) const;
   FoundAt least_demand() const;
-  FoundAt torque() const;  ///< of greatest size
-  FoundAt stress() const;
+  FoundAt torque() const;        ///< of greatest size
+  FoundAt stress() const;        ///< infinite where the profile comes to a point or is undercut
   FoundAt roller_speed() const;  ///< of greatest size
 
   /// A derivative of the motion by the cam angle, its greatest size.

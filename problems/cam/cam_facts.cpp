@@ -112,7 +112,9 @@ class Facts {
     add_at("contact_force_max",
            extremes_.contact_force(problem_.second.closure != cam::Closure::force));
     add_at("torque_max", extremes_.torque());
-    if (problem_.has_contact) add_at("contact_stress_max", extremes_.stress());
+    if (!problem_.has_contact) return;
+    const FoundAt stress = extremes_.stress();
+    if (std::isfinite(stress.value)) add_at("contact_stress_max", stress);
   }
 
   const CamProblem& problem_;

@@ -17,13 +17,21 @@ void add_pressure(const CamConstraints& c, std::vector<CamLimit>& limits) {
   }
 }
 
+/// The limit of the file; where stress counts no undercut at least, which has no stress.
+std::optional<double> least_convex_radius(const CamProblem& problem) {
+  const bool stressed =
+      problem.constraints.contact_stress_max || problem.objective == CamObjective::contact_stress;
+  const auto& radius = problem.constraints.curvature_radius_min;
+  return !radius && stressed ? 0.0 : radius;
+}
+
 void add_shape(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const CamConstraints& c = problem.constraints;
   const auto add = [&](CamLimitKind kind, const std::optional<double>& bound) {
     if (bound) limits.push_back({kind, cam::Stretch::whole, *bound, 1});
   };
   const bool flat = is_flat(problem.follower);
-  add(flat ? CamLimitKind::face_radius : CamLimitKind::convex_radius, c.curvature_radius_min);
+  add(flat ? CamLimitKind::face_radius : CamLimitKind::convex_radius, least_convex_radius(problem));
   if (!flat) add(CamLimitKind::concave_radius, c.concave_radius_min);
   if (problem.second.closure == cam::Closure::groove && c.curvature_radius_min) {
     add(CamLimitKind::outer_wall, 0.0);
@@ -72,7 +80,12 @@ void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
       add(CamLimitKind::force, *c.contact_force_max, -1);
     }
   }
-  if (c.contact_stress_max) add(CamLimitKind::stress, *c.contact_stress_max);
+  if (c.contact_stress_max) {
+    add(CamLimitKind::stress, *c.contact_stress_max);
+    if (problem.second.closure == cam::Closure::groove) {
+      add(CamLimitKind::stress, *c.contact_stress_max, -1);
+    }
+  }
 }
 
 }  // namespace

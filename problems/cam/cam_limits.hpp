@@ -37,6 +37,21 @@ struct CamLimit {
 /// Every constraint of `problem` that is one of positions and depends on what is free.
 std::vector<CamLimit> cam_limits(const CamProblem& problem);
 
+/// Of a limit of the contact stress, on the outer wall of a groove where its sign is −1. The stress
+/// itself goes to infinity where the profile comes to a point; this does not.
+template <class T>
+T stress_margin(const CamLimit& limit, const cam::CamSystem<T>& system,
+                const cam::FollowerMotion<T>& motion, double unit) {
+  const double factor = hertz_factor(system.operation) / (limit.bound * limit.bound);
+  const T force = value_of(cam::Quantity::contact_force, system, motion);
+  if (is_flat(system.follower.type)) {
+    return (value_of(cam::Quantity::face_radius, system, motion) - T(factor) * force) * T(1 / unit);
+  }
+  const T& radius = system.follower.dimensions.roller_radius;
+  const T curvature = value_of(cam::Quantity::pitch_curvature, system, motion);
+  return T(1) - T(limit.sign) * (radius * curvature + T(factor) * force / radius);
+}
+
 /// By how much `limit` is kept, of order 1: ≥ 0 where it is. Lengths count in `unit`. Smooth in all
 /// that it depends on, wherever the follower can stand.
 template <class T>
@@ -75,7 +90,7 @@ T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
     case CamLimitKind::torque:
       return T(1) - T(limit.sign) * value(Quantity::torque) * T(1 / limit.bound);
     case CamLimitKind::stress:
-      return T(1) - value(Quantity::squared_stress) * T(1 / (limit.bound * limit.bound));
+      return stress_margin(limit, system, motion, unit);
     case CamLimitKind::assembly:
       return pressure_parts(system, motion).along * T(1 / unit) - T(1e-6);
   }

@@ -136,7 +136,7 @@ class Exchange {
   }
 
   bool add_objective(const Cam& cam, const SegmentShares& shares, double broken) {
-    if (!quantity_) return false;
+    if (!quantity_ || is_endless(cam)) return false;
     const double above = reached_ * (1 + std::max(broken, 0.0));
     bool added = false;
     for (const double sign : {1.0, -1.0}) {
@@ -213,8 +213,15 @@ class Exchange {
     return made;
   }
 
+  /// Whether the objective is a stress, and the profile comes to a point.
+  bool is_endless(const Cam& cam) const {
+    return quantity_ == cam::Quantity::squared_stress &&
+           !std::isfinite(CamExtremes(cam).stress().value);
+  }
+
   double objective(const Cam& cam) const {
     if (!quantity_) return cam.system.follower.dimensions.base_radius;
+    if (is_endless(cam)) return kInfinity;
     const auto all = turn_extremes(cam.programme, cam::Stretch::whole, cam.system, *quantity_);
     return std::max(std::abs(all->least.value), std::abs(all->greatest.value));
   }
