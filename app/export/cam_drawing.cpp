@@ -17,6 +17,7 @@ using problems::CamProblem;
 
 constexpr double kDefaultTolerance = 1e-4;  // of the base radius
 constexpr double kLeastTolerance = 1e-9;    // as many points as can be handled
+constexpr std::size_t kMostPoints = 2'000'000;
 
 /// A curve parallel to the one that the follower gives.
 struct Parallel {
@@ -50,8 +51,8 @@ struct Hollow {
 
 std::optional<Hollow> sharpest_hollow(const cam::Cam& cam) {
   if (is_flat(cam.system.follower.type)) return std::nullopt;
-  const auto extremes = turn_extremes(cam.programme, cam::Stretch::whole, cam.system,
-                                      cam::Quantity::pitch_curvature);
+  const auto extremes =
+      turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::pitch_curvature);
   if (!extremes || extremes->least.value >= 0) return std::nullopt;
   return Hollow{cam.system.follower.dimensions.roller_radius - 1 / extremes->least.value,
                 extremes->least.place.angle};
@@ -97,7 +98,7 @@ std::optional<std::string> refusal(const CamProblem& problem, const CamDesign& d
 /// The curve's polygon as it lies on the shaft; `half_turn` where it was computed upside down.
 std::vector<cam::ProfilePoint> placed_polygon(const cam::CamCurve& curve, double tolerance,
                                               bool half_turn, bool clockwise) {
-  auto points = polygon(curve, tolerance);
+  auto points = polygon(curve, tolerance, kMostPoints);
   const double y = half_turn ? -1 : 1;
   const double x = clockwise ? -y : y;
   for (auto& point : points) {
@@ -114,13 +115,16 @@ class DrawingMaker {
 
   /// Adds the curves of `cam`, named after it where there are two.
   void add(const cam::Cam& cam, const std::string& name, bool half_turn) {
+    if (is_too_fine_) return;
     const auto& dimensions = cam.system.follower.dimensions;
     for (const auto& [wall, distance] : parallels(problem_, dimensions.roller_radius, order_)) {
       const cam::CamCurve curve{cam.system, cam.programme, distance};
-      DrawnCurve drawn{name.empty() ? wall : name,
-                       placed_polygon(curve, drawing_.chord_tolerance, half_turn,
-                                      problem_.clockwise),
-                       std::max(0.0, dimensions.base_radius + distance)};
+      DrawnCurve drawn{
+          name.empty() ? wall : name,
+          placed_polygon(curve, drawing_.chord_tolerance, half_turn, problem_.clockwise),
+          std::max(0.0, dimensions.base_radius + distance)};
+      is_too_fine_ = drawn.points.size() >= kMostPoints;
+      if (is_too_fine_) return;
       if (crosses_itself(drawn.points)) {
         drawing_.notes.push_back(
             fmt::format("the curve{}{} crosses itself: the cam is undercut there",
@@ -130,12 +134,20 @@ class DrawingMaker {
     }
   }
 
-  CamDrawing take() { return std::move(drawing_); }
+  /// The drawing; an error where a curve has more points than it may have.
+  tl::expected<CamDrawing, std::string> take() {
+    if (!is_too_fine_) return std::move(drawing_);
+    return tl::unexpected(fmt::format(
+        "--chord-tolerance: {:.3g} would take more than {} points; allowed is a greater "
+        "length",
+        drawing_.chord_tolerance, kMostPoints));
+  }
 
  private:
   const CamProblem& problem_;
   const DrawingOrder& order_;
   CamDrawing drawing_;
+  bool is_too_fine_ = false;
 };
 
 }  // namespace

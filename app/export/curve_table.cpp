@@ -19,8 +19,12 @@ std::string csv_text(const DrawnCurve& curve) {
   for (const auto& point : curve.points) {
     const double radius =
         point.curvature != 0 ? 1 / point.curvature : std::numeric_limits<double>::quiet_NaN();
-    const std::array row = {problems::degrees(point.angle), point.at.x,     point.at.y,
-                            point.normal.x,                 point.normal.y, radius};
+    const std::array row = {problems::degrees(point.angle),
+                            point.at.x,
+                            point.at.y,
+                            point.normal.x,
+                            point.normal.y,
+                            radius};
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
   return csv_text(columns);

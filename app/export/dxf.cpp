@@ -88,8 +88,10 @@ void write_layers(DL_Dxf& dxf, TextWriter& out, ExportedCurve kind) {
     const char* name;
     int colour;
   };
-  const std::array<Layer, 4> layers = {
-      {{"0", kForeground}, {layer_of(kind), kForeground}, {"BASE_CIRCLE", kGrey}, {"CENTRE", kRed}}};
+  const std::array<Layer, 4> layers = {{{"0", kForeground},
+                                        {layer_of(kind), kForeground},
+                                        {"BASE_CIRCLE", kGrey},
+                                        {"CENTRE", kRed}}};
   out.tableLayers(static_cast<int>(layers.size()));
   for (const auto& layer : layers) {
     dxf.writeLayer(out, DL_LayerData(layer.name, 0),

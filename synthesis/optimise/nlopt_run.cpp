@@ -20,6 +20,9 @@ constexpr int kFew = 10;
 /// How many searches the augmented Lagrangian divides the evaluations of a global one into.
 constexpr int kMultiplierUpdates = 5;
 constexpr int kEvaluationsOfLocalSearch = 200;
+/// What an iteration of a method with gradients evaluates at most, on average. SLSQP's own line
+/// searches take ten; where constraints contradict one another it may go on with them for ever.
+constexpr int kMostOfIteration = 20;
 /// Step to begin with for those methods to which NLopt would give one by the bounds, which may be
 /// thousands of scales apart.
 constexpr double kFirstStep = 0.25;
@@ -37,7 +40,8 @@ struct Search {
   std::optional<Stop> stop;
 
   int iterations() const {
-    return method.with_gradients ? gradients : evaluations / (program.size() + 1);
+    if (!method.with_gradients) return evaluations / (program.size() + 1);
+    return std::max(gradients, evaluations / kMostOfIteration);
   }
   double no_value() const { return method.global ? kNoValueOfGlobal : 10 * worst; }
 };

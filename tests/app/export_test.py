@@ -437,6 +437,14 @@ class ExportTest(unittest.TestCase):
         flat = self.solve(problem(['type = "translating-flat"'], 10, {"base_radius": 40}))
         self.expect_refusal(self.refused(flat, "--curve", "pitch"), "no roller", "profile or cutter")
 
+    def test_tolerances_that_cannot_be_kept(self):
+        # The tolerance left out is 1e-4 of the base radius, far below what the rise allows.
+        result = self.solve(problem(['type = "translating-flat"'], 25, {"base_radius": 1e-9}))
+        done = self.refused(result)
+        self.expect_refusal(done, "--chord-tolerance: 1e-13 would take more than 2000000 points")
+        self.assertFalse((self.folder / "cam.csv").exists())
+        self.export(result, "csv", "--chord-tolerance", "1e-9")
+
     def test_files_that_are_no_cams(self):
         good = json.loads(self.solve(roller_problem()).read_text())
 

@@ -79,5 +79,19 @@ TEST(CamSearch, ProofHoldsInItsPositions) {
   }
 }
 
+// SLSQP goes on searching along a line for ever here: no roller so far off its axis can keep the
+// limit, and the linear constraints of its steps contradict one another.
+TEST(CamSearch, EndsWhereLimitsContradictBounds) {
+  CamProblem problem = translating_roller({}, {}, 8);
+  problem.motion = {segment(cam::MotionLaw::cycloidal, 180, 25),
+                    segment(cam::MotionLaw::cycloidal, 180, -25)};
+  problem.length(problems::CamDimension::base_radius).bounds = {9, 60};
+  problem.length(problems::CamDimension::offset).bounds = {50, 70};
+  problem.constraints.pressure_angle_max = 30 * kDegree;
+  problem.solve.starts = 1;
+  const auto result = solve(problem, {.threads = 1, .time_limit = 30});
+  EXPECT_EQ(result.status, problems::Status::infeasible);
+}
+
 }  // namespace
 }  // namespace cognate
