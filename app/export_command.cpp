@@ -23,10 +23,13 @@ struct ExportedFile {
   std::string text;
 };
 
-/// NAME of NAME.result.json.
-std::string stem_of(const fs::path& file) {
+/// NAME of NAME.result.json, followed by the curve where that is not the profile.
+std::string stem_of(const fs::path& file, ExportedCurve curve) {
   const fs::path stem = file.stem();
-  return stem.extension() == ".result" ? stem.stem().string() : stem.string();
+  std::string name = stem.extension() == ".result" ? stem.stem().string() : stem.string();
+  if (curve == ExportedCurve::pitch) name += ".pitch";
+  if (curve == ExportedCurve::cutter) name += ".cutter";
+  return name;
 }
 
 /// One file, but of a table one for each curve.
@@ -90,7 +93,8 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
   }
   const auto drawing = cam_drawing(given->problem, given->design, exporting.order);
   if (!drawing) return complain_that(drawing.error());
-  const auto files = exported_files(*drawing, exporting.format, stem_of(file));
+  const auto files =
+      exported_files(*drawing, exporting.format, stem_of(file, exporting.order.kind));
   const fs::path folder = options.out.value_or(".");
   if (const auto written = write_files(folder, files); !written) {
     return complain_that(written.error());

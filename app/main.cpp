@@ -74,6 +74,7 @@ constexpr const char* kExportFooter = R"(Output:
     NAME.svg   a picture with the same curves
     NAME.csv   the points with the cam angle, outward normal, radius of curvature;
                of a groove or conjugate cams one file for each curve
+  NAME is followed by .pitch or .cutter for those curves.
   Polygons are nowhere farther from the curve than the chord tolerance.
   Only cams can be exported in this version.
 

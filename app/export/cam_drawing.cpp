@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/cam/turn_extremes.hpp"
+#include "problems/cam/cam_extremes.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::app {
@@ -43,21 +43,6 @@ std::vector<Parallel> parallels(const CamProblem& problem, double roller,
   }
 }
 
-/// Where the profile of a roller's cam is most sharply concave; nothing where it is convex.
-struct Hollow {
-  double radius = 0;  ///< of the profile
-  double angle = 0;   ///< of the cam
-};
-
-std::optional<Hollow> sharpest_hollow(const cam::Cam& cam) {
-  if (is_flat(cam.system.follower.type)) return std::nullopt;
-  const auto extremes =
-      turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::pitch_curvature);
-  if (!extremes || extremes->least.value >= 0) return std::nullopt;
-  return Hollow{cam.system.follower.dimensions.roller_radius - 1 / extremes->least.value,
-                extremes->least.place.angle};
-}
-
 /// Why a cutter cannot cut `cam`; empty where it can.
 std::optional<std::string> gouging(const CamProblem& problem, const cam::Cam& cam, double cutter) {
   const double roller = cam.system.follower.dimensions.roller_radius;
@@ -65,12 +50,12 @@ std::optional<std::string> gouging(const CamProblem& problem, const cam::Cam& ca
     return fmt::format("--cutter-radius: {} does not fit into the groove; allowed is at most {}",
                        cutter, roller);
   }
-  const auto hollow = sharpest_hollow(cam);
-  if (!hollow || cutter <= hollow->radius) return std::nullopt;
+  const auto hollow = problems::CamExtremes(cam).concave_radius();
+  if (!hollow || cutter <= hollow->value) return std::nullopt;
   return fmt::format(
       "--cutter-radius: {} would gouge the profile, whose least concave radius is {:.6g}, at "
       "{:.4g} deg of the cam; allowed is at most that",
-      cutter, hollow->radius, problems::degrees(hollow->angle));
+      cutter, hollow->value, problems::degrees(hollow->angle));
 }
 
 /// Why the order is not possible for this cam; empty where it is.

@@ -164,6 +164,8 @@ class ExportTest(unittest.TestCase):
     def table(self, result, *options, name="cam.csv"):
         """The rows of an exported table as numbers; None for an empty cell."""
         self.export(result, "csv", *options)
+        if "--curve" in options:
+            name = name.replace(".csv", f".{options[options.index('--curve') + 1]}.csv")
         with open(self.folder / name, newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(
@@ -276,7 +278,7 @@ class ExportTest(unittest.TestCase):
             "--cutter-radius: 9.5 does not fit into the groove; allowed is at most 9",
         )
         self.export(result, "csv", "--curve", "cutter", "--cutter-radius", "9", "--out", "exact")
-        self.assertEqual([file.name for file in (self.folder / "exact").iterdir()], ["cam.csv"])
+        self.assertEqual([file.name for file in (self.folder / "exact").iterdir()], ["cam.cutter.csv"])
 
     def test_conjugate_cams_touch_both_rollers_of_a_translating_follower(self):
         result = self.solve(roller_problem('closure = "conjugate"'))
@@ -330,7 +332,8 @@ class ExportTest(unittest.TestCase):
         ]:
             points = self.points(result, *options)
             self.export(result, "dxf", *options)
-            drawing = ezdxf.readfile(self.folder / "cam.dxf")
+            name = "cam.dxf" if layer == "PROFILE" else f"cam.{layer.lower()}.dxf"
+            drawing = ezdxf.readfile(self.folder / name)
             self.assertEqual(drawing.audit().errors, [])
             self.assertEqual(drawing.dxfversion, "AC1015")
             self.assertEqual(drawing.header["$INSUNITS"], 0)
