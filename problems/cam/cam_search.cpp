@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "problems/cam/cam_extremes.hpp"
 #include "problems/cam/cam_limits.hpp"
@@ -203,6 +204,7 @@ class Exchange {
       const auto worst = turn_extremes(cam.programme, limit.stretch, missing);
       if (worst) made.violation = std::max(made.violation, worst->greatest.value);
     }
+    made.violation = std::max(made.violation, turn_missed(x));
     const Range& base = variables_.problem().length(CamDimension::base_radius).bounds;
     const double radius = cam.system.follower.dimensions.base_radius;
     made.violation = std::max({made.violation, (base.min - radius) / variables_.unit(),
@@ -217,6 +219,13 @@ class Exchange {
   bool is_endless(const Cam& cam) const {
     return quantity_ == cam::Quantity::squared_stress &&
            !std::isfinite(CamExtremes(cam).stress().value);
+  }
+
+  /// By how many turns the angles of the motion miss one.
+  double turn_missed(std::span<const double> x) const {
+    double turn = 0;
+    for (const auto& segment : variables_.motion(x)) turn += segment.over;
+    return std::abs(turn / (2 * std::numbers::pi) - 1);
   }
 
   double objective(const Cam& cam) const {
