@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "problems/cam/cam_extremes.hpp"
 #include "problems/cam/cam_limits.hpp"
@@ -212,6 +213,7 @@ class Exchange {
         made.violation = std::isfinite(missing_there) ? missing_there : kInfinity;
       }
     }
+    made.violation = std::max(made.violation, turn_missed(x));
     const Range& base = variables_.problem().length(CamDimension::base_radius).bounds;
     const double radius = cam.system.follower.dimensions.base_radius;
     made.violation = std::max({made.violation, (base.min - radius) / variables_.unit(),
@@ -226,6 +228,13 @@ class Exchange {
   bool is_endless(const Cam& cam) const {
     return quantity_ == cam::Quantity::squared_stress &&
            !std::isfinite(CamExtremes(cam).stress().value);
+  }
+
+  /// By how many turns the angles of the motion miss one.
+  double turn_missed(std::span<const double> x) const {
+    double turn = 0;
+    for (const auto& segment : variables_.motion(x)) turn += segment.over;
+    return std::abs(turn / (2 * std::numbers::pi) - 1);
   }
 
   double objective(const Cam& cam) const {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/cam/cam_extremes.hpp"
+#include "problems/read.hpp"
 #include "problems/verify.hpp"
 #include "tests/unit/cam_problems.hpp"
 
@@ -91,6 +92,38 @@ TEST(CamSearch, EndsWhereLimitsContradictBounds) {
   problem.solve.starts = 1;
   const auto result = solve(problem, {.threads = 1, .time_limit = 30});
   EXPECT_EQ(result.status, problems::Status::infeasible);
+}
+
+// From some starts the solver comes to a lesser pressure angle by a motion of more than a turn.
+TEST(CamSearch, FreeAnglesMakeOneTurn) {
+  const auto problem = problems::parse_cam(R"(
+    kind = "cam"
+    follower = {type = "translating-roller", roller_radius = 6}
+    target = {objective = "pressure-angle"}
+    mechanism = {base_radius = 45, offset = 0}
+    [[motion]]
+    law = "universal"
+    over_deg = [80, 140]
+    rise = 25
+    sine = [0.125, 0.25]
+    constant = [1e-09, 0.25]
+    cosine = [0.35, 0.5]
+    [[motion]]
+    law = "dwell"
+    over_deg = 60
+    [[motion]]
+    law = "modified-sine"
+    over_deg = [80, 140]
+    rise = -25
+    [[motion]]
+    law = "dwell"
+    over_deg = [60, 120])");
+  ASSERT_TRUE(problem);
+  const auto result = solve(*problem, {.threads = 1});
+  EXPECT_EQ(result.status, problems::Status::solved);
+  double turn = 0;
+  for (const auto& segment : result.designs.at(0).motion) turn += segment.over;
+  EXPECT_NEAR(turn, 360 * kDegree, 1e-9);
 }
 
 }  // namespace
