@@ -58,6 +58,12 @@ struct Exchange {
     planes.push_back(plane);
     origins.push_back(origin);
   }
+  /// Whether `plane` is among them: then only rounding can break it, or a limit equal to another.
+  bool has(const HalfPlane& plane) const {
+    return std::ranges::any_of(planes, [&](const HalfPlane& known) {
+      return known.normal == plane.normal && known.bound == plane.bound;
+    });
+  }
 };
 
 struct Found {
@@ -88,8 +94,9 @@ std::optional<Found> exchange(const cam::MotionProgramme& programme,
       const double size = nearest->distance + norm(centre);
       if (!worst || !(worst->greatest.value > kRounding * size)) continue;
       const auto& place = worst->greatest.place;
-      working.add(plane_of(side, motion_at(programme, place)),
-                  BindingLimit{place.angle, side.limit});
+      const HalfPlane plane = plane_of(side, motion_at(programme, place));
+      if (working.has(plane)) continue;
+      working.add(plane, BindingLimit{place.angle, side.limit});
       added = true;
     }
     const bool repeats = round == kMostRounds;
