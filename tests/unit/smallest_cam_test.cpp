@@ -146,6 +146,20 @@ TEST(SmallestTranslating, ExtremeLimitsKeepTheClosedForm) {
   }
 }
 
+// The same half plane comes from each of them.
+TEST(SmallestTranslating, EqualLimitsAreOneLimit) {
+  const HarmonicCam made;
+  for (int degrees = 5; degrees < 85; ++degrees) {
+    SCOPED_TRACE(degrees);
+    const double limit = degrees * kDegree, tangent = std::tan(limit);
+    const double rise = made.rise_depth(tangent), fall = made.return_depth(tangent);
+    const auto found = smallest_translating(made.programme(), {limit, limit, limit}, 0, 0);
+    ASSERT_TRUE(found);
+    expect_cam(*found, 0, std::max(rise, fall) / tangent, 1e-12);
+    EXPECT_LE(found->rounds, 3);
+  }
+}
+
 TEST(SmallestTranslating, LittleStrokeAsksForLittle) {
   const PressureLimits limits{{}, 30 * kDegree, 30 * kDegree};
   const auto still =
@@ -329,6 +343,26 @@ TEST(SmallestOscillating, RandomMotionsAgreeWithAGrid) {
     EXPECT_LE(breach(positions_of(motion, 240), tangents, arm, centre_of(found->dimensions)),
               1e-10 * (base + arm.length));
     EXPECT_GT(least_breach(positions_of(motion, 64), tangents, arm, base * (1 - 2e-3)), 0);
+  }
+}
+
+TEST(SmallestOscillating, EqualLimitsAreOneLimit) {
+  const Arm arm{.sigma = -1};
+  std::mt19937_64 random(6);
+  for (int degrees = 20; degrees < 60; degrees += 2) {
+    SCOPED_TRACE(degrees);
+    const double limit = degrees * kDegree;
+    const PressureLimits limits{limit, limit, limit};
+    const auto motion = random_motion(random, 20 * kDegree);
+    const auto found =
+        smallest_oscillating(*programme_of(motion), limits, ArmSide::leading, arm.length);
+    ASSERT_TRUE(found);
+    const double base = found->dimensions.base_radius;
+    const Tangents tangents(limits);
+    EXPECT_LE(breach(positions_of(motion, 64), tangents, arm, centre_of(found->dimensions)),
+              1e-10 * (base + arm.length));
+    EXPECT_GT(least_breach(positions_of(motion, 64), tangents, arm, base * (1 - 2e-3)), 0);
+    EXPECT_LT(found->rounds, 20);
   }
 }
 

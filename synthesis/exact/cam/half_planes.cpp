@@ -14,28 +14,25 @@ struct Depth {
 
 Depth depth_of(const Vec2d& centre, const HalfPlane& plane) {
   const double length = norm(plane.normal);
-  const Vec2d unit = (1 / length) * plane.normal;
+  const Vec2d unit{plane.normal.x / length, plane.normal.y / length};
   return {unit, (plane.bound - dot(plane.normal, centre)) / length};
 }
 
-/// Where both bounds hold with equality, from the centre.
-struct Corner {
-  Vec2d from_centre;
-  bool exists;
+/// Two half planes, the deeper first. Of the angle δ between their normals a and b,
+/// cos δ = ±(1 − |b ∓ a|²/2) and sin δ = a × (b ∓ a) lose nothing where these are nearly or exactly
+/// parallel or opposite.
+struct Pair {
+  double missing;  ///< what the foot on the first lacks of the second
+  double sine;
+  bool same_side;
+
+  Pair(const Depth& a, const Depth& b) : same_side(dot(a.normal, b.normal) >= 0) {
+    const double side = same_side ? 1 : -1;
+    const Vec2d turn = b.normal - side * a.normal;
+    missing = (b.depth - side * a.depth) + 0.5 * side * a.depth * squared_norm(turn);
+    sine = cross(a.normal, turn);
+  }
 };
-
-Corner corner(const Depth& a, const Depth& b) {
-  const double determinant = cross(a.normal, b.normal);
-  if (determinant == 0) return {{}, false};
-  return {{(a.depth * b.normal.y - b.depth * a.normal.y) / determinant,
-           (b.depth * a.normal.x - a.depth * b.normal.x) / determinant},
-          true};
-}
-
-/// Whether the foot on `a` alone satisfies `b` too: then `b` adds nothing.
-bool foot_satisfies(const Depth& a, const Depth& b) {
-  return a.depth * dot(a.normal, b.normal) >= b.depth;
-}
 
 }  // namespace
 
@@ -51,13 +48,20 @@ std::optional<NearestPoint> nearest_point(const Vec2d& centre, std::span<const H
   }
   for (std::size_t i = 0; i < depths.size(); ++i) {
     for (std::size_t k = i + 1; k < depths.size(); ++k) {
-      const Depth &a = depths[i], &b = depths[k];
-      if (a.depth <= 0 && b.depth <= 0) continue;
-      if ((a.depth > 0 && foot_satisfies(a, b)) || (b.depth > 0 && foot_satisfies(b, a))) continue;
-      const Corner both = corner(a, b);
-      if (!both.exists) return std::nullopt;
-      const double distance = norm(both.from_centre);
-      if (distance > best.distance) best = {centre + both.from_centre, distance, {i, k}};
+      const bool first = depths[i].depth >= depths[k].depth;
+      const Depth &a = depths[first ? i : k], &b = depths[first ? k : i];
+      if (a.depth <= 0) continue;
+      const Pair pair(a, b);
+      if (pair.missing <= 0) continue;  // the second adds nothing
+      if (pair.sine == 0) {
+        if (pair.same_side) continue;
+        return std::nullopt;
+      }
+      const double aside = pair.missing / pair.sine;
+      const double distance = std::hypot(a.depth, aside);
+      if (distance > best.distance) {
+        best = {centre + a.depth * a.normal + aside * perp(a.normal), distance, {i, k}};
+      }
     }
   }
   return best;

@@ -58,6 +58,12 @@ struct Exchange {
     planes.push_back(plane);
     origins.push_back(origin);
   }
+  /// Whether `plane` is among them: then only rounding can break it, or a limit equal to another.
+  bool has(const HalfPlane& plane) const {
+    return std::ranges::any_of(planes, [&](const HalfPlane& known) {
+      return known.normal == plane.normal && known.bound == plane.bound;
+    });
+  }
 };
 
 struct Found {
@@ -82,6 +88,7 @@ std::optional<Found> exchange(const cam::MotionProgramme& programme,
     if (!nearest || !std::isfinite(nearest->distance)) return std::nullopt;
     const double size = nearest->distance + norm(centre);
     double worst = 0;
+    bool added = false;
     for (const LimitSide& side : sides) {
       const auto missing = [&](const FollowerMotion<double>& m) {
         const HalfPlane plane = plane_of(side, m);
@@ -91,13 +98,17 @@ std::optional<Found> exchange(const cam::MotionProgramme& programme,
       if (!extremes || !(extremes->greatest.value > kRounding * size)) continue;
       worst = std::max(worst, extremes->greatest.value);
       const auto& place = extremes->greatest.place;
-      working.add(plane_of(side, motion_at(programme, place)),
-                  BindingLimit{place.angle, side.limit});
+      const HalfPlane plane = plane_of(side, motion_at(programme, place));
+      if (working.has(plane)) continue;
+      working.add(plane, BindingLimit{place.angle, side.limit});
+      added = true;
     }
-    // What is still missing may be rounding of a place that is known already.
-    const bool stalled = nearest->distance - last <= kRounding * size && worst <= kStalled * size;
+    // What is still missing may be rounding of places that are known already.
+    const bool rounding = worst <= kStalled * size;
+    const bool stalled = rounding && nearest->distance - last <= kRounding * size;
     last = nearest->distance;
-    if (worst > 0 && !stalled) continue;
+    if (added && !stalled) continue;
+    if (!rounding) return std::nullopt;
     Found found{nearest->at, nearest->distance, {}, round};
     for (const std::size_t i : nearest->binding) {
       if (working.origins[i]) {
