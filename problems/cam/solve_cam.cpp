@@ -115,7 +115,8 @@ class CamSolver {
     if (!cam) return false;
     auto motion = variables_.motion(x);
     if (frees_roller(problem_)) enlarge_roller(problem_, *cam);
-    result_.designs.push_back(design_of(asked_, *std::move(cam), std::move(motion), origin));
+    result_.designs.push_back(
+        design_of(asked_, *std::move(cam), std::move(motion), std::move(origin)));
     return true;
   }
 
