@@ -20,7 +20,7 @@ constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase
 
 std::string figures(double share, double best) {
   const auto percent = fmt::format("{:3.0f} %", 100 * share);
-  return std::isfinite(best) ? fmt::format("{}  best error {:.3g}", percent, best) : percent;
+  return std::isfinite(best) ? fmt::format("{}  best {:.3g}", percent, best) : percent;
 }
 
 }  // namespace

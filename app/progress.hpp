@@ -6,9 +6,9 @@
 
 namespace cognate::app {
 
-/// Shows the share done and the best error so far: on a terminal as a bar that overwrites itself,
-/// elsewhere as a line every few seconds. A run that ends quickly shows nothing. Used from one
-/// thread at a time.
+/// Shows the share done and the best objective so far (an error, a size): on a terminal as a bar
+/// that overwrites itself, elsewhere as a line every few seconds. A run that ends quickly shows
+/// nothing. Used from one thread at a time.
 class Progress {
  public:
   /// `quiet`: show nothing at all.
@@ -30,7 +30,7 @@ class Progress {
   Clock::time_point next_;
 };
 
-/// "[#####.....]  50 %  best error 1.2e-3": the bar has `width` cells; a `best` that is not finite
+/// "[#####.....]  50 %  best 1.2e-3": the bar has `width` cells; a `best` that is not finite
 /// is left out.
 std::string progress_bar(double share, double best, int width);
 

@@ -5,6 +5,7 @@
 #include "problems/cam/cam_facts.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/degrees.hpp"
+#include "problems/names.hpp"
 #include "problems/verify.hpp"
 
 namespace cognate::problems {
@@ -42,9 +43,6 @@ class Checks {
     const auto& d = cam_.system.follower.dimensions;
     const double values[] = {d.base_radius,     d.offset, d.roller_radius,
                              d.centre_distance, d.arm,    d.face_offset};
-    constexpr const char* kNames[] = {"bounds.base_radius",   "bounds.offset",
-                                      "bounds.roller_radius", "bounds.centre_distance",
-                                      "bounds.arm",           "bounds.face_offset"};
     for (int i = 0; i < kCamDimensions; ++i) {
       const CamLength& length = problem_.lengths[i];
       const bool positive = i != static_cast<int>(CamDimension::offset) &&
@@ -56,7 +54,8 @@ class Checks {
       const double slack = kCheckTolerance * std::max(std::abs(values[i]), d.base_radius);
       const bool inside =
           values[i] >= length.bounds.min - slack && values[i] <= length.bounds.max + slack;
-      checks_.push_back({kNames[i], values[i], length.bounds, inside});
+      checks_.push_back({"bounds." + std::string(to_string(static_cast<CamDimension>(i))),
+                         values[i], length.bounds, inside});
     }
   }
 

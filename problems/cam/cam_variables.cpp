@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <string>
 
 #include "analysis/cam/universal_law.hpp"
+#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -13,9 +15,6 @@ namespace {
 constexpr double kFarthest = 1e3;
 /// The least length and angle of a variable, in typical ones.
 constexpr double kLeast = 1e-6;
-
-constexpr const char* kNames[] = {"base_radius",     "offset", "roller_radius",
-                                  "centre_distance", "arm",    "face_offset"};
 
 /// The greatest displacement of the motion's segments, or 1 radian's worth.
 double greatest_rise(const CamProblem& problem) {
@@ -61,7 +60,7 @@ CamVariables::CamVariables(const CamProblem& problem)
     : problem_(&problem), unit_(typical_length(problem)) {
   std::ranges::fill(place_, -1);
   add_start();
-  for (int i = 1; i < kCamDimensions; ++i) add_length(static_cast<CamDimension>(i), kNames[i]);
+  for (int i = 1; i < kCamDimensions; ++i) add_length(static_cast<CamDimension>(i));
   add_motion();
 }
 
@@ -81,7 +80,7 @@ void CamVariables::add_start() {
   variables_.push_back({"start", std::min(kLeast * unit_, most), most, unit_});
 }
 
-void CamVariables::add_length(CamDimension dimension, const char* name) {
+void CamVariables::add_length(CamDimension dimension) {
   const CamLength& length = problem_->length(dimension);
   if (!length.used || length.given) return;
   place_[static_cast<int>(dimension)] = static_cast<int>(variables_.size());
@@ -96,7 +95,8 @@ void CamVariables::add_length(CamDimension dimension, const char* name) {
       greatest = std::min(greatest, (1 - kLeast) * *base);
     }
   }
-  variables_.push_back({name, std::min(least, greatest), greatest, unit_});
+  variables_.push_back(
+      {std::string(to_string(dimension)), std::min(least, greatest), greatest, unit_});
 }
 
 void CamVariables::add_motion() {

@@ -45,7 +45,7 @@ class CamVariables {
     if (place >= 0) return x[static_cast<std::size_t>(place)];
     return T(problem_->length(dimension).given.value_or(0));
   }
-  void add_length(CamDimension dimension, const char* name);
+  void add_length(CamDimension dimension);
   void add_start();
   void add_motion();
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "analysis/cam/extremes.hpp"
+#include "problems/cam/cam_variables.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -35,22 +36,17 @@ cam::MotionProgramme complement(const cam::MotionProgramme& programme) {
 cam::CamFollower<double> conjugate_follower(const cam::Cam& first, const SecondContact& contact) {
   cam::CamFollower<double> second = first.system.follower;
   auto& d = second.dimensions;
-  const double highest = first.programme.highest();
+  const double reach = first.system.start + first.programme.highest();
+  const double equal = reach + first.system.start;  // both cams then have one base radius
+  double start = contact.breadth.value_or(equal) - reach;
   if (is_oscillating(second.type)) {
     second.side =
         second.side == cam::ArmSide::trailing ? cam::ArmSide::leading : cam::ArmSide::trailing;
-    const double angle = contact.arms_angle.value_or(2 * first.system.start + highest);
-    const double start = angle - first.system.start - highest;
-    const double half = std::sin(0.5 * start);
-    const double across = d.centre_distance - d.arm;
-    d.base_radius =
-        start > 0 ? std::sqrt(across * across + 4 * d.centre_distance * d.arm * half * half) : -1;
-    return second;
+    start = contact.arms_angle.value_or(equal) - reach;
+  } else {
+    d.offset = -d.offset;
   }
-  const double start =
-      contact.breadth.value_or(2 * first.system.start + highest) - first.system.start - highest;
-  d.offset = -d.offset;
-  d.base_radius = start > 0 ? std::hypot(start, d.offset) : -1;
+  d.base_radius = start > 0 ? base_radius_at(second.type, d, start) : -1;
   return second;
 }
 

@@ -1,6 +1,7 @@
 /// Cams from problem to designs: in closed form where that is possible, else by search.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "analysis/parallel.hpp"
@@ -168,14 +169,17 @@ class CamSolver {
   /// Brings every start to its end, which replaces that of its index where it is better.
   void refine(const std::vector<std::vector<double>>& starts, Backend backend, Ends& ends) {
     std::vector<Work> work(starts.size());
+    double best = std::numeric_limits<double>::infinity();  // of those of thread 0
     parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
       const auto i = static_cast<std::size_t>(index);
       if (index > 0 && deadline_.reached()) return;
       const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
       if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
-      if (thread == 0 && run_.progress) {
-        run_.progress(double(i + 1) / double(starts.size()), ends[i] ? ends[i]->objective : 0);
+      if (thread != 0 || !run_.progress) return;
+      if (ends[i] && ends[i]->violation <= kCamFeasibility) {
+        best = std::min(best, ends[i]->objective);
       }
+      run_.progress(double(i + 1) / double(starts.size()), best);
     });
     add_work(work);
   }

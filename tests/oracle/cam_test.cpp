@@ -10,6 +10,7 @@
 #include "analysis/cam/profile.hpp"
 #include "problems/cam/cam_extremes.hpp"
 #include "problems/cam/cam_result.hpp"
+#include "tests/unit/cam_problems.hpp"
 
 namespace cognate {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 using cam::MotionLaw;
 using problems::CamDimension;
 using problems::CamProblem;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 toml::table data() {
   return toml::parse_file(COGNATE_ORACLE_DIR "/cams.toml");
@@ -30,34 +29,12 @@ std::vector<double> column(const toml::table& table, const char* key) {
   return values;
 }
 
-cam::MotionSegment segment(MotionLaw law, double over_deg, double rise = 0) {
-  cam::MotionSegment made;
-  made.law = law;
-  made.over = over_deg * kDegree;
-  made.rise = rise;
-  return made;
-}
-
 MotionLaw law_called(const std::string& name) {
   static const std::map<std::string, MotionLaw> kLaws = {{"cycloidal", MotionLaw::cycloidal},
                                                          {"harmonic", MotionLaw::harmonic},
                                                          {"3-4-5", MotionLaw::polynomial_345},
                                                          {"4-5-6-7", MotionLaw::polynomial_4567}};
   return kLaws.at(name);
-}
-
-void use(CamProblem& problem, CamDimension dimension, std::optional<double> value) {
-  problem.length(dimension) = {true, value, {-HUGE_VAL, HUGE_VAL}};
-  if (dimension != CamDimension::offset) problem.length(dimension).bounds.min = 0;
-}
-
-CamProblem translating_roller(std::optional<double> base, std::optional<double> offset,
-                              double roller) {
-  CamProblem problem;
-  use(problem, CamDimension::base_radius, base);
-  use(problem, CamDimension::offset, offset);
-  use(problem, CamDimension::roller_radius, roller);
-  return problem;
 }
 
 /// Example 4-1 of the book.
