@@ -55,6 +55,11 @@ void check(const CamProblem& problem) {
   require(is_sound(problem));
 }
 
+/// Of the other kinds nothing is asked but that they are read. Without this they would be taken for
+/// a Problem, for ever.
+template <class Other>
+void check(const Other&) {}
+
 void check(const Problem& problem) {
   std::visit([](const auto& any) { check(any); }, problem);
 }
