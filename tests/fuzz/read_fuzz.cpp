@@ -33,17 +33,20 @@ void require(bool holds) {
 }
 
 void check(const PathProblem& problem) {
-  require(problem.points.size() >= 3);
-  require(problem.weights.size() == problem.points.size());
+  const bool exact = problem.method == cognate::problems::PathMethod::exact;
+  require(problem.points.size() >= (exact ? 2 : 3));
+  require(exact || problem.weights.size() == problem.points.size());
   const bool timed = problem.timing != cognate::problems::Timing::free;
   require(problem.crank_angles.size() == (timed ? problem.points.size() : 0));
 }
 
 void check(const FunctionProblem& problem) {
-  require(problem.given.crank || problem.given.frame);
+  const bool four_bar = problem.type == cognate::problems::MechanismType::four_bar;
+  require(!four_bar || problem.given.crank || problem.given.frame);
   const auto* function = std::get_if<FunctionOfX>(&problem.target);
   if (!function) return;
-  require(problem.sample_at.size() >= 3);
+  const bool exact = problem.objective == cognate::problems::FunctionObjective::exact;
+  require(exact || problem.sample_at.size() >= 3);
   for (const double x : problem.sample_at) require(std::isfinite(function->y(x)));
 }
 
