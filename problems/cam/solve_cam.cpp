@@ -154,7 +154,9 @@ class CamSolver {
     result_.work.threads = thread_count(run_.threads);
     auto starts =
         cam_starts(variables_, sought_.solve.starts.value_or(starts_for(programme_)), run_.seed);
-    if (exact) starts.insert(starts.begin(), variables_.values(exact->dimensions));
+    // A solver that the file names shows what it finds by itself.
+    const bool helped = exact && sought_.solve.solver == SolverChoice::automatic;
+    if (helped) starts.insert(starts.begin(), variables_.values(exact->dimensions));
     Ends ends(starts.size());
     for (const Backend backend : backends) {
       refine(starts, backend, ends);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "analysis/cam/profile.hpp"
+#include "problems/cam/cam_extremes.hpp"
 #include "problems/verify.hpp"
 #include "tests/unit/cam_problems.hpp"
 
@@ -204,6 +205,64 @@ TEST(CamConstraints, FreeRollersAreAsLargeAsTheyMayBe) {
   problem.motion[2].rise = -1;
   const auto usual = solve(problem, {.threads = 1});
   EXPECT_NEAR(usual.designs.at(0).cam.system.follower.dimensions.roller_radius, 0.4 * 45, 1e-12);
+}
+
+// Where the pitch curve is sharp the roller is 0.8 of its least radius, by dense sampling.
+TEST(CamConstraints, FreeRollersLeaveTheProfileRound) {
+  CamProblem problem = translating_roller(30, 0, {});
+  problem.motion = {segment(MotionLaw::harmonic, 40, 20), segment(MotionLaw::harmonic, 40, -20),
+                    segment(MotionLaw::dwell, 280)};
+  const Cam cam = solve(problem, {.threads = 1}).designs.at(0).cam;
+  const double sharpest = greatest(cam, [&cam](const auto&, const auto& m) {
+    return value_of(Quantity::pitch_curvature, cam.system, m);
+  });
+  ASSERT_LT(0.8 / sharpest, 0.4 * 30);
+  EXPECT_NEAR(cam.system.follower.dimensions.roller_radius, 0.8 / sharpest, 1e-6);
+}
+
+// A sudden drop of the velocity is a corner that any roller undercuts; a sudden growth leaves an
+// arc of the roller's own radius.
+TEST(CamConstraints, CornersOfThePitchCurve) {
+  CamProblem problem = translating_roller(30, 0, 10);
+  problem.motion = {segment(MotionLaw::constant_velocity, 180, 20),
+                    segment(MotionLaw::constant_velocity, 180, -20)};
+  auto result = solve(problem, {.threads = 1});
+  EXPECT_EQ(result.status, Status::infeasible);
+  const problems::CamExtremes extremes(result.designs.at(0).cam);
+  EXPECT_EQ(extremes.convex_radius()->value, -10);
+  EXPECT_NEAR(extremes.convex_radius()->angle, 180 * kDegree, 1e-12);
+  EXPECT_EQ(extremes.concave_radius()->value, 10);
+  problem.constraints.curvature_radius_min.reset();
+  EXPECT_EQ(solve(problem, {.threads = 1}).status, Status::solved);
+}
+
+// Free shares never exceed 1 together, and do not lose to constant acceleration, which is among
+// them and has the least greatest acceleration of all laws.
+TEST(CamConstraints, FreeSharesFindConstantAcceleration) {
+  CamProblem problem = translating_roller(0.05, 0.0, 0.01);
+  problem.motion = {segment(MotionLaw::universal, 180, 0.01),
+                    segment(MotionLaw::cycloidal, 180, -0.01)};
+  problem.motion[0].shape = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+  using problems::MotionParameter;
+  problem.free_motion = {{0, MotionParameter::sine, {0, 1}},
+                         {0, MotionParameter::constant, {0, 1}},
+                         {0, MotionParameter::cosine, {0, 1}}};
+  problem.operation = {10, 100, 0, 12000, 0, 0, 0};
+  problem.preload = 12000;
+  problem.has_operation = true;
+  problem.objective = CamObjective::contact_force;
+  problem.motion[1].over = 1.5 * std::numbers::pi;  // slow, so that the rise decides
+  problem.motion[0].over = 0.5 * std::numbers::pi;
+  const auto found = solve(problem, {.threads = 1});
+  ASSERT_EQ(found.status, Status::solved);
+  const auto& shape = found.designs.at(0).motion[0].shape;
+  EXPECT_LE(shape.sine + shape.constant + shape.cosine, 1 + 1e-12);
+  const auto force = [](const problems::CamResult& result) {
+    return problems::CamExtremes(result.designs.at(0).cam).contact_force(false).value;
+  };
+  problem.free_motion.clear();
+  problem.motion[0].shape = {0, 1, 0};
+  EXPECT_LE(force(found), force(solve(problem, {.threads = 1})) * (1 + 1e-6));
 }
 
 // Bounds larger than what the limits need: the cam is as large as its bound, in the same direction.

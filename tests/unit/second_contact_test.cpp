@@ -78,6 +78,26 @@ TEST(SecondContact, ConjugateCamTouchesTheSecondRollerOfAnArm) {
   }
 }
 
+// What the second cam must give is what the first would have to hold back, at every position.
+TEST(SecondContact, ConjugateCamsShareTheDemand) {
+  std::mt19937_64 random(33);
+  CamProblem problem = translating_roller(0.05, 0.006, 0.007);
+  problem.motion = random_motion(random, 0.012);
+  problem.operation = {0.4, 50, 3000, 60, 15, 0.01, 8e-12};
+  problem.preload = 60;
+  problem.has_operation = problem.has_contact = true;
+  problem.second.closure = Closure::conjugate;
+  const auto design = solve(problem, {.threads = 1}).designs.at(0);
+  ASSERT_TRUE(design.second);
+  for (int degree = 0; degree < 360; degree += 13) {
+    const auto demanded = [&](const Cam& cam) {
+      return value_of(cam::Quantity::demand, cam.system, cam.programme.at(degree * kDegree));
+    };
+    const double first = demanded(design.cam);
+    EXPECT_NEAR(demanded(*design.second), -first, 1e-12 * 300) << degree;
+  }
+}
+
 CamProblem yoke(cam::FollowerType type) {
   CamProblem problem;
   problem.follower = type;
