@@ -245,7 +245,7 @@ TEST(CamConstraints, FreeSharesFindConstantAcceleration) {
   problem.motion[0].shape = {1.0 / 3, 1.0 / 3, 1.0 / 3};
   using problems::MotionParameter;
   problem.free_motion = {{0, MotionParameter::sine, {0, 1}},
-                         {0, MotionParameter::constant, {0, 1}},
+                         {0, MotionParameter::constant, {0, 0.5}},
                          {0, MotionParameter::cosine, {0, 1}}};
   problem.operation = {10, 100, 0, 12000, 0, 0, 0};
   problem.preload = 12000;
@@ -261,8 +261,16 @@ TEST(CamConstraints, FreeSharesFindConstantAcceleration) {
     return problems::CamExtremes(result.designs.at(0).cam).contact_force(false).value;
   };
   problem.free_motion.clear();
-  problem.motion[0].shape = {0, 1, 0};
-  EXPECT_LE(force(found), force(solve(problem, {.threads = 1})) * (1 + 1e-6));
+  for (double sine = 0; sine <= 1; sine += 0.125) {
+    for (double constant = 0; constant <= std::min(0.5, 1 - sine); constant += 0.125) {
+      for (double cosine = 0; cosine <= 1 - sine - constant; cosine += 0.125) {
+        if (sine + constant + cosine == 0) continue;
+        problem.motion[0].shape = {sine, constant, cosine};
+        EXPECT_LE(force(found), force(solve(problem, {.threads = 1})) * (1 + 1e-6))
+            << sine << ' ' << constant << ' ' << cosine;
+      }
+    }
+  }
 }
 
 // Bounds larger than what the limits need: the cam is as large as its bound, in the same direction.
