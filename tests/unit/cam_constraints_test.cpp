@@ -246,7 +246,9 @@ TEST(CamConstraints, FreeSharesAreLeastInAScan) {
   problem.free_motion = {{0, MotionParameter::sine, {0.2, 0.8}},
                          {0, MotionParameter::constant, {0.2, 0.8}},
                          {0, MotionParameter::cosine, {0.2, 0.8}}};
-  problem.operation = {1, 100, 0, 1e5, 0, 0, 0};
+  problem.operation.speed = 100;
+  problem.operation.inertia = 1;
+  problem.operation.preload = 1e5;
   problem.preload = 1e5;
   problem.has_operation = true;
   problem.constraints.no_separation = false;
