@@ -23,40 +23,38 @@ ExitStatus status_of(const AnyResult& result) {
   return done ? exit_done : exit_no_design;
 }
 
-ExitStatus solve_linkage(const std::filesystem::path& file, const problems::Problem& problem,
-                         const Options& options) {
-  problems::Result result;
-  const auto solve = [&](const problems::Run& run) {
-    result = std::visit([&](const auto& given) { return problems::solve(given, run); }, problem);
-    return result.status;
-  };
+/// Solves, writes and prints a problem; `solve` and `table` are those of its kind.
+template <class AnyResult, class AnyProblem, class Solve, class Table>
+ExitStatus solve_with(const std::filesystem::path& file, const AnyProblem& problem,
+                      const Options& options, Solve solve, Table table) {
+  AnyResult result;
   return compute(
       file, options,
-      {.run = solve,
+      {.run =
+           [&](const problems::Run& run) {
+             result = solve(run);
+             return result.status;
+           },
        .document = [&] { return result_document(problem, result, options.seed); },
        .files = {{".report.html",
                   [&](const auto& document) { return report_html(document, problem, result); }}},
        .when_interrupted = kInterrupted,
-       .table = [&](bool colour) { return design_table(problem, result, colour); },
+       .table = [&](bool colour) { return table(problem, result, colour); },
        .exit_status = [&] { return status_of(result); }});
+}
+
+ExitStatus solve_linkage(const std::filesystem::path& file, const problems::Problem& problem,
+                         const Options& options) {
+  const auto solve = [&](const problems::Run& run) {
+    return std::visit([&](const auto& given) { return problems::solve(given, run); }, problem);
+  };
+  return solve_with<problems::Result>(file, problem, options, solve, design_table);
 }
 
 ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProblem& problem,
                      const Options& options) {
-  problems::CamResult result;
-  const auto solve = [&](const problems::Run& run) {
-    result = problems::solve(problem, run);
-    return result.status;
-  };
-  return compute(
-      file, options,
-      {.run = solve,
-       .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {{".report.html",
-                  [&](const auto& document) { return report_html(document, problem, result); }}},
-       .when_interrupted = kInterrupted,
-       .table = [&](bool colour) { return cam_table(problem, result, colour); },
-       .exit_status = [&] { return status_of(result); }});
+  const auto solve = [&](const problems::Run& run) { return problems::solve(problem, run); };
+  return solve_with<problems::CamResult>(file, problem, options, solve, cam_table);
 }
 
 }  // namespace
