@@ -9,6 +9,12 @@ void SampledStretches::lay_out(std::span<const Vec2d> curve, bool closed) {
   count_ = curve.size();
   points_.assign(curve.begin(), curve.end());
   if (closed && count_ > 1) points_.insert(points_.end(), curve.begin(), curve.end() - 1);
+  Vec2d low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const Vec2d& p : curve) {
+    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
+    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
+  }
+  squared_size_ = squared_norm(high - low);
   breaks_.resize(points_.size());
   std::size_t next = points_.size();
   for (std::size_t i = points_.size(); i-- > 0;) {
@@ -24,18 +30,39 @@ std::size_t SampledStretches::last_from(std::size_t from, const StretchLimits& l
   return std::min(breaks_[from] - 1, from + most);
 }
 
-/// The width of a triangle is its area twice over its longest side.
-double SampledStretches::squared_width_bound(std::size_t from, std::size_t to) const {
+/// Whether the strip is known to be wider: the width of a triangle is its area twice over its
+/// longest side.
+bool SampledStretches::is_wider(std::size_t from, std::size_t to, double squared_width) const {
   const Vec2d chord = points_[to] - points_[from];
-  double bound = 0;
-  for (std::size_t k = 1; k < 8; ++k) {
+  const double squared_chord = squared_norm(chord);
+  for (const std::size_t k : {4, 2, 6, 1, 3, 5, 7}) {
     const Vec2d side = points_[from + (to - from) * k / 8] - points_[from];
     const double longest =
-        std::max({squared_norm(chord), squared_norm(side), squared_norm(chord - side)});
+        std::max({squared_chord, squared_norm(side), squared_norm(chord - side)});
     const double area = cross(chord, side);
-    if (longest > 0) bound = std::max(bound, area * area / longest);
+    if (area * area > squared_width * longest) return true;
   }
-  return bound;
+  return false;
+}
+
+/// A sample up to `last` beyond which every stretch from `from` is wider: one that holds a wider
+/// one is wider itself.
+std::size_t SampledStretches::last_narrow(std::size_t from, std::size_t last,
+                                          double squared_width) const {
+  if (last <= from) return from;
+  std::size_t narrow = from, wide = last + 1;
+  for (std::size_t step = 2; from + step <= last; step *= 2) {
+    if (is_wider(from, from + step, squared_width)) {
+      wide = from + step;
+      break;
+    }
+    narrow = from + step;
+  }
+  while (wide - narrow > 1) {
+    const std::size_t middle = narrow + (wide - narrow) / 2;
+    (is_wider(from, middle, squared_width) ? wide : narrow) = middle;
+  }
+  return narrow;
 }
 
 SampledStretch SampledStretches::between(std::size_t from, std::size_t to) {
@@ -55,11 +82,12 @@ SampledStretch SampledStretches::longest(std::span<const Vec2d> curve, bool clos
   const double width = 2 * limits.deviation;
   SampledStretch best;
   for (std::size_t i = 0; i < count_; ++i) {
-    for (std::size_t j = last_from(i, limits); j >= i + least_cells; --j) {
+    const double widest = std::min(width * width, 4 * relative * relative * squared_size_);
+    for (std::size_t j = last_narrow(i, last_from(i, limits), widest); j >= i + least_cells; --j) {
       const double chord = squared_norm(points_[j] - points_[i]);
       if (chord <= best.length * best.length) continue;
       const double most = std::min(width * width, 4 * relative * relative * chord);
-      if (squared_width_bound(i, j) > most) continue;
+      if (is_wider(i, j, most)) continue;
       const SampledStretch found = between(i, j);
       const bool straight = found.deviation <= relative * found.length;
       if (!straight || found.deviation > limits.deviation) continue;
@@ -77,11 +105,12 @@ SampledStretch SampledStretches::straightest(std::span<const Vec2d> curve, bool 
   const double width = 2 * limits.deviation;
   SampledStretch best;
   for (std::size_t i = 0; i < count_; ++i) {
-    for (std::size_t j = last_from(i, limits); j >= i + least_cells; --j) {
+    const double widest = std::min(width * width, 4 * relative * relative * squared_size_);
+    for (std::size_t j = last_narrow(i, last_from(i, limits), widest); j >= i + least_cells; --j) {
       const double chord = squared_norm(points_[j] - points_[i]);
       if (chord < length * length || chord == 0) continue;
       const double most = std::min(width * width, 4 * relative * relative * chord);
-      if (squared_width_bound(i, j) > most) continue;
+      if (is_wider(i, j, most)) continue;
       const SampledStretch found = between(i, j);
       if (found.length < length || !(found.deviation < relative * found.length)) continue;
       if (found.deviation > limits.deviation) continue;

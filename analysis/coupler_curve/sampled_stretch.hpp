@@ -37,8 +37,8 @@ struct StretchLimits {
 /// where a linkage does not close.
 ///
 /// All pairs of ends are looked at, since neither length nor δ/L grows with the stretch; most fall
-/// to two bounds: the length is at most the chord, and the strip at least as wide as the least
-/// height of a triangle of three of the samples.
+/// to bounds: the length is at most the chord; the strip is at least as wide as the least height of
+/// a triangle of three of the samples, and as that of any part of the stretch.
 class SampledStretches {
  public:
   /// The longest stretch with δ ≤ `relative`·L.
@@ -52,10 +52,12 @@ class SampledStretches {
  private:
   void lay_out(std::span<const Vec2d> curve, bool closed);
   std::size_t last_from(std::size_t from, const StretchLimits& limits) const;
-  double squared_width_bound(std::size_t from, std::size_t to) const;
+  std::size_t last_narrow(std::size_t from, std::size_t last, double squared_width) const;
+  bool is_wider(std::size_t from, std::size_t to, double squared_width) const;
   SampledStretch between(std::size_t from, std::size_t to);
 
   std::size_t count_ = 0;            ///< samples of the curve
+  double squared_size_ = 0;          ///< of the diagonal of the box that holds them
   std::vector<Vec2d> points_;        ///< of a closed curve twice but for the last
   std::vector<std::size_t> breaks_;  ///< for each point the first at or after it that is none
   std::vector<Vec2d> room_;
