@@ -74,8 +74,7 @@ void CurveValues::begin(const FourBar& linkage, const CircuitChoice& circuit) {
   settled_ = {};
 }
 
-void CurveValues::settle(const CurveSamples& samples, double length, double area) {
-  settled_ = samples;
+void CurveValues::know_sums(double length, double area) {
   values(CurveGroup::sums) = {length, area};
   known_[static_cast<std::size_t>(CurveGroup::sums)] = true;
 }
@@ -129,7 +128,8 @@ void CurveValues::find_sums() {
     sums_.add_up(room_.samples(), 1);
     if (sums_.is_settled(0)) break;
   }
-  settle(room_.samples(), sums_.length[0], sums_.area[0]);
+  use(room_.samples());
+  know_sums(sums_.length[0], sums_.area[0]);
 }
 
 void CurveValues::find_widths() {

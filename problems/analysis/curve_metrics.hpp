@@ -37,9 +37,10 @@ class CurveValues {
   /// Begins with the circuit of a linkage that has a coupler point and can be assembled.
   void begin(const FourBar& linkage, const CircuitChoice& circuit);
 
-  /// Gives samples of the circuit that settle its length, which else are found when they are
-  /// wanted. They are used until the next `begin`.
-  void settle(const CurveSamples& samples, double length, double area);
+  /// Gives what is known already: the length and area of the curve, and samples that settle them,
+  /// which are used until the next `begin`. What is not given is found when it is wanted.
+  void know_sums(double length, double area);
+  void use(const CurveSamples& samples) { settled_ = samples; }
 
   /// Empty where the curve has no such value.
   std::optional<double> operator()(const CurveMetric& metric);
