@@ -66,14 +66,14 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
   const auto& variables = study.variables;
   const auto varied = std::ranges::find(variables, name, &StudyVariable::key);
   if (varied != variables.end()) {
-    return FourBarQuantity{.name = name,
+    return FourBarQuantity{.name = varied->key,
                            .variable = static_cast<std::size_t>(varied - variables.begin())};
   }
   const auto* const fact = std::ranges::find(kFacts, name, &NamedFact::name);
-  if (fact != kFacts.end()) return FourBarQuantity{name, fact->stage, fact->fact};
+  if (fact != kFacts.end()) return FourBarQuantity{fact->name, fact->stage, fact->fact};
   const CurveMetric* metric = find_curve_metric(name);
   if (!metric || !has_point) return std::nullopt;
-  return FourBarQuantity{name, stage_of(metric->group), FourBarFact::curve, 0, metric};
+  return FourBarQuantity{metric->key, stage_of(metric->group), FourBarFact::curve, 0, metric};
 }
 
 bool ClosedForms::is_special(const Lengths<double>& links) {

@@ -42,7 +42,7 @@ enum class FourBarFact {
   curve
 };
 
-/// A number or word of a design that has a name.
+/// A number or word of a design. Names of varied keys are the study's.
 struct FourBarQuantity {
   std::string_view name;
   FourBarStage stage = FourBarStage::varied;
