@@ -27,8 +27,6 @@
 #include "problems/reading/file_text.hpp"
 
 namespace cognate::app {
-std::string study_report_html(const nlohmann::ordered_json&, const problems::Study&,
-                              const StudyRows&);
 namespace {
 
 namespace fs = std::filesystem;
