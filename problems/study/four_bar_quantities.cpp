@@ -72,7 +72,7 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
   const auto* const fact = std::ranges::find(kFacts, name, &NamedFact::name);
   if (fact != kFacts.end()) return FourBarQuantity{fact->name, fact->stage, fact->fact};
   const CurveMetric* metric = find_curve_metric(name);
-  if (!metric || !has_point) return std::nullopt;
+  if (!metric || (!has_point && metric->group > CurveGroup::size)) return std::nullopt;
   return FourBarQuantity{metric->key, stage_of(metric->group), FourBarFact::curve, 0, metric};
 }
 
