@@ -81,6 +81,11 @@ bool ClosedForms::is_special(const Lengths<double>& links) {
   return std::abs(grashof_excess(links)) <= 1e-9;
 }
 
+bool ClosedForms::is_of_lengths(FourBarFact fact) {
+  return fact == FourBarFact::varied || fact == FourBarFact::mobility_class ||
+         fact == FourBarFact::change_point || fact == FourBarFact::crank_turns_fully;
+}
+
 void ClosedForms::begin(const Lengths<double>& links) {
   links_ = links;
   assembles_ = can_assemble(links);
