@@ -72,13 +72,18 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
   const auto* const fact = std::ranges::find(kFacts, name, &NamedFact::name);
   if (fact != kFacts.end()) return FourBarQuantity{fact->name, fact->stage, fact->fact};
   const CurveMetric* metric = find_curve_metric(name);
-  if (!metric || !has_point) return std::nullopt;
+  if (!metric || (!has_point && metric->group > CurveGroup::size)) return std::nullopt;
   return FourBarQuantity{metric->key, stage_of(metric->group), FourBarFact::curve, 0, metric};
 }
 
 bool ClosedForms::is_special(const Lengths<double>& links) {
   // A little wider than `is_change_point`, where ranges of the crank nearly meet.
   return std::abs(grashof_excess(links)) <= 1e-9;
+}
+
+bool ClosedForms::is_of_lengths(FourBarFact fact) {
+  return fact == FourBarFact::varied || fact == FourBarFact::mobility_class ||
+         fact == FourBarFact::change_point || fact == FourBarFact::crank_turns_fully;
 }
 
 void ClosedForms::begin(const Lengths<double>& links) {

@@ -63,6 +63,9 @@ class ClosedForms {
   /// course of the motion.
   static bool is_special(const Lengths<double>& links);
 
+  /// What follows from the lengths at change points, too.
+  static bool is_of_lengths(FourBarFact fact);
+
   void begin(const Lengths<double>& links);
 
   bool assembles() const { return assembles_; }

@@ -16,6 +16,7 @@
 #include "problems/study/four_bar_quantities.hpp"
 #include "problems/study/four_bar_screen.hpp"
 #include "problems/study/study_base.hpp"
+#include "problems/study/study_filter.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -153,8 +154,9 @@ class FourBarBlocks {
     const std::size_t candidate = candidates_.size();
     candidates_.push_back({i});
     cells_.resize(cells_.size() + plan_.columns.size());
-    if (!is_common(linkage) || ClosedForms::is_special(links)) return analyse_design(candidate);
+    if (!is_common(linkage)) return analyse_design(candidate);
     closed_.begin(links);
+    if (ClosedForms::is_special(links)) return consider_special(candidate);
     if (plan_.wants_swing && closed_.assembles() && !closed_.turns()) {
       return analyse_design(candidate);  // how far the output swings hangs on the crank's course
     }
@@ -166,6 +168,21 @@ class FourBarBlocks {
     if (!evaluate_stages(candidate, FourBarStage::links, FourBarStage::closed_forms, cell)) return;
     const bool has_curve = plan_.wants(FourBarStage::size, FourBarStage::features);
     if (has_curve) (closed_.turns() ? turning_ : others_).push_back(candidate);
+  }
+
+  /// Near a change point the class still hangs on the lengths alone, and may decide.
+  void consider_special(std::size_t candidate) {
+    const std::size_t i = candidates_[candidate].design;
+    const auto fails = [&](const FourBarFilter& filter) {
+      const FourBarQuantity& quantity = filter.quantity;
+      return ClosedForms::is_of_lengths(quantity.fact) &&
+             !problems::passes(*filter.limits, closed_cell(quantity, i));
+    };
+    if (study_->keep_all || std::ranges::none_of(plan_.filters, fails)) {
+      return analyse_design(candidate);
+    }
+    candidates_[candidate].status = RunStatus::filtered;
+    candidates_[candidate].dropped = true;
   }
 
   Cell closed_cell(const FourBarQuantity& quantity, std::size_t i) {
@@ -190,7 +207,8 @@ class FourBarBlocks {
   bool passes(std::size_t candidate, FourBarStage from, FourBarStage to, Value value) {
     for (const FourBarFilter& filter : plan_.filters) {
       const FourBarStage stage = filter.quantity.stage;
-      if (stage < from || stage > to || filter.passes(value(filter.quantity))) continue;
+      if (stage < from || stage > to || problems::passes(*filter.limits, value(filter.quantity)))
+        continue;
       candidates_[candidate].status = RunStatus::filtered;
       if (study_->keep_all) {
         fill(candidate, from, stage, value);
