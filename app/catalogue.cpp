@@ -11,7 +11,8 @@ constexpr Entry kProblemKinds[] = {
     {"path-generation",
      "a point of the coupler is to pass through given points or follow a closed curve"},
     {"quick-return", "the return is to take less time than the advance, by a given ratio"},
-    {"straight-line", "a point of the coupler is to move along a straight line"}};
+    {"straight-line", "a point of the coupler is to move along a straight line"},
+    {"study", "any of these with other numbers, as many designs as wanted (cognate sweep)"}};
 
 constexpr Entry kSolveOptions[] = {
     {"solver", "one of the solvers above (default \"auto\")"},

@@ -11,6 +11,8 @@
 #include "app/messages.hpp"
 #include "app/problem_catalogue.hpp"
 #include "app/result_json.hpp"
+#include "app/study/study_catalogue.hpp"
+#include "app/study/study_metrics.hpp"
 #include "app/text_table.hpp"
 #include "app/version.hpp"
 #include "problems/names.hpp"
@@ -89,6 +91,11 @@ std::string cam_text() {
          '\n' + keyed_section("tables of a cam", cam_tables()) + '\n' + motion_law_section();
 }
 
+std::string study_text() {
+  return keyed_section("tables of a study, which cognate sweep runs", study_tables()) + '\n' +
+         section("samplings of a study (vary.sampling = ...)", samplings());
+}
+
 std::string capabilities_text() {
   return section("problem kinds (kind = ...)", problem_kinds()) + '\n' +
          keyed_section("keys of the kinds that cognate solve takes", synthesis_problems()) + '\n' +
@@ -102,7 +109,7 @@ std::string capabilities_text() {
          keyed_section(
              "dyads of a chain (dyad.type = ...; names = [\"...\", \"...\"] of the bodies)",
              dyads()) +
-         '\n' + keyed_section("tables of an analysis", analysis_tables());
+         '\n' + keyed_section("tables of an analysis", analysis_tables()) + '\n' + study_text();
 }
 
 std::string metrics_section(const std::string& heading, std::span<const Metric> all) {
@@ -123,6 +130,7 @@ std::string metrics_text() {
   return metrics_section("metric of a design", metrics()) + '\n' +
          metrics_section("metric of a cam", cam_metrics()) + '\n' +
          metrics_section("fact of a synthesis", facts()) + '\n' +
+         metrics_section("further metric of a study", study_extras()) + '\n' +
          metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
          metrics_section("column of an analysis", analysis_columns());
 }
@@ -178,6 +186,7 @@ ordered_json list_json(bool with_metrics) {
     document["metrics"] = metrics_json(metrics());
     document["cam_metrics"] = metrics_json(cam_metrics());
     document["facts"] = metrics_json(facts());
+    document["study_metrics"] = metrics_json(study_extras());
     document["analysis_metrics"] = metrics_json(analysis_metrics());
     document["analysis_columns"] = metrics_json(analysis_columns());
     return document;
@@ -191,6 +200,8 @@ ordered_json list_json(bool with_metrics) {
   document["mechanisms"] = keyed_json(mechanisms());
   document["dyads"] = keyed_json(dyads());
   document["analysis_tables"] = keyed_json(analysis_tables());
+  document["study_tables"] = keyed_json(study_tables());
+  document["samplings"] = entries_json(samplings());
   document["solvers"] = entries_json(solvers());
   document["solve_options"] = entries_json(solve_options());
   return document;

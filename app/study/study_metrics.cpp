@@ -31,7 +31,9 @@ constexpr Metric kExtras[] = {
     {"longest_link", "length", "of crank, coupler, rocker and frame: the size of a four-bar"},
     {"link_ratio", "1", "longest over shortest link of a four-bar"},
     {"certificate.lower_bound", "of the target", "with solve.certify"},
-    {"certificate.gap_relative", "1", "with solve.certify"}};
+    {"certificate.gap_relative", "1", "with solve.certify"},
+    {"facts.FACT", "its own", "a fact of a synthesis, as facts.solutions"},
+    {"mechanism.KEY", "its own", "a dimension found, as mechanism.coupler_point[0]"}};
 
 constexpr int kMostSlides = 20;
 
@@ -124,7 +126,7 @@ struct NamesOf {
   MetricNames operator()(const Problem&) const {
     MetricNames names;
     add(names, metrics());
-    add(names, kExtras);
+    add(names, std::span(kExtras).first<std::size(kExtras) - 2>());  // the last two stand for many
     add(names, facts(), "facts.");
     add_mechanisms(names);
     names.openings.emplace_back("crank_deg");

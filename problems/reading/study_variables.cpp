@@ -132,6 +132,7 @@ void read_samples(TableReader& table, StudyVariable& variable, std::optional<Sam
 enum class Way { steps, values, samples, none };
 
 Way way_of(TableReader& table) {
+  table.know({"range", "steps", "values", "sampling", "count"});
   const bool range = table.has("range"), steps = table.has("steps"), values = table.has("values"),
              sampled = table.has("sampling") || table.has("count");
   const int ways = static_cast<int>(steps) + static_cast<int>(values) + static_cast<int>(sampled);

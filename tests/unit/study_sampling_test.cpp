@@ -193,13 +193,13 @@ TEST(Samplings, EvenOnesLieMoreEvenlyThanRandomOnes) {
   EXPECT_LT(discrepancy(points(Sampling::halton, 4, 512, 1), 4), random / 3);
 }
 
-// Coordinates in the bases 53 to 71 run in step for the first hundreds of points unless permuted.
+// Coordinates in the bases 53 to 71 run in step for the first hundred points unless permuted.
 TEST(Halton, LargeBasesDoNotRunInStep) {
-  const auto all = points(Sampling::halton, 20, 500, 1);
+  const auto all = points(Sampling::halton, 20, 100, 1);
   const auto x = column(all, 20, 18), y = column(all, 20, 19);
   double covariance = 0;
   for (std::size_t i = 0; i < x.size(); ++i) covariance += (x[i] - 0.5) * (y[i] - 0.5);
-  EXPECT_LT(std::abs(covariance / 500 * 12), 0.2);
+  EXPECT_LT(std::abs(covariance / 100 * 12), 0.4);  // 0.82 unpermuted
 }
 
 TEST(Samplings, APointHangsOnItsNumberAndTheSeedAlone) {
