@@ -113,7 +113,7 @@ TEST(StudyEvaluator, TransmissionAnglesFollowTheLawOfCosines) {
 // What a filter on varied keys lets pass is what the numbers say; the rest is not evaluated, but
 // kept where all rows are wanted.
 TEST(StudyEvaluator, FiltersOnVariedKeysDecideFirst) {
-  const std::string rest = "[filter]\n\"mechanism.coupler\" = [2, 3]\ntime_ratio = { max = 1.2 }\n";
+  const std::string rest = "[filter]\n\"mechanism.coupler\" = [2, 3]\ntime_ratio = { max = 1.5 }\n";
   const Study some = study_of(kFourBars + "[output]\nmetrics = [\"time_ratio\"]\n" + rest);
   const Study all =
       study_of(kFourBars + "[output]\nmetrics = [\"time_ratio\"]\nrows = \"all\"\n" + rest);
@@ -128,7 +128,7 @@ TEST(StudyEvaluator, FiltersOnVariedKeysDecideFirst) {
     const bool in = coupler >= 2 && coupler <= 3;
     const Cell& ratio = rows[i].at("time_ratio");
     EXPECT_TRUE(in || ratio == Cell{});
-    const bool passes = in && ratio != Cell{} && number(ratio) <= 1.2;
+    const bool passes = in && ratio != Cell{} && number(ratio) <= 1.5;
     EXPECT_EQ(every.statuses[i] == RunStatus::filtered, !passes);
     EXPECT_EQ(std::ranges::count(passed.ids, every.ids[i]), passes ? 1 : 0);
   }
@@ -263,7 +263,9 @@ metrics = ["torque_N_m.max", "torque_N_m.max_at_deg"]
   const auto result = problems::analyse(*base, {.threads = 1});
   const auto fact = std::ranges::find(result.facts, "torque_N_m.max", &problems::Fact::name);
   ASSERT_NE(fact, result.facts.end());
-  EXPECT_EQ(rows[1].at("torque_N_m.max"), Cell(std::get<double>(fact->value)));
+  // With the reactions the torque follows from these, without them from virtual work.
+  const double torque = std::get<double>(fact->value);
+  EXPECT_NEAR(number(rows[1].at("torque_N_m.max")) / torque, 1, 1e-12);
 }
 
 TEST(StudyEvaluator, EveryStudyOfTheLibraryCanBeRun) {
