@@ -1,6 +1,6 @@
 # Puts the page together from its parts and writes it as a C++ source.
 # OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; STYLES and
-# SCRIPTS in order; UPLOT: the package's folder, or empty.
+# SCRIPTS in order; LICENCE, LIBRARY and LIBRARY_STYLES: files of the plotting library, or empty.
 cmake_minimum_required(VERSION 3.25)
 
 # join(VARIABLE FILES...): the text of all.
@@ -18,18 +18,17 @@ file(READ ${CONTENT} content)
 join(style ${STYLES})
 join(script ${SCRIPTS})
 
-set(uplot_style "")
-set(uplot_script "")
-if(UPLOT)
-  file(READ "${UPLOT}/LICENSE" licence)
-  file(READ "${UPLOT}/dist/uPlot.min.css" uplot_style)
-  file(READ "${UPLOT}/dist/uPlot.iife.min.js" text)
-  set(uplot_script "/*\n${licence}*/\n${text}")
+join(library_style ${LIBRARY_STYLES})
+set(library "")
+if(LIBRARY)
+  file(READ "${LICENCE}" licence)
+  file(READ "${LIBRARY}" text)
+  set(library "/*\n${licence}*/\n${text}")
 endif()
 
 string(REPLACE "@CONTENT@" "${content}" page "${page}")
-string(REPLACE "@STYLE@" "${uplot_style}\n${style}" page "${page}")
-string(REPLACE "@UPLOT@" "${uplot_script}" page "${page}")
+string(REPLACE "@STYLE@" "${library_style}\n${style}" page "${page}")
+string(REPLACE "@LIBRARY@" "${library}" page "${page}")
 string(REPLACE "@SCRIPT@" "${script}" page "${page}")
 
 # Compilers need take no literal longer than 65536 bytes: pieces, cut after an ASCII character so

@@ -14,4 +14,7 @@ std::string analysis_page();
 /// The page of a cam, likewise.
 std::string cam_page();
 
+/// The page of a study, likewise.
+std::string study_page();
+
 }  // namespace cognate::app

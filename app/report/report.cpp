@@ -4,6 +4,7 @@
 
 #include "app/report/analysis_report_data.hpp"
 #include "app/report/cam_report_data.hpp"
+#include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"
 
@@ -11,38 +12,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// How many characters of a member of the result that the page draws from elsewhere it bears.
-constexpr std::size_t kLarge = 400'000;
-
-/// JSON that may stand in a script element: ASCII alone, so no U+2028, and every '<' escaped, so no
-/// text in it can end the element or open a comment.
-std::string embedded(const ordered_json& value) {
-  using Handler = ordered_json::error_handler_t;
-  std::string text;
-  for (const char c : value.dump(-1, ' ', true, Handler::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
-/// `page` with `data` in its place.
-std::string filled(std::string page, const ordered_json& data) {
-  constexpr std::string_view kMarker = "@DATA@";
-  return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
-}
-
-bool is_large(const ordered_json& table, const char* member) {
-  return table.contains(member) && table[member].dump().size() > kLarge;
-}
-
-void erase_large(ordered_json& table, const char* member) {
-  if (is_large(table, member)) table.erase(member);
-}
 
 /// `document` without what would make the page too large: the table of an analysis, and with it the
 /// positions of its drive; the curves of a synthesis; the motion of a cam.
@@ -71,7 +40,7 @@ std::string report_html(const ordered_json& result_document, const problems::Pro
                         const problems::Result& result) {
   ordered_json data = report_data(problem, result);
   data["result"] = without_large_tables(result_document);
-  return filled(design_page(), data);
+  return filled_page(design_page(), data);
 }
 
 std::string report_html(const ordered_json& result_document,
@@ -79,14 +48,14 @@ std::string report_html(const ordered_json& result_document,
                         const problems::AnalysisResult& result) {
   ordered_json data = analysis_report_data(problem, result);
   data["result"] = without_large_tables(result_document);
-  return filled(analysis_page(), data);
+  return filled_page(analysis_page(), data);
 }
 
 std::string report_html(const ordered_json& result_document, const problems::CamProblem& problem,
                         const problems::CamResult& result) {
   ordered_json data = cam_report_data(problem, result);
   data["result"] = without_large_tables(result_document);
-  return filled(cam_page(), data);
+  return filled_page(cam_page(), data);
 }
 
 }  // namespace cognate::app

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "app/study/study_words.hpp"
+#include "problems/study/study_names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -57,7 +57,7 @@ void add_row(StudyRows& rows, const SqliteStatement& statement) {
   rows.ids.push_back(statement.integer(0));
   const int width = static_cast<int>(rows.columns.size());
   for (int i = 1; i <= width; ++i) rows.cells.push_back(statement.cell(i));
-  const auto status = run_status(statement.text(width + 1));
+  const auto status = problems::from_string<problems::RunStatus>(statement.text(width + 1));
   rows.statuses.push_back(status.value_or(problems::RunStatus::invalid));
 }
 

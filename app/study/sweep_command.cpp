@@ -12,6 +12,7 @@
 #include "app/interrupt.hpp"
 #include "app/messages.hpp"
 #include "app/output_files.hpp"
+#include "app/report/study_report.hpp"
 #include "app/result_json.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/study_database.hpp"

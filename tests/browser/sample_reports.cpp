@@ -10,12 +10,14 @@
 #include "analysis/motion.hpp"
 #include "app/analysis_json.hpp"
 #include "app/report/report.hpp"
+#include "app/report/study_report.hpp"
 #include "app/result_json.hpp"
 #include "problems/read.hpp"
 #include "problems/verify.hpp"
 #include "tests/browser/sample_analyses.hpp"
 #include "tests/browser/sample_cams.hpp"
 #include "tests/browser/sample_designs.hpp"
+#include "tests/browser/sample_studies.hpp"
 
 namespace {
 
@@ -153,6 +155,11 @@ void write(const std::filesystem::path& file, const SampleCam& sample) {
       << app::report_html(document, sample.problem, sample.result);
 }
 
+void write(const std::filesystem::path& file, const SampleStudy& sample) {
+  std::ofstream(file, std::ios::binary)
+      << app::study_report_html(sample.document, sample.study, sample.rows);
+}
+
 /// What Cognate finds.
 Sample solved(Problem problem) {
   const Run run{.seed = 1, .threads = 1};
@@ -179,6 +186,10 @@ int main(int argc, char** argv) {
   for (const SampleCam& sample : sample_cams()) {
     write(folder / ("cam-" + sample.name + ".html"), sample);
   }
+  for (const SampleStudy& sample : sample_studies()) {
+    write(folder / ("study-" + sample.name + ".html"), sample);
+  }
+  std::ofstream(folder / "poses.json") << sample_poses();
   const std::filesystem::path library = COGNATE_LIBRARY_DIR;
   for (const auto& file : std::filesystem::directory_iterator(library / "analysis")) {
     const auto problem = read_analysis(file.path());

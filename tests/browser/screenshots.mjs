@@ -1,6 +1,6 @@
 // Pictures of a report, whole at desktop and phone width in light and dark, and its head down to the
 // curves, as the documentation shows it: report.png, of an analysis (with its force arrows)
-// analysis.png, of a cam cam.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees
+// analysis.png, of a cam cam.png, of a study study.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees
 // or length. In docs/pictures, report.png is of path/ten-point-ellipse.toml, analysis.png of
 // analysis/shaper.toml, cam.png of cam/smallest-cam.toml, synthesis.png of motion/four-poses.toml
 // with DRIVE 100 and under its new name.
@@ -16,11 +16,11 @@ if (!folder) {
 
 const PICTURE = { width: 1280, height: 1000 };
 
-// The page from its top to the foot of its curves.
+// The page from its top to the foot of its curves, of a study to that of its scatter plot.
 async function head(page, file) {
   await page.setViewportSize(PICTURE);
   await page.waitForTimeout(200);
-  const curves = await page.locator("#curves").boundingBox();
+  const curves = await page.locator("#curves, #scatter").boundingBox();
   if (curves) await page.screenshot({ path: file, fullPage: true, clip: { x: 0, y: 0, width: PICTURE.width, height: Math.ceil(curves.y + curves.height + 8) } });
 }
 
@@ -36,7 +36,7 @@ for (const size of Object.keys(SIZES)) {
     await page.waitForTimeout(100);
     await page.screenshot({ path: path.join(folder, `${size}-${scheme}.png`), fullPage: true });
     if (size === "desktop" && scheme === "light") {
-      const kind = await page.locator(".cam-body").count() ? "cam" : await page.locator("#drive").count() ? "analysis" : "report";
+      const kind = await page.locator("#scatter").count() ? "study" : await page.locator(".cam-body").count() ? "cam" : await page.locator("#drive").count() ? "analysis" : "report";
       await head(page, path.join(folder, `${kind}.png`));
     }
     for (const fault of faults) console.error(fault);

@@ -2,7 +2,7 @@
 
 const STATUS = {
   solved: ["good", "Solved"], infeasible: ["warn", "No design meets every constraint"], "no-solution": ["bad", "No solution"],
-  "time-limit": ["warn", "Stopped at the time limit"], interrupted: ["warn", "Interrupted"],
+  done: ["good", "Done"], "time-limit": ["warn", "Stopped at the time limit"], interrupted: ["warn", "Interrupted"],
 };
 
 // `summary`: the parts of the line below the title; `keys`: what the keyboard does.

@@ -1,0 +1,46 @@
+#include "app/report/filled_page.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// How many characters of a member of the result that the page draws from elsewhere it bears.
+constexpr std::size_t kLarge = 400'000;
+
+/// JSON that may stand in a script element: ASCII alone, so no U+2028, and every '<' escaped, so no
+/// text in it can end the element or open a comment.
+std::string embedded(const ordered_json& value) {
+  using Handler = ordered_json::error_handler_t;
+  std::string text;
+  for (const char c : value.dump(-1, ' ', true, Handler::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string filled_page(std::string page, const ordered_json& data) {
+  constexpr std::string_view kMarker = "@DATA@";
+  return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
+}
+
+bool is_large(const ordered_json& table, const char* member) {
+  using Handler = ordered_json::error_handler_t;
+  return table.contains(member) &&
+         table[member].dump(-1, ' ', true, Handler::replace).size() > kLarge;
+}
+
+void erase_large(ordered_json& table, const char* member) {
+  if (is_large(table, member)) table.erase(member);
+}
+
+}  // namespace cognate::app

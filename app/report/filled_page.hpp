@@ -1,0 +1,18 @@
+/// @file Data put into the report pages.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace cognate::app {
+
+/// `page` (of page.hpp) with `data` in its place, as JSON that no text in it can break out of.
+std::string filled_page(std::string page, const nlohmann::ordered_json& data);
+
+/// Takes `member` out of `table` where its JSON is so long that it would make a page too large.
+void erase_large(nlohmann::ordered_json& table, const char* member);
+
+/// Whether `table` has `member` and that is so long.
+bool is_large(const nlohmann::ordered_json& table, const char* member);
+
+}  // namespace cognate::app

@@ -1,0 +1,144 @@
+// The map of a column over two others, filled between its level lines.
+
+const METHODS = { grid: "Grid", triangles: "Triangles", bins: "Means" };
+const LEVELS = 14;
+
+class Contour extends Plane {
+  // `tell.select(row)`
+  constructor(holder, study, tell) {
+    super(holder, "Map of a column over two others; a click opens the nearest design");
+    Object.assign(this, { study, tell, held: new Map(), method: null });
+    this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) tell.select(row); });
+    this.root.addEventListener("pointermove", (event) => this.#hover(this.pointer(event)));
+    this.root.addEventListener("pointerleave", () => this.showTip([0, 0], null));
+  }
+
+  choose(z, x, y) {
+    Object.assign(this, { z, x, y });
+    const varied = this.study.columns.filter((c) => c.role === "variable" && !c.constant);
+    this.others = varied.filter((c) => c !== x && c !== y);
+    const onGrid = [x, y].every((c) => c.grid && c.grid.length > 1) && this.others.every((c) => c.grid);
+    this.methods = [...(onGrid && x !== y ? ["grid"] : []), "triangles", "bins"];
+    const usual = onGrid && x !== y ? "grid" : this.others.length && [x, y].every((c) => c.role === "variable") ? "bins" : "triangles";
+    this.method = this.methods.includes(this.method) && this.picked ? this.method : usual;
+    const start = this.study.selected ?? 0;
+    this.held = new Map(onGrid ? this.others.map((c) => [c, c.values[start]]) : []);
+    this.#choices();
+    this.draw();
+  }
+
+  // Which methods there are, and where the other grid columns are held.
+  #choices() {
+    byId("methods").replaceChildren(...this.methods.map((method) => {
+      const button = element("button", { type: "button", "data-method": method, "aria-pressed": String(method === this.method) }, METHODS[method]);
+      button.addEventListener("click", () => { this.method = method; this.picked = true; this.#choices(); this.draw(); });
+      return button;
+    }));
+    const held = this.method === "grid" ? [...this.held.keys()] : [];
+    byId("held").replaceChildren(...held.map((column) => {
+      const select = element("select", { "aria-label": `${column.name} held at` }, ...column.grid.map((v, i) => element("option", { value: i }, number(v, 6))));
+      select.value = column.grid.indexOf(this.held.get(column));
+      select.addEventListener("change", () => { this.held.set(column, column.grid[Number(select.value)]); this.draw(); });
+      return element("label", {}, `${column.label} at `, select);
+    }));
+  }
+
+  #surface() {
+    const { x, y, z, study, method } = this;
+    const { rows } = study.filters;
+    if (method === "grid") return gridSurface(x, y, z, rows, this.held);
+    return (method === "bins" ? binSurface : triangleSurface)(x, y, z, rows);
+  }
+
+  #note(surface, logarithmic) {
+    const others = this.others.length ? ` ${this.others.map((c) => c.label).join(", ")} ${this.others.length > 1 ? "vary" : "varies"} too.` : "";
+    const text = {
+      grid: `On the grid of the study, linear between its nodes${surface.missing ? `; ${plural(surface.missing, "node")} without a row that passes` : ""}.`,
+      triangles: `Linear within the Delaunay triangles of the rows that pass.${others}`,
+      bins: `Each cell shows the mean of the rows in it.${others}`,
+    }[this.method];
+    byId("contour-note").textContent = `${text}${logarithmic ? " Colours by the logarithm." : ""}`;
+  }
+
+  draw() {
+    const brush = this.begin();
+    const { x, y, z, study } = this;
+    const surface = this.#surface();
+    const known = surface.z.filter((v) => !Number.isNaN(v));
+    const [least, greatest] = d3.extent(known);
+    const logarithmic = least > 0 && greatest > 200 * least;
+    const level = logarithmic ? Math.log10 : Number;
+    [this.scaleX, this.scaleY] = [x.scale(this.across, 0.02), y.scale(this.up, 0.02)];
+    if (known.length) {
+      const share = (v) => (level(greatest) > level(least) ? (v - level(least)) / (level(greatest) - level(least)) : 0.5);
+      const drawn = { ...surface, z: surface.z.map(level) };
+      if (surface.cells || surface.nx < 4 || surface.ny < 4) this.#cells(brush, drawn, share);
+      else this.#bands(brush, drawn, d3.extent(known.map(level)), share);
+    }
+    brush.restore();
+    const at = (row) => [this.scaleX(x.values[row]), this.scaleY(y.values[row])].map(round);
+    const visible = (row) => at(row).every(Number.isFinite) && [...(this.method === "grid" ? this.held : [])].every(([c, v]) => c.values[row] === v);
+    const best = [...study.best].filter((row) => study.filters.passes[row] && visible(row)).map((row) => svg("circle", { class: "best-mark", cx: at(row)[0], cy: at(row)[1], r: 3.5 }));
+    const chosen = study.selected !== null && visible(study.selected) ? [svg("circle", { class: "chosen", cx: at(study.selected)[0], cy: at(study.selected)[1], r: 8 })] : [];
+    this.axes(x, this.scaleX, y, this.scaleY, ...best.slice(0, 400), ...chosen);
+    byId("contour-key").replaceChildren(...(known.length ? keyBar(z.label, number(least, 4), number(greatest, 4), d3Range(12).map((i) => shadeAt(i / 11))) : [element("span", { class: "muted" }, "No row that passes has these values.")]));
+    this.#note(surface, logarithmic);
+  }
+
+  // The screen's place of node `i` of `nodes`, linearly between them.
+  #place(scale, nodes) {
+    const places = nodes.map(scale);
+    return (t) => interpolate(places, locate(d3Range(places.length), Math.min(places.length - 1, Math.max(0, t - 0.5))));
+  }
+
+  #bands(brush, { nx, ny, xs, ys, z }, [least, greatest], share) {
+    const thresholds = [least, ...d3.ticks(least, greatest, LEVELS).filter((v) => v > least && v < greatest)];
+    const [px, py] = [this.#place(this.scaleX, xs), this.#place(this.scaleY, ys)];
+    const path = d3.geoPath(d3.geoTransform({ point(i, j) { this.stream.point(px(i), py(j)); } }), brush);
+    const line = colour("--card");
+    for (const [k, contour] of d3.contours().size([nx, ny]).thresholds(thresholds)(Array.from(z)).entries()) {
+      const next = thresholds[k + 1] ?? greatest;
+      brush.beginPath();
+      path(contour);
+      brush.fillStyle = shadeAt(share((contour.value + next) / 2));
+      brush.fill();
+      Object.assign(brush, { strokeStyle: line, lineWidth: 0.6, globalAlpha: 0.5 });
+      brush.stroke();
+      brush.globalAlpha = 1;
+    }
+  }
+
+  #cells(brush, { nx, ny, xs, ys, z }, share) {
+    const edges = (scale, nodes) => {
+      const p = nodes.map(scale);
+      const inner = p.slice(1).map((v, i) => (v + p[i]) / 2);
+      return p.length > 1 ? [2 * p[0] - inner[0], ...inner, 2 * p.at(-1) - inner.at(-1)] : [p[0] - 40, p[0] + 40];
+    };
+    const [ex, ey] = [edges(this.scaleX, xs), edges(this.scaleY, ys)];
+    for (let j = 0; j < ny; ++j) {
+      for (let i = 0; i < nx; ++i) {
+        if (Number.isNaN(z[j * nx + i])) continue;
+        brush.fillStyle = shadeAt(share(z[j * nx + i]));
+        brush.fillRect(ex[i], ey[j], ex[i + 1] - ex[i] + 0.6, ey[j + 1] - ey[j] - 0.6);
+      }
+    }
+  }
+
+  // Of the rows shown that which is nearest to a place of the picture.
+  #near(p) {
+    if (!this.inside(p)) return null;
+    const held = this.method === "grid" ? [...this.held] : [];
+    let [nearest, least] = [null, Infinity];
+    for (const row of this.study.filters.rows) {
+      const away = Math.hypot(this.scaleX(this.x.values[row]) - p[0], this.scaleY(this.y.values[row]) - p[1]);
+      if (away < least && held.every(([c, v]) => c.values[row] === v)) [nearest, least] = [row, away];
+    }
+    return nearest;
+  }
+
+  #hover(p) {
+    const row = this.#near(p);
+    this.root.style.cursor = row === null ? "" : "pointer";
+    this.showTip(p, row === null ? null : tipLines(this.study, row, [this.x, this.y, this.z]));
+  }
+}

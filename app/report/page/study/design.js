@@ -1,0 +1,91 @@
+// The design of a row: all its values, its file, and its linkage in motion.
+
+class DesignPanel {
+  // `tell.select(row)`
+  constructor(data, study, tell) {
+    Object.assign(this, { data, study, tell, phase: 0 });
+    this.controls = new Controls((seconds) => this.turn((this.phase + (this.controls.player.pace * this.controls.player.speed * seconds * RADIANS))),
+      (sense, large) => this.turn(this.phase + sense * (large ? 10 : 1) * RADIANS, true));
+    this.scene = data.linkage ? new LinkageScene(byId("picture"), (phase) => this.turn(phase, true)) : null;
+    byId("linkage").hidden = !this.scene;
+    byId("drive").addEventListener("input", (event) => this.turn(Number(event.target.value) * RADIANS, true));
+    for (const [id, by] of [["previous", -1], ["next", 1]]) byId(id).addEventListener("click", () => this.#step(by));
+    for (const button of document.querySelectorAll("[data-copy]")) button.addEventListener("click", () => copy(button));
+    if (this.scene) {
+      new ResizeObserver(() => this.#draw()).observe(byId("picture"));
+      this.controls.start();
+    }
+  }
+
+  #step(by) {
+    const { rows } = this.study.filters;
+    if (!rows.length) return;
+    const place = rows.indexOf(this.study.selected);
+    this.tell.select(rows[(Math.max(0, place) + by + rows.length) % rows.length]);
+  }
+
+  // The value of a varied key in the row chosen.
+  value(variable, row = this.study.selected) { return this.study.columns[variable].values[row]; }
+
+  linkageOf(row) { return this.data.linkage ? new RowLinkage(filledIn(this.data.linkage, (variable) => this.value(variable, row))) : null; }
+
+  show() {
+    const { selected: row, ids, best, columns } = this.study;
+    byId("design-none").hidden = row !== null;
+    byId("design-body").hidden = row === null;
+    if (row === null) return;
+    byId("design-title").textContent = `Design ${ids[row].toLocaleString("en")}${best.has(row) ? " ★" : ""}`;
+    byId("design-values").replaceChildren(...columns.flatMap((column) => {
+      const [name, value] = fact("", column.text(row, 7), column.written(row));
+      name.append(...breakable(column.name));
+      return [name, value];
+    }));
+    byId("design-command").textContent = `cognate export ${databaseName()} --row ${ids[row]}`;
+    this.#showFile();
+    this.#draw();
+  }
+
+  #showFile() {
+    const { base } = this.data;
+    byId("design-file").hidden = !base;
+    if (!base) return;
+    byId("design-text").replaceChildren(...base.pieces.flatMap((piece, i) => (i < base.variables.length
+      ? [piece, element("mark", {}, String(this.value(base.variables[i])))] : [piece])));
+  }
+
+  #draw() {
+    if (!this.scene || this.study.selected === null) return;
+    this.scene.build(this.linkageOf(this.study.selected));
+    this.turn(this.phase);
+  }
+
+  // Goes to a phase of the motion. `byHand` stops the clock.
+  turn(phase, byHand = false) {
+    if (byHand) this.controls.play(false);
+    this.phase = phase - TURN * Math.floor(phase / TURN);
+    if (!this.scene?.linkage) return;
+    this.scene.move(this.phase);
+    byId("drive").value = this.phase / RADIANS;
+    const crank = this.scene.linkage.pose(this.phase)?.crank;
+    byId("drive-value").textContent = crank === undefined ? "–" : degrees(crank - 360 * Math.floor(crank / 360), 1);
+    byId("drive").setAttribute("aria-valuetext", byId("drive-value").textContent);
+  }
+}
+
+// The database stands beside the report, under the study's name.
+function databaseName() {
+  const [, stem = "STUDY"] = /([^/\\]+)\.report\.html$/.exec(decodeURIComponent(location.pathname)) ?? [];
+  return /^[\w.+-]+$/.test(stem) ? `${stem}.study.db` : `'${stem.replaceAll("'", "'\\''")}.study.db'`;
+}
+
+// Puts a text into the clipboard, or where that is refused selects it.
+async function copy(button) {
+  const source = byId(button.dataset.copy);
+  try {
+    await navigator.clipboard.writeText(source.textContent);
+    button.textContent = "Copied";
+    setTimeout(() => { button.textContent = "Copy"; }, 1500);
+  } catch {
+    getSelection().selectAllChildren(source);
+  }
+}

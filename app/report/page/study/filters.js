@@ -1,0 +1,71 @@
+// Which rows pass: of each column a range of its values, or a set of its words.
+
+class Filters {
+  constructor(columns, count) {
+    Object.assign(this, { columns, count, chosen: new Map(), passes: new Uint8Array(count).fill(1) });
+    this.rows = d3Range(count);
+  }
+
+  get any() { return this.chosen.size > 0; }
+
+  // `range`: [from, to], or null for all values. Words are the numbers of their levels.
+  choose(column, range) {
+    if (range === null || (range[0] <= column.least && range[1] >= column.greatest && !column.missing)) this.chosen.delete(column);
+    else this.chosen.set(column, range);
+    this.#apply();
+  }
+
+  clear() { this.chosen.clear(); this.#apply(); }
+
+  #apply() {
+    const ranges = [...this.chosen];
+    this.rows = [];
+    for (let row = 0; row < this.count; ++row) {
+      const passes = ranges.every(([{ values }, [from, to]]) => values[row] >= from && values[row] <= to);
+      this.passes[row] = passes ? 1 : 0;
+      if (passes) this.rows.push(row);
+    }
+  }
+}
+
+const d3Range = (count) => Array.from({ length: count }, (_, i) => i);
+
+// The table of columns: whether each is drawn, and the ends of its filter for the keyboard.
+class ColumnTable {
+  // `tell.filter(column, range)`, `tell.show(column, shown)`
+  constructor(columns, tell) {
+    this.rows = columns.map((column) => ({ column, ...this.#row(column, tell) }));
+    byId("columns-rows").replaceChildren(...this.rows.map(({ row }) => row));
+  }
+
+  #row(column, tell) {
+    const shown = element("input", { type: "checkbox", "aria-label": `Show ${column.name}` });
+    shown.addEventListener("change", () => tell.show(column, shown.checked));
+    const ends = column.words ? this.#words(column) : this.#numbers(column);
+    const range = () => ends.map((end, i) => (end.value === "" ? [-Infinity, Infinity][i] : Number(end.value)));
+    for (const end of ends) end.addEventListener("change", () => tell.filter(column, ends.every((e) => e.value === "") ? null : range()));
+    const clear = element("button", { type: "button", class: "link", "aria-label": `Clear the filter of ${column.name}` }, "Clear");
+    clear.addEventListener("click", () => tell.filter(column, null));
+    const wanted = column.wanted ? element("span", { class: "wanted" }, column.wanted === "least" ? " ↓ least" : " ↑ greatest") : "";
+    const cells = [[element("code", {}, ...breakable(column.name)), wanted], [shown], [ends[0]], [ends[1]], [clear]];
+    return { row: element("tr", {}, ...cells.map((parts) => element("td", {}, ...parts))), shown, ends, clear };
+  }
+
+  #numbers(column) {
+    return ["least", "greatest"].map((end) => element("input", { type: "number", step: "any", placeholder: number(column[end], 4), "aria-label": `${sentence(end)} ${column.name}` }));
+  }
+
+  #words(column) {
+    return ["First", "Last"].map((end) => element("select", { "aria-label": `${end} ${column.name}` },
+      element("option", { value: "" }, "any"), ...column.words.map((word, i) => element("option", { value: i }, word))));
+  }
+
+  update(filters, isShown) {
+    for (const { column, shown, ends, clear } of this.rows) {
+      const range = filters.chosen.get(column);
+      shown.checked = isShown(column);
+      clear.hidden = !range;
+      ends.forEach((end, i) => { if (end !== document.activeElement || !range) end.value = range && Number.isFinite(range[i]) ? Number(range[i].toPrecision(6)) : ""; });
+    }
+  }
+}

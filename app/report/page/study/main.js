@@ -1,0 +1,142 @@
+// The page of a study: its rows, which of them pass, and the one that is open.
+
+const data = JSON.parse(byId("data").textContent);
+const columns = columnsOf(data);
+const count = data.ids.length;
+const drawn = columns.filter((column) => !column.empty);
+const objectives = drawn.filter((column) => column.wanted);
+const best = new Set(data.best);
+const study = { ids: data.ids, count, columns, best, filters: new Filters(columns, count), selected: count ? data.best[0] ?? 0 : null, paint: new Paint(null) };
+const canDraw = typeof d3 !== "undefined";
+const views = [];
+
+function select(row) {
+  study.selected = row;
+  design.show();
+  for (const view of views) if (view.select) view.select(); else view.draw();
+}
+
+// Filters once in a frame, however fast the brush moves.
+let waiting = false;
+function filter(column, range) {
+  study.filters.choose(column, range);
+  if (!waiting) requestAnimationFrame(() => { waiting = false; showFiltered(); });
+  waiting = true;
+}
+
+function showFiltered() {
+  const { filters } = study;
+  byId("count").textContent = filters.any ? `${filters.rows.length.toLocaleString("en")} of ${plural(count, "row")}` : plural(count, "row");
+  byId("clear").hidden = !filters.any;
+  table.update(filters, (column) => !parallel || parallel.shown.includes(column));
+  for (const view of views) if (view.filtered) view.filtered(); else view.draw();
+}
+
+function paintBy(column) {
+  study.paint = new Paint(column);
+  repaint();
+}
+
+function repaint() {
+  if (!canDraw) return;
+  study.paint.prepare();
+  for (const key of document.querySelectorAll("[data-key]")) key.replaceChildren(...study.paint.key());
+  for (const view of views) view.draw();
+}
+
+// A select of columns; `choose` is called with the one chosen. Those with the same `choice` agree.
+function selects(choice, list, chosen, choose, none) {
+  const all = [...document.querySelectorAll(`[data-choice="${choice}"]`)];
+  for (const one of all) {
+    one.replaceChildren(...(none ? [element("option", { value: -1 }, none)] : []), ...list.map((column) => element("option", { value: column.index }, column.label)));
+    one.value = chosen?.index ?? -1;
+    one.addEventListener("change", () => {
+      for (const other of all) other.value = one.value;
+      choose(columns[Number(one.value)] ?? null);
+    });
+  }
+}
+
+// What is against what at first: the objectives, else the first numbers that vary.
+function firstPair(numbers) {
+  const varying = numbers.filter((column) => !column.constant);
+  const metrics = varying.filter((column) => column.role === "metric" && !column.wanted);
+  const variables = varying.filter((column) => column.role === "variable");
+  return [...objectives.length > 1 ? objectives : [...variables.slice(0, 1), ...objectives, ...metrics, ...variables.slice(1)], ...numbers, ...numbers].slice(0, 2);
+}
+
+function startScatter() {
+  const scatter = new Scatter(byId("scatter-plane"), study, { select });
+  let [x, y] = firstPair(drawn.filter((column) => !column.words));
+  views.push(scatter);
+  selects("x", drawn, x, (column) => { x = column; scatter.choose(x, y); });
+  selects("y", drawn, y, (column) => { y = column; scatter.choose(x, y); });
+  scatter.choose(x, y);
+  new ResizeObserver(() => scatter.later()).observe(byId("scatter-plane"));
+}
+
+function startContour() {
+  const numbers = drawn.filter((column) => !column.words);
+  const variables = numbers.filter((column) => column.role === "variable" && !column.constant);
+  byId("contour").hidden = numbers.length < 3;
+  if (numbers.length < 3) return;
+  const levels = (column) => column.grid?.length ?? Infinity;
+  let [x, y] = [...[...variables].sort((a, b) => (levels(a) === levels(b) ? a.index - b.index : levels(b) - levels(a))), ...numbers];
+  if (x === y) y = numbers.find((column) => column !== x);
+  let z = objectives.find((column) => !column.words) ?? numbers.find((column) => column.role === "metric" && !column.constant) ?? numbers[2];
+  const contour = new Contour(byId("contour-plane"), study, { select });
+  const choose = () => contour.choose(z, x, y);
+  views.push(contour);
+  selects("z", numbers, z, (column) => { z = column; choose(); });
+  selects("across", numbers, x, (column) => { x = column; choose(); });
+  selects("up", numbers, y, (column) => { y = column; choose(); });
+  choose();
+  new ResizeObserver(() => contour.later()).observe(byId("contour-plane"));
+}
+
+function startParallel() {
+  const made = new Parallel(byId("axes"), study, { filter, changed: () => table.update(study.filters, (column) => made.shown.includes(column)) });
+  views.push(made);
+  made.build();
+  let width = byId("axes").clientWidth;
+  new ResizeObserver(() => { if (byId("axes").clientWidth !== width) { width = byId("axes").clientWidth; made.build(); } }).observe(byId("axes"));
+  return made;
+}
+
+function startAtlas() {
+  const withPoint = Boolean(data.linkage?.coupler_point) && count > 0;
+  byId("atlas").hidden = !withPoint;
+  if (!withPoint) return;
+  const atlas = new Atlas(study, (row) => design.linkageOf(row), { select });
+  views.push(atlas);
+  atlas.filtered();
+}
+
+showStudyHead(data);
+showStudy(columns, data.study);
+const table = new ColumnTable(drawn, { filter, show: (column, shown) => parallel.show(column, shown) });
+const design = new DesignPanel(data, study, { select });
+const rows = new RowTable(study, { select });
+views.push(rows);
+rows.filtered();
+let parallel = null;
+if (canDraw && count) {
+  const first = objectives[0] ?? drawn.find((column) => column.role === "metric" && !column.constant) ?? drawn[0];
+  selects("colour", drawn, first, paintBy, "nothing");
+  study.paint = new Paint(first);
+  repaint();
+  parallel = startParallel();
+  startScatter();
+  startContour();
+  startAtlas();
+} else {
+  for (const id of ["scatter", "contour"]) byId(id).hidden = true;
+  byId("axes").replaceChildren(element("p", { class: "muted" }, count ? "This report was made without d3, so it draws no plots: Cognate was built without npm, or without a network for it. Install npm, run cmake and build again."
+    : "No row was kept."));
+}
+showFiltered();
+design.show();
+followTheme(repaint);
+byId("clear").addEventListener("click", () => { study.filters.clear(); showFiltered(); });
+byId("save-rows").addEventListener("click", () => saveText(data.study.title, "csv", "text/csv", rows.csv));
+byId("rows-note").textContent = "Metrics are rounded to nine digits here; the database holds them whole.";

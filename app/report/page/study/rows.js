@@ -1,0 +1,70 @@
+// The rows that pass as a table, sorted by a column and in pages.
+
+const PAGE = 40;
+
+class RowTable {
+  // `tell.select(row)`
+  constructor(study, tell) {
+    Object.assign(this, { study, tell, sortedBy: null, sense: 1, page: 0 });
+    this.pager = new Pager(byId("rows"), (page) => { this.page = page; this.draw(); });
+    this.#head();
+  }
+
+  #head() {
+    const header = (text, column, parts = [text]) => {
+      const button = element("button", { type: "button", class: "link" }, ...parts);
+      button.addEventListener("click", () => this.sort(column));
+      const th = element("th", column && !column.words ? { class: "number" } : {}, button);
+      return { th, column };
+    };
+    this.headers = [header("Design", null), ...this.study.columns.map((column) => header(column.name, column, breakable(column.label)))];
+    document.querySelector("#rows thead").replaceChildren(element("tr", {}, ...this.headers.map(({ th }) => th)));
+  }
+
+  sort(column) {
+    this.sense = this.sortedBy === column ? -this.sense : column?.wanted === "greatest" ? -1 : 1;
+    this.sortedBy = column;
+    this.filtered();
+  }
+
+  // After the filters or the order have changed: rows without a value last.
+  filtered() {
+    const values = this.sortedBy?.values ?? this.study.ids;
+    const known = (row) => !Number.isNaN(values[row]);
+    this.rows = [...this.study.filters.rows].sort((a, b) => known(b) - known(a) || this.sense * (values[a] - values[b]) || a - b);
+    for (const { th, column } of this.headers) {
+      if (column === this.sortedBy) th.setAttribute("aria-sort", this.sense > 0 ? "ascending" : "descending");
+      else th.removeAttribute("aria-sort");
+    }
+    this.page = 0;
+    this.draw();
+  }
+
+  draw() {
+    const pages = Math.ceil(this.rows.length / PAGE);
+    this.pager.show(this.page, pages);
+    byId("rows-rows").replaceChildren(...this.rows.slice(this.page * PAGE, (this.page + 1) * PAGE).map((row) => this.#row(row)));
+    this.select();
+  }
+
+  #row(row) {
+    const { ids, best, columns } = this.study;
+    const open = element("button", { type: "button", class: "link", "aria-label": `Open design ${ids[row]}` }, ids[row].toLocaleString("en"));
+    const star = best.has(row) ? [element("span", { class: "mark yes", title: "Among the best" }, " ★")] : [];
+    const tr = element("tr", { "data-row": row }, element("td", {}, open, ...star),
+      ...columns.map((column) => element("td", column.words ? {} : { class: "number" }, column.text(row))));
+    tr.addEventListener("click", () => this.tell.select(row));
+    return tr;
+  }
+
+  select() {
+    for (const tr of byId("rows-rows").children) tr.classList.toggle("selected", Number(tr.dataset.row) === this.study.selected);
+  }
+
+  get csv() {
+    const cell = (text) => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+    const { columns, ids } = this.study;
+    const lines = [["id", ...columns.map((c) => cell(c.name))], ...this.rows.map((row) => [ids[row], ...columns.map((c) => cell(c.written(row)))])];
+    return `${lines.map((line) => line.join(",")).join("\n")}\n`;
+  }
+}
