@@ -52,7 +52,8 @@ class Parallel {
     this.root.replaceChildren(...this.axes.map((axis) => this.#axis(axis)), this.chosen = svg("path", { class: "chosen-line" }));
     this.#placeRows();
     this.draw();
-    this.filtered();
+    this.#placeBrushes();
+    this.select();
   }
 
   #name({ column, x, room }) {
@@ -119,20 +120,21 @@ class Parallel {
     this.axes.forEach(({ x, ys }, i) => (i ? brush.lineTo(x, ys[row]) : brush.moveTo(x, ys[row])));
   }
 
-  // What stands behind: all rows in grey.
+  // What stands behind, all rows in grey, and before it those that pass.
   draw() {
     const brush = sized(this.back, this.width, PARALLEL.height);
     brush.strokeStyle = colour("--line");
     brush.globalAlpha = this.study.count > 1000 ? 0.35 : 0.7;
     brush.beginPath();
     for (let row = 0; row < this.study.count; ++row) this.#line(brush, row);
-    if (this.study.filters.any) brush.stroke();
+    brush.stroke();
     this.#drawRows();
   }
 
   // The rows that pass in their colours, the best last.
   #drawRows() {
     const { filters, paint, best } = this.study;
+    this.back.toggleAttribute("hidden", !filters.any);
     const brush = sized(this.front, this.width, PARALLEL.height);
     const stroke = (rows, alpha, width) => {
       Object.assign(brush, { globalAlpha: alpha, lineWidth: width, lineJoin: "round" });
@@ -149,6 +151,11 @@ class Parallel {
 
   // After the filters have changed.
   filtered() {
+    this.#drawRows();
+    this.#placeBrushes();
+  }
+
+  #placeBrushes() {
     for (const axis of this.axes) {
       const range = this.study.filters.chosen.get(axis.column);
       const [low, high] = axis.scale.range().slice().sort((a, b) => a - b);
@@ -156,8 +163,6 @@ class Parallel {
       if (!axis.brush.node().matches(":active")) axis.place(range ? this.#ends(axis.column, range).map(place).sort((a, b) => a - b) : null);
       axis.bars.setAttribute("d", this.#bars(axis));
     }
-    this.draw();
-    this.select();
   }
 
   #ends(column, [from, to]) {
