@@ -18,6 +18,9 @@ endforeach()
 if(TARGET cognate)
   install(TARGETS cognate)
 endif()
+if(TARGET cognate-mpi)
+  install(TARGETS cognate-mpi)
+endif()
 
 install(EXPORT cognate NAMESPACE cognate:: FILE cognateTargets.cmake DESTINATION ${config_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/cognateConfig.cmake.in

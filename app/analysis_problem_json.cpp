@@ -173,6 +173,7 @@ ordered_json output_table(const AnalysisProblem& problem) {
   for (const int body : wanted.instant_geometry) {
     table["instant_geometry"].push_back(problem.mechanism.bodies[static_cast<std::size_t>(body)]);
   }
+  if (wanted.curve) table["curve"] = true;
   if (wanted.cognates) table["cognates"] = true;
   return table;
 }

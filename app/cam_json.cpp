@@ -148,6 +148,11 @@ ordered_json jumps_json(const CamResult& result) {
 
 }  // namespace
 
+ordered_json best_design_json(const CamProblem& problem, const CamResult& result) {
+  return result.designs.empty() ? ordered_json::object()
+                                : design_json(problem, result.designs.front());
+}
+
 ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
   const ordered_json tables = to_json(settled(problem, design));
   ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};

@@ -17,6 +17,10 @@ namespace cognate::app {
 tl::expected<nlohmann::ordered_json, std::string> result_document(
     const problems::CamProblem& problem, const problems::CamResult& result, std::uint64_t seed);
 
+/// The entry of `designs` of the best design, where there is one.
+nlohmann::ordered_json best_design_json(const problems::CamProblem& problem,
+                                        const problems::CamResult& result);
+
 /// The table `mechanism` of a design: follower, every length it has, the motion with what was found
 /// of it, and a preload that was found.
 nlohmann::ordered_json mechanism_json(const problems::CamProblem& problem,

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -8,6 +10,7 @@
 #include "app/messages.hpp"
 #include "app/problem_json.hpp"
 #include "app/result_json.hpp"
+#include "app/study/study_metrics.hpp"
 #include "app/table.hpp"
 #include "app/terminal.hpp"
 #include "problems/read.hpp"
@@ -33,23 +36,48 @@ ordered_json task_json(const problems::Task& task) {
   return std::visit([](const auto& asked) { return to_json(asked); }, task);
 }
 
-}  // namespace
+std::string described(const problems::Study& study) {
+  const auto plural = [](std::size_t count, const char* of) {
+    return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
+  };
+  const auto designs = static_cast<std::size_t>(problems::design_count(study));
+  return fmt::format("a study of {}: {}, {}, {}", study.base, plural(designs, "design"),
+                     plural(study.variables.size(), "variable"),
+                     plural(study.metrics.size(), "metric"));
+}
 
-ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
-  const auto task = problems::read_task(file);
-  if (!task) write_standard_error(fault_lines(file, task.error()));
+ordered_json task_json(const problems::Study& study) {
+  ordered_json variables = ordered_json::array();
+  for (const auto& variable : study.variables) variables.push_back(variable.key);
+  return {{"kind", "study"},        {"title", study.title},
+          {"base", study.base},     {"designs", problems::design_count(study)},
+          {"variables", variables}, {"metrics", study.metrics}};
+}
+
+/// Says what `read` is, or its faults.
+template <class Read>
+ExitStatus check(const tl::expected<Read, std::vector<problems::Fault>>& read,
+                 const std::filesystem::path& file, const Options& options) {
+  if (!read) write_standard_error(fault_lines(file, read.error()));
 
   ExitStatus printed = exit_done;
   if (options.json) {
     ordered_json document = {
-        {"format", "cognate-check/1"}, {"file", file.string()}, {"valid", task.has_value()}};
-    if (task) document["problem"] = task_json(*task);
-    document["faults"] = task ? ordered_json::array() : faults_json(task.error());
+        {"format", "cognate-check/1"}, {"file", file.string()}, {"valid", read.has_value()}};
+    if (read) document["problem"] = task_json(*read);
+    document["faults"] = read ? ordered_json::array() : faults_json(read.error());
     printed = print(write_json(document));
-  } else if (task && !options.quiet) {
-    printed = print(printable(file.string() + ": " + described(*task) + "; no fault found") + '\n');
+  } else if (read && !options.quiet) {
+    printed = print(printable(file.string() + ": " + described(*read) + "; no fault found") + '\n');
   }
-  return task ? printed : exit_bad_input;
+  return read ? printed : exit_bad_input;
+}
+
+}  // namespace
+
+ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
+  return problems::is_study_file(file) ? check(read_study(file), file, options)
+                                       : check(problems::read_task(file), file, options);
 }
 
 }  // namespace cognate::app

@@ -1,6 +1,7 @@
 /// @file The commands of the program. Each says what there is to say and returns how to end.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "app/exit_status.hpp"
@@ -20,6 +21,22 @@ ExitStatus solve_command(const std::filesystem::path& file, const Options& optio
 /// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
 /// cannot be assembled anywhere.
 ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);
+
+class StudyProcesses;
+
+/// Evaluates the designs of the study in `file` that are not yet in NAME.study.db, NAME being the
+/// file's stem, in the folder `--out`, else the current one, and stores their rows there; prints
+/// the counts and the best rows (with `--json` the document `cognate-study/1`, with `--quiet`
+/// nothing) and writes NAME.report.html (with `--json` only where `--out` is given). The status is
+/// that of no design where no row was kept. Of several `processes` all are called; the first talks.
+ExitStatus sweep_command(const std::filesystem::path& file, const Options& options,
+                         StudyProcesses& processes);
+
+/// Writes the base file of the study file `file` with the numbers of design `row` as NAME.ROW.toml
+/// to the folder `--out`, else to the current one, NAME being the name of the study file without
+/// `.study.db`. Says which file was written, as `export_command` does.
+ExitStatus export_row_command(const std::filesystem::path& file, std::int64_t row,
+                              const Options& options);
 
 /// Writes the curves of a cam of the result document in `file` as NAME.dxf, NAME.svg or NAME.csv to
 /// the folder `--out`, else to the current one, NAME being the name of the result without

@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/study/study_processes.hpp"
 #include "app/terminal.hpp"
 #include "app/version.hpp"
 
@@ -18,12 +19,13 @@ namespace cognate::app {
 namespace {
 
 constexpr const char* kDescription =
-    "Cognate finds planar linkages and cams that do what a problem file asks for, and analyses "
-    "mechanisms.\n";
+    "Cognate finds planar linkages and cams that do what a problem file asks for, analyses "
+    "mechanisms, and maps what is possible.\n";
 
 constexpr const char* kFooter = R"(Examples:
   cognate solve rocker.toml     find designs; then open rocker.report.html
   cognate analyze press.toml    how a mechanism moves and what it bears
+  cognate sweep sizes.toml      vary the numbers of a file, and keep the best
   cognate export cam.result.json --format dxf    a cam's profile for CAD
   cognate check rocker.toml     is the file sound?
   cognate list --metrics        what a result says of a design, and in which unit
@@ -31,7 +33,7 @@ constexpr const char* kFooter = R"(Examples:
 Exit status:
   0  done; for solve: at least one design meets every constraint
   1  the problem was well posed, but no design meets every constraint; for
-     analyze: the mechanism can be assembled nowhere
+     analyze: the mechanism can be assembled nowhere; for sweep: no row passes
   2  bad input: options, a file, or a place that cannot be written to
   3  a fault of Cognate's own
 
@@ -67,6 +69,26 @@ Examples:
   cognate analyze press.toml --out results
   cognate analyze press.toml --json > press.json)";
 
+constexpr const char* kSweepFooter = R"(Output:
+  The counts and the best rows on standard output, and two files in DIR, NAME
+  being FILE's name without its ending:
+    NAME.study.db      the rows as an SQLite database (table runs, view best); it
+                       can be queried while the study runs
+    NAME.report.html   the rows in plots with filters (not with --json, unless
+                       --out is given)
+  Ctrl-C and --time-limit end the run; whatever ended it, the same command goes on
+  where it stopped, and the rows are those of a run that was never stopped.
+  The same file, seed and version give the same rows with any number of threads
+  and of processes.
+  mpirun runs a study on many processes and machines that see the same files, each
+  with one thread unless --threads says otherwise.
+
+Examples:
+  cognate sweep sizes.toml
+  cognate sweep sizes.toml --out results --time-limit 3600
+  sqlite3 results/sizes.study.db 'SELECT * FROM best LIMIT 5'
+  mpirun -n 64 cognate sweep sizes.toml --out results)";
+
 constexpr const char* kExportFooter = R"(Output:
   One file in DIR, NAME being that of NAME.result.json:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
@@ -76,12 +98,15 @@ constexpr const char* kExportFooter = R"(Output:
                of a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
   Polygons are nowhere farther from the curve than the chord tolerance.
-  Only cams can be exported in this version.
+  Of results only cams can be exported in this version.
+  With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of the
+  study with the numbers of that design.
 
 Examples:
   cognate export cam.result.json --format dxf
   cognate export cam.result.json --format csv --curve pitch --chord-tolerance 0.001
-  cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6)";
+  cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
+  cognate export sizes.study.db --row 1234)";
 
 constexpr const char* kCheckFooter =
     R"(Every fault is reported as FILE:LINE:COLUMN: what is wrong; what is allowed.
@@ -95,11 +120,8 @@ constexpr const char* kListFooter = R"(Examples:
   cognate list --metrics)";
 
 constexpr const char* kNoCommand =
-    "no command of this version; available are solve, analyze, export, check and list; see "
+    "no command of this version; available are solve, analyze, sweep, export, check and list; see "
     "'cognate --help'";
-
-/// The commands that later versions will have.
-constexpr std::array<std::string_view, 1> kLaterCommands = {"sweep"};
 
 /// What the help calls the parts of a command line, for CLI11's own words.
 constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
@@ -109,7 +131,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
 struct Arguments {
   std::string file;
   std::string seed, threads, time_limit, out;
-  std::string format, design, curve, cutter_radius, chord_tolerance;
+  std::string format, row, design, curve, cutter_radius, chord_tolerance;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
@@ -150,7 +172,8 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* unit, const char* what) {
     return command.add_option(name, value, what)->type_name(unit);
   };
-  add("--format", arguments.format, "dxf|svg|csv", "for CAD, a picture, or a table")->required();
+  add("--format", arguments.format, "dxf|svg|csv", "for CAD, a picture, or a table");
+  add("--row", arguments.row, "ID", "of a study file: the design with this id");
   add("--design", arguments.design, "N", "which design, from 1 (default 1, the best)");
   add("--curve", arguments.curve, "profile|pitch|cutter",
       "the profile (default), the path of the roller's centre or that of a cutter's");
@@ -214,20 +237,37 @@ std::optional<ExportOptions> export_options_of(const CLI::App& command,
   return allowed ? std::optional(options) : std::nullopt;
 }
 
+ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
+  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  if (!given("--row") && !given("--format")) {
+    complain("--format is required: dxf, svg or csv; of a study file --row ID instead");
+    return exit_bad_input;
+  }
+  if (given("--row")) {
+    for (const char* name :
+         {"--format", "--design", "--curve", "--cutter-radius", "--chord-tolerance"}) {
+      if (!given(name)) continue;
+      complain(std::string(name) + ": is for results; with --row no other option is wanted");
+      return exit_bad_input;
+    }
+    const auto row = parse_row(arguments.row);
+    if (row) return export_row_command(arguments.file, *row, options);
+    complain(row.error());
+    return exit_bad_input;
+  }
+  const auto wanted = export_options_of(command, arguments);
+  return wanted ? export_command(arguments.file, *wanted, options) : exit_bad_input;
+}
+
 /// Refuses what is not a command of this version; true where `name` may be one.
 bool may_be_command(std::string_view name) {
-  const auto complain_that = [&](const std::string& what) {
-    complain("'" + std::string(name) + "' " + what +
-             "; available are solve, analyze, export, check and list");
-    return false;
-  };
-  if (std::ranges::find(kLaterCommands, name) != kLaterCommands.end()) {
-    return complain_that("is not available in this version");
-  }
-  constexpr std::array<std::string_view, 5> kCommands = {"solve", "analyze", "export", "check",
-                                                         "list"};
+  constexpr std::array<std::string_view, 6> kCommands = {"solve",  "analyze", "sweep",
+                                                         "export", "check",   "list"};
   const bool known = std::ranges::find(kCommands, name) != kCommands.end();
-  return known || name.starts_with('-') || complain_that("is not a command");
+  if (known || name.starts_with('-')) return true;
+  complain("'" + std::string(name) +
+           "' is not a command; available are solve, analyze, sweep, export, check and list");
+  return false;
 }
 
 ExitStatus complain_about(const CLI::ParseError& error, const CLI::App& app) {
@@ -241,7 +281,7 @@ ExitStatus complain_about(const CLI::ParseError& error, const CLI::App& app) {
   return exit_bad_input;
 }
 
-ExitStatus run(int argc, char** argv) {
+ExitStatus run(int argc, char** argv, StudyProcesses& processes) {
   Arguments arguments;
   CLI::App app(kDescription, "cognate");
   app.footer(kFooter);
@@ -257,10 +297,15 @@ ExitStatus run(int argc, char** argv) {
                               kAnalyzeFooter);
   add_file(analyze, arguments);
   add_folder(analyze, arguments);
+  auto& sweep =
+      add_command(app, arguments, "sweep", "Run a study: vary numbers, keep rows.", kSweepFooter);
+  add_file(sweep, arguments, "the study, a TOML file");
+  add_folder(sweep, arguments);
   auto& exporting =
       add_command(app, arguments, "export",
-                  "Write a cam's curves for CAD, as a picture or a table.", kExportFooter);
-  add_file(exporting, arguments, "a result, NAME.result.json");
+                  "Write a cam's curves for CAD, as a picture or a table, or a design of a study.",
+                  kExportFooter);
+  add_file(exporting, arguments, "a result, NAME.result.json, or a study file, NAME.study.db");
   add_folder(exporting, arguments);
   add_export_options(exporting, arguments);
   auto& check =
@@ -292,10 +337,10 @@ ExitStatus run(int argc, char** argv) {
   if (!options) return exit_bad_input;
   if (called.get_name() == "solve") return solve_command(arguments.file, *options);
   if (called.get_name() == "analyze") return analyze_command(arguments.file, *options);
-  if (called.get_name() == "export") {
-    const auto wanted = export_options_of(called, arguments);
-    return wanted ? export_command(arguments.file, *wanted, *options) : exit_bad_input;
+  if (called.get_name() == "sweep") {
+    return sweep_command(arguments.file, *options, processes);
   }
+  if (called.get_name() == "export") return run_export(called, arguments, *options);
   if (called.get_name() == "check") return check_command(arguments.file, *options);
   return list_command(arguments.metrics, *options);
 }
@@ -306,7 +351,8 @@ ExitStatus run(int argc, char** argv) {
 int main(int argc, char** argv) {
   cognate::app::hold_standard_descriptors();
   try {
-    return cognate::app::run(argc, argv);
+    const auto processes = cognate::app::begin_processes(argc, argv);
+    return processes ? cognate::app::run(argc, argv, *processes) : cognate::app::exit_bad_input;
   } catch (const std::exception& error) {
     cognate::app::complain(std::string("a fault of Cognate's own: ") + error.what());
   } catch (...) {

@@ -120,6 +120,7 @@ constexpr Entry kOutputTable[] = {
     {"position, velocity, acceleration, transmission", "true by default"},
     {"curvature", "of the points' paths; cusps, inflections, double points (default false)"},
     {"instant_geometry", "bodies whose poles, inflection circles, Ball's points are wanted"},
+    {"curve", "length, area, widths... of a four-bar's coupler curve, as metrics (default false)"},
     {"cognates", "Roberts' cognates of a four-bar with a coupler point (default false)"},
     {"reactions, torque", "true by default where there are masses or loads"},
     {"points", "names of those to report (default: all that move)"}};

@@ -3,12 +3,13 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace cognate::app {
 
-/// Shows the share done and the best objective so far (an error, a size): on a terminal as a bar
-/// that overwrites itself, elsewhere as a line every few seconds. A run that ends quickly shows
-/// nothing. Used from one thread at a time.
+/// Shows the share done and the best objective so far (an error, a size) or other words: on a
+/// terminal as a bar that overwrites itself, elsewhere as a line every few seconds. A run that ends
+/// quickly shows nothing. Used from one thread at a time.
 class Progress {
  public:
   /// `quiet`: show nothing at all.
@@ -20,6 +21,8 @@ class Progress {
 
   /// `share` in [0, 1]; `best` may be infinite while nothing has been found.
   void update(double share, double best);
+  /// The same with `words` in the place of the best.
+  void update(double share, std::string_view words);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -33,5 +36,7 @@ class Progress {
 /// "[#####.....]  50 %  best 1.2e-3": the bar has `width` cells; a `best` that is not finite
 /// is left out.
 std::string progress_bar(double share, double best, int width);
+/// The same with `words` in the place of the best.
+std::string progress_bar(double share, std::string_view words, int width);
 
 }  // namespace cognate::app

@@ -63,6 +63,11 @@ struct CheckedValue {
   ordered_json operator()(const problems::Range& value) const { return to_json(value); }
 };
 
+bool is_angular(const problems::Problem& problem) {
+  const auto* function = std::get_if<problems::FunctionProblem>(&problem);
+  return function && function->type == problems::MechanismType::four_bar;
+}
+
 ordered_json design_json(const problems::Design& design, bool angular) {
   ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
   const bool slides =
@@ -108,10 +113,8 @@ ordered_json family_json(const problems::Family& family) {
   return {{"name", family.name}, {"columns", columns}};
 }
 
-/// What a synthesis tells besides its designs; tables that would be empty are left out.
-void add_findings(ordered_json& document, const problems::Result& result) {
-  for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
-  for (const auto& family : result.families) document["families"].push_back(family_json(family));
+/// What a synthesis tells of itself in single numbers; tables that would be empty are left out.
+void add_facts_and_proof(ordered_json& document, const problems::Result& result) {
   if (!result.facts.empty()) add_finite_facts(document["facts"], result.facts);
   if (const auto& proof = result.certificate) {
     document["certificate"] = {{"lower_bound", proof->lower_bound},
@@ -121,6 +124,13 @@ void add_findings(ordered_json& document, const problems::Result& result) {
                                {"boxes", proof->boxes},
                                {"domain", proof->domain}};
   }
+}
+
+/// What a synthesis tells besides its designs; tables that would be empty are left out.
+void add_findings(ordered_json& document, const problems::Result& result) {
+  for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
+  for (const auto& family : result.families) document["families"].push_back(family_json(family));
+  add_facts_and_proof(document, result);
 }
 
 bool is_row(const ordered_json& value) {
@@ -155,8 +165,7 @@ void append_json(std::string& text, const ordered_json& value, const std::string
 tl::expected<ordered_json, std::string> result_document(const problems::Problem& problem,
                                                         const problems::Result& result,
                                                         std::uint64_t seed) {
-  const auto* function = std::get_if<problems::FunctionProblem>(&problem);
-  const bool angular = function && function->type == problems::MechanismType::four_bar;
+  const bool angular = is_angular(problem);
   ordered_json document = {{"format", "cognate-result/1"},
                            {"version", version()},
                            {"seed", seed},
@@ -173,6 +182,13 @@ tl::expected<ordered_json, std::string> result_document(const problems::Problem&
     return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
   }
   return document;
+}
+
+ordered_json best_design_json(const problems::Problem& problem, const problems::Result& result) {
+  ordered_json table = ordered_json::object();
+  if (!result.designs.empty()) table = design_json(result.designs.front(), is_angular(problem));
+  add_facts_and_proof(table, result);
+  return table;
 }
 
 void add_finite_facts(ordered_json& table, std::vector<problems::Fact> facts) {

@@ -26,6 +26,11 @@ tl::expected<nlohmann::ordered_json, std::string> result_document(const problems
                                                                   const problems::Result& result,
                                                                   std::uint64_t seed);
 
+/// The entry of `designs` of the best design, where there is one, and what the result tells in
+/// single numbers (`facts`, `certificate`). Numbers that are not finite may be among them.
+nlohmann::ordered_json best_design_json(const problems::Problem& problem,
+                                        const problems::Result& result);
+
 /// As `add_facts`, without those whose number does not exist.
 void add_finite_facts(nlohmann::ordered_json& table, std::vector<problems::Fact> facts);
 

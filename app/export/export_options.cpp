@@ -25,6 +25,12 @@ tl::expected<int, std::string> parse_design(std::string_view text) {
   return refusal("--design", text, fmt::format("a whole number from 1 to {}", kMost));
 }
 
+tl::expected<std::int64_t, std::string> parse_row(std::string_view text) {
+  const auto number = parse_all<std::int64_t>(text);
+  if (number && *number >= 0) return *number;
+  return refusal("--row", text, "the id of a row, a whole number from 0 on");
+}
+
 tl::expected<double, std::string> parse_length(std::string_view option, std::string_view text) {
   const auto length = parse_all<double>(text);
   if (length && *length >= 1e-30 && *length <= 1e30) return *length;

@@ -14,7 +14,7 @@ struct StudyRows {
   std::vector<std::string> columns;  ///< as `problems::study_columns`
   std::vector<std::int64_t> ids;     ///< ascending
   std::vector<problems::RunStatus> statuses;
-  std::vector<bool> best;             ///< whether the row is in the view `best`
+  std::vector<bool> best;  ///< on the front of several objectives, or among the first of one
   std::vector<problems::Cell> cells;  ///< row by row
   std::int64_t total = 0;             ///< how many rows the study holds
 };

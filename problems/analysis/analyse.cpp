@@ -7,6 +7,7 @@
 #include "analysis/parallel.hpp"
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/analysis/curve_landmarks.hpp"
+#include "problems/analysis/curve_metrics.hpp"
 #include "problems/analysis/drive_rows.hpp"
 #include "problems/analysis/instant_geometry.hpp"
 #include "problems/analysis/motion_facts.hpp"
@@ -129,6 +130,7 @@ bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, cons
   if (deadline.reached()) return false;
   count_with_rows(landmarks, problem, rows);
   append(result.facts, std::move(facts));
+  append(result.facts, curve_facts(problem));
   result.landmarks = std::move(landmarks);
   result.cognates = cognates(problem);
   return true;

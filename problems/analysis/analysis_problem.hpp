@@ -48,6 +48,7 @@ struct AnalysisOutput {
   bool torque = false;
   std::vector<int> points;  ///< indices of the named points to report; all that move when empty
   std::vector<int> instant_geometry;  ///< the bodies whose poles and circles are wanted
+  bool curve = false;                 ///< measures of a four-bar's coupler curve over its circuit
   bool cognates = false;              ///< Roberts' cognates of a four-bar with a coupler point
 };
 

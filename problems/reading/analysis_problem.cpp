@@ -99,11 +99,18 @@ void check_without_mechanism(TableReader& document, TableReader& mechanism, Tabl
   document.know({"pivot", "crank", "slider", "dyad", "point"});
 }
 
-void check_cognates(TableReader& output, TableReader& mechanism, const AnalysisProblem& problem) {
-  if (!problem.output.cognates) return;
+/// What can be asked of four-bars with a coupler point alone.
+void check_coupler_curve(TableReader& output, TableReader& mechanism,
+                         const AnalysisProblem& problem) {
   if (problem.mechanism.type == MechanismType::four_bar && mechanism.has("coupler_point")) return;
-  output.fault(kCognates,
-               "is true; a four-bar with a coupler_point is wanted, no other has cognates");
+  if (problem.output.cognates) {
+    output.fault(kCognates,
+                 "is true; a four-bar with a coupler_point is wanted, no other has cognates");
+  }
+  if (problem.output.curve) {
+    output.fault(kCurve,
+                 "is true; a four-bar with a coupler_point is wanted, whose curve is measured");
+  }
 }
 
 }  // namespace
@@ -127,7 +134,7 @@ AnalysisProblem read_analysis_problem(TableReader& document) {
   problem.drive = read_drive(drive, slides, parts);
   problem.output = read_output(output, read.names, weighs_or_bears(problem));
   problem.mechanism = std::move(read.mechanism);
-  check_cognates(output, mechanism, problem);
+  check_coupler_curve(output, mechanism, problem);
   mechanism.finish();
   return problem;
 }

@@ -116,9 +116,10 @@ AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forc
   }
   read_instant_geometry(table, names, output);
   output.cognates = table.boolean(kCognates).value_or(false);
+  output.curve = table.boolean(kCurve).value_or(false);
   const bool any = std::ranges::any_of(
       kQuantities, [&](const Quantity& quantity) { return output.*quantity.wanted; });
-  if (!any && !table.has(kInstantGeometry) && !output.cognates) {
+  if (!any && !table.has(kInstantGeometry) && !output.cognates && !output.curve) {
     table.faults().add(table.where(), "[output] asks for nothing; at least one quantity is wanted");
   }
   table.finish();

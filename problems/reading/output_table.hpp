@@ -11,6 +11,7 @@ namespace cognate::problems::reading {
 
 /// The key that asks for Roberts' cognates.
 inline constexpr std::string_view kCognates = "cognates";
+inline constexpr std::string_view kCurve = "curve";
 
 /// What `table` asks for, by `want = [...]`, a list of quantities and points, or by a key for each
 /// quantity and `points = [...]`; by `instant_geometry` the names of bodies, and `cognates`.

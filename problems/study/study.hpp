@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,8 +49,9 @@ struct StudyObjective {
 /// and, fastest of all, the samples.
 struct Study {
   std::string title;
-  std::string base;       ///< the base file, as written
-  std::string base_text;  ///< what that file holds
+  std::string base;              ///< the base file, as written
+  std::string base_text;         ///< what that file holds
+  std::filesystem::path folder;  ///< of the base file, where files that it names are
   std::vector<StudyVariable> variables;
   Sampling sampling = Sampling::sobol;  ///< of all sampled variables, together one set of points
   std::int64_t samples = 1;

@@ -1,0 +1,113 @@
+#include "app/study/read_rows.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "app/study/study_words.hpp"
+
+namespace cognate::app {
+namespace {
+
+using Ids = std::vector<std::int64_t>;
+
+Ids ids_of(SqliteDatabase& database, const std::string& sql) {
+  Ids ids;
+  auto rows = database.prepare(sql);
+  while (rows.step()) ids.push_back(rows.integer(0));
+  return ids;
+}
+
+/// At most `most` of `ids`, the first and the last among them, evenly.
+Ids spread(const Ids& ids, std::size_t most) {
+  if (ids.size() <= most) return ids;
+  Ids chosen;
+  for (std::size_t i = 0; i < most; ++i) {
+    chosen.push_back(ids[most == 1 ? 0 : i * (ids.size() - 1) / (most - 1)]);
+  }
+  return chosen;
+}
+
+Ids best_ids(SqliteDatabase& database, const problems::Study& study, std::size_t most) {
+  if (study.objectives.empty()) return {};
+  if (study.objectives.size() == 1) {
+    return ids_of(database, fmt::format("SELECT id FROM best LIMIT {}", most));
+  }
+  return spread(ids_of(database, "SELECT id FROM best"), most);
+}
+
+/// Adds to `ids` rows at even distances over all designs until there are `most`.
+void add_others(SqliteDatabase& database, std::set<std::int64_t>& ids, std::size_t most) {
+  const auto last = database.integer("SELECT max(id) FROM runs");
+  auto next = database.prepare("SELECT id FROM runs WHERE id >= ? ORDER BY id LIMIT 1");
+  const auto places = static_cast<std::int64_t>(most - ids.size());
+  for (std::int64_t i = 0; i < places; ++i) {
+    // last · i / places without overflow
+    const auto from = last / places * i + last % places * i / places;
+    next.bind(1, from);
+    if (next.step()) ids.insert(next.integer(0));
+    next.reset();
+  }
+}
+
+/// Adds the row on which `statement`, a SELECT * FROM runs, stands.
+void add_row(StudyRows& rows, const SqliteStatement& statement) {
+  rows.ids.push_back(statement.integer(0));
+  const int width = static_cast<int>(rows.columns.size());
+  for (int i = 1; i <= width; ++i) rows.cells.push_back(statement.cell(i));
+  const auto status = run_status(statement.text(width + 1));
+  rows.statuses.push_back(status.value_or(problems::RunStatus::invalid));
+}
+
+/// The rows of `ids` in their order.
+template <class Numbers>
+StudyRows rows_of(SqliteDatabase& database, const problems::Study& study, const Numbers& ids) {
+  StudyRows rows{.columns = problems::study_columns(study),
+                 .total = database.integer("SELECT sum(kept) FROM blocks")};
+  auto row = database.prepare("SELECT * FROM runs WHERE id = ?");
+  for (const auto id : ids) {
+    row.bind(1, id);
+    if (row.step()) add_row(rows, row);
+    row.reset();
+  }
+  return rows;
+}
+
+}  // namespace
+
+StudyRows best_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most) {
+  auto rows = rows_of(database, study, best_ids(database, study, most));
+  rows.best.assign(rows.ids.size(), true);
+  return rows;
+}
+
+StudyRows report_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most) {
+  const auto total = static_cast<std::size_t>(database.integer("SELECT sum(kept) FROM blocks"));
+  auto best = study.objectives.size() > 1 ? ids_of(database, "SELECT id FROM front")
+                                          : best_ids(database, study, kListedRows);
+  std::ranges::sort(best);
+  std::set<std::int64_t> ids;
+  if (total <= most) {
+    const auto all = ids_of(database, "SELECT id FROM runs");
+    ids.insert(all.begin(), all.end());
+  } else {
+    const auto chosen = best_ids(database, study, most / 2);
+    ids.insert(chosen.begin(), chosen.end());
+    add_others(database, ids, most);
+  }
+  auto rows = rows_of(database, study, ids);
+  for (const auto id : rows.ids) rows.best.push_back(std::ranges::binary_search(best, id));
+  return rows;
+}
+
+std::optional<StudyRows> row_of(SqliteDatabase& database, const problems::Study& study,
+                                std::int64_t id) {
+  auto rows = rows_of(database, study, Ids{id});
+  if (rows.ids.empty()) return std::nullopt;
+  rows.best = {false};
+  return rows;
+}
+
+}  // namespace cognate::app

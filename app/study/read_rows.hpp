@@ -1,0 +1,28 @@
+/// @file Rows of a study file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/study/sqlite.hpp"
+#include "app/study/study_rows.hpp"
+#include "problems/study/study.hpp"
+
+namespace cognate::app {
+
+/// How many of the best rows are printed and stand in the summary.
+inline constexpr std::size_t kListedRows = 10;
+
+/// The best rows, at most `most` of them, best first: by the objective, or of the front of several
+/// an even selection in the order of the first; none without objective. All throw SqliteError.
+StudyRows best_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most);
+
+/// What a report shows: all rows, or the best and others spread evenly over the designs, at most
+/// `most` together; by ascending id.
+StudyRows report_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most);
+
+/// The row of design `id`; empty where that was not kept or there is none.
+std::optional<StudyRows> row_of(SqliteDatabase& database, const problems::Study& study,
+                                std::int64_t id);
+
+}  // namespace cognate::app

@@ -1,0 +1,29 @@
+/// @file Keeps two processes from running one study at the same time.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace cognate::app {
+
+/// A lock that ends with the process however that ends. It lies in a file of its own, so that
+/// reading the database needs none.
+class StudyLock {
+ public:
+  /// The lock of file `file`, which is made; or who holds it, or why there can be none.
+  static tl::expected<StudyLock, std::string> take(const std::filesystem::path& file);
+
+  StudyLock(StudyLock&& other) noexcept;
+  StudyLock& operator=(StudyLock&&) = delete;
+  /// Gives the lock back and removes its file.
+  ~StudyLock();
+
+ private:
+  StudyLock(std::filesystem::path file, int descriptor);
+
+  std::filesystem::path file_;
+  int descriptor_;
+};
+
+}  // namespace cognate::app

@@ -1,0 +1,175 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "app/commands.hpp"
+#include "app/computation.hpp"
+#include "app/interrupt.hpp"
+#include "app/messages.hpp"
+#include "app/output_files.hpp"
+#include "app/result_json.hpp"
+#include "app/study/read_rows.hpp"
+#include "app/study/study_database.hpp"
+#include "app/study/study_evaluator.hpp"
+#include "app/study/study_lock.hpp"
+#include "app/study/study_metrics.hpp"
+#include "app/study/study_processes.hpp"
+#include "app/study/study_progress.hpp"
+#include "app/study/study_run.hpp"
+#include "app/study/study_summary.hpp"
+#include "app/terminal.hpp"
+#include "app/version.hpp"
+#include "problems/reading/file_text.hpp"
+
+namespace cognate::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kReportedRows = 5000;
+
+/// One sweep: its input and where its files go.
+struct Sweep {
+  const problems::Study& study;
+  StudyOrigin origin;
+  const Options& options;
+  fs::path folder;
+  std::string stem;
+
+  fs::path path(const char* ending) const { return folder / (stem + ending); }
+};
+
+ExitStatus complain_that(const std::string& what) {
+  complain(what);
+  return exit_bad_input;
+}
+
+EvaluatorMaker evaluators(const problems::Study& study, std::uint64_t seed) {
+  return [&study, seed](const std::atomic<bool>* stopped) {
+    return study_evaluator(study, seed, stopped);
+  };
+}
+
+/// Evaluates what is missing in `database`.
+StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& processes) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto before = database.counts().evaluated;
+  const auto total = problems::design_count(sweep.study);
+  WorkList work(database.missing(), block_size(sweep.study));
+  StudySummary summary{.seed = sweep.origin.seed};
+  {
+    const auto crew =
+        processes.crew(evaluators(sweep.study, sweep.origin.seed), work, sweep.options.threads);
+    StudyProgress progress(sweep.options.quiet, before, total);
+    summary.threads = crew->size();
+    summary.end = run_study(database, *crew,
+                            {.interrupted = catch_interrupts(),
+                             .time_limit = sweep.options.time_limit,
+                             .progress = [&] { progress.update(database.counts().evaluated); }});
+  }
+  summary.counts = database.counts();
+  summary.evaluated = summary.counts.evaluated - before;
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (before > 0) {
+    summary.notes.push_back(
+        before == total ? "every design had been evaluated before; nothing was left to do"
+                        : fmt::format("went on from {} designs evaluated before", grouped(before)));
+  }
+  return summary;
+}
+
+/// What an unfinished run leaves, and how to go on.
+void say_end(const Sweep& sweep, const StudySummary& summary) {
+  if (summary.end == StudyEnd::done) return;
+  complain(fmt::format("{} after {} of {} designs; the same command goes on from there",
+                       summary.end == StudyEnd::interrupted ? "interrupted" : "time limit reached",
+                       grouped(summary.counts.evaluated),
+                       grouped(problems::design_count(sweep.study))));
+}
+
+ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& summary) {
+  const auto& options = sweep.options;
+  summary.best = best_rows(database.connection(), sweep.study, kListedRows);
+  const auto document = study_document(sweep.study, summary);
+  const bool has_report = !options.json || options.out;
+  if (has_report) {
+    const auto rows = report_rows(database.connection(), sweep.study, kReportedRows);
+    const auto written =
+        write_file(sweep.path(".report.html"), study_report_html(document, sweep.study, rows));
+    if (!written) return complain_that(written.error());
+  }
+  say_end(sweep, summary);
+  std::string text;
+  if (options.json) {
+    text = write_json(document);
+  } else if (!options.quiet) {
+    text = study_table(sweep.study, summary, colour_on_standard_output());
+    text += fmt::format("wrote {} and {}\n",
+                        printable(sweep.path(".study.db").lexically_normal().string()),
+                        printable(sweep.path(".report.html").lexically_normal().string()));
+  }
+  const ExitStatus printed = print(text);
+  if (printed != exit_done) return printed;
+  return summary.counts.kept > 0 ? exit_done : exit_no_design;
+}
+
+/// The part of the process that stores the rows. `begin` is called once, with whether it can.
+ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
+  const auto ready = prepare_folder(sweep.folder, {sweep.stem + ".report.html"});
+  const auto lock =
+      ready ? StudyLock::take(sweep.path(".study.lock")) : tl::unexpected(ready.error());
+  std::optional<StudyDatabase> database;
+  std::string fault = lock ? "" : lock.error();
+  if (lock) {
+    try {
+      database.emplace(sweep.path(".study.db"), sweep.study, sweep.origin);
+    } catch (const StudyFileError& error) {
+      fault = error.what();
+    }
+  }
+  if (!processes.agree(database.has_value(), input)) {
+    return fault.empty() ? exit_bad_input : complain_that(fault);
+  }
+  try {
+    auto summary = run(sweep, *database, processes);
+    return report(sweep, *database, summary);
+  } catch (const StudyFileError& error) {
+    return complain_that(error.what());
+  } catch (const SqliteError& error) {
+    return complain_that(
+        fmt::format("cannot read '{}': {}", database->file().string(), error.what()));
+  }
+}
+
+}  // namespace
+
+ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProcesses& processes) {
+  // A file that may not grow is then an error of writing like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  catch_interrupts();
+  const auto study = read_study(file);
+  if (!study) {
+    processes.agree(false, "");
+    return refuse(file, study.error());
+  }
+  const Sweep sweep{.study = *study,
+                    .origin = {.text = problems::reading::text_of(file).value_or(""),
+                               .version = std::string(version()),
+                               .seed = options.seed},
+                    .options = options,
+                    .folder = options.out.value_or("."),
+                    .stem = file.stem().string()};
+  const auto input = fmt::format("{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,
+                                 sweep.origin.text, study->base_text);
+  if (processes.is_first()) return direct(sweep, processes, input);
+  if (!processes.agree(true, input)) return exit_bad_input;
+  processes.serve(evaluators(*study, options.seed), options.threads);
+  return exit_done;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,29 @@
+/// @file Reading study files.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "problems/read.hpp"
+#include "problems/study/metric_names.hpp"
+#include "problems/study/study.hpp"
+
+namespace cognate::problems {
+
+/// The study in `text` (TOML), or every fault found in it, in the order of the file. Its base file
+/// is looked for in `folder`; a base that cannot be read, or is itself faulty, is a fault at
+/// `base`.
+tl::expected<Study, std::vector<Fault>> parse_study(std::string_view text,
+                                                    const std::filesystem::path& folder,
+                                                    const MetricCatalogue& metrics);
+
+/// As `parse_study`, for a file. One that cannot be read or is larger than 8 MiB is a fault at 1:1.
+tl::expected<Study, std::vector<Fault>> read_study(const std::filesystem::path& file,
+                                                   const MetricCatalogue& metrics);
+
+/// Whether `file` can be read and says that it is a study: `kind = "study"`, or no kind and a base.
+bool is_study_file(const std::filesystem::path& file);
+
+}  // namespace cognate::problems

@@ -1,0 +1,80 @@
+/// @file What a study of four-bars can ask for, by the stage of its evaluation.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "problems/analysis/curve_metrics.hpp"
+#include "problems/study/study.hpp"
+#include "problems/study/study_block.hpp"
+
+namespace cognate::problems {
+
+/// From the cheapest to the dearest. Of the curve the stages are the groups of `curve_metrics`.
+enum class FourBarStage {
+  varied,
+  links,
+  closed_forms,
+  size,
+  sums,
+  widths,
+  descriptors,
+  stretches,
+  features
+};
+
+/// A number or word of a design that has a name.
+struct FourBarQuantity {
+  enum class Fact {
+    varied,
+    mobility_class,
+    change_point,
+    crank_turns_fully,
+    mobility,
+    moves_as,
+    output,
+    transmission_min,
+    transmission_max,
+    transmission_acute_min,
+    time_ratio,
+    output_swing,
+    curve
+  };
+
+  std::string_view name;
+  FourBarStage stage = FourBarStage::varied;
+  Fact fact = Fact::varied;
+  std::size_t variable = 0;             ///< of a varied key
+  const CurveMetric* metric = nullptr;  ///< of the curve
+};
+
+/// The quantity called `name` in `study`; empty where there is none, or one that wants a coupler
+/// point and `has_point` is false.
+std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string_view name,
+                                                 bool has_point);
+
+/// Facts of one design after the other, from its dimensions alone.
+class ClosedForms {
+ public:
+  /// Whether a design of these links is left to `analyse`: at change points facts hang on the
+  /// course of the motion.
+  static bool is_special(const Lengths<double>& links);
+
+  void begin(const Lengths<double>& links);
+
+  bool assembles() const { return assembles_; }
+  bool turns() const { return turns_; }
+  Cell operator()(FourBarQuantity::Fact fact);
+
+ private:
+  double transmission(double TransmissionAngles::*angle);
+  Cell swing() const;
+
+  Lengths<double> links_;
+  bool assembles_ = false, turns_ = false;
+  std::optional<TransmissionAngles> angles_;
+};
+
+}  // namespace cognate::problems

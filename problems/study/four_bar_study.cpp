@@ -1,0 +1,351 @@
+#include "problems/study/four_bar_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "analysis/mobility.hpp"
+#include "problems/analysis/curve_metrics.hpp"
+#include "problems/study/design_points.hpp"
+#include "problems/study/four_bar_curves.hpp"
+#include "problems/study/four_bar_designs.hpp"
+#include "problems/study/four_bar_quantities.hpp"
+#include "problems/study/four_bar_screen.hpp"
+#include "problems/study/study_base.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// What a study of four-bars says, made out once.
+struct FourBarPlan {
+  AnalysisProblem base;
+  std::vector<FourBarDimension> dimensions;  ///< of each variable
+  std::vector<FourBarQuantity> columns;
+  std::vector<FourBarFilter> filters;  ///< by stage
+  bool wants_swing = false;
+
+  const FourBar& linkage() const { return *base.mechanism.four_bar; }
+
+  /// Whether a column or a filter is of one of these stages.
+  bool wants(FourBarStage from, FourBarStage to) const {
+    const auto is_in = [&](const FourBarQuantity& quantity) {
+      return quantity.stage >= from && quantity.stage <= to;
+    };
+    return std::ranges::any_of(columns, is_in) ||
+           std::ranges::any_of(filters, is_in, &FourBarFilter::quantity);
+  }
+};
+
+/// The analysis that the base file asks for, where it is one of a four-bar over a whole turn.
+std::optional<AnalysisProblem> four_bar_base(const Study& study) {
+  auto analysis = parse_analysis(study.base_text);
+  if (!analysis || !analysis->mechanism.four_bar) return std::nullopt;
+  const bool whole = std::abs(analysis->drive.end - analysis->drive.start) >= kTurn * (1 - 1e-12);
+  return whole ? std::optional(*std::move(analysis)) : std::nullopt;
+}
+
+std::optional<FourBarPlan> plan(const Study& study, AnalysisProblem base) {
+  FourBarPlan plan{.base = std::move(base)};
+  const bool has_point = plan.linkage().coupler_point.has_value();
+  const auto add = [&](std::string_view name) {
+    const auto quantity = four_bar_quantity(study, name, has_point);
+    if (quantity && quantity->fact == FourBarQuantity::Fact::output_swing) plan.wants_swing = true;
+    return quantity;
+  };
+  for (const StudyVariable& variable : study.variables) {
+    const auto dimension = four_bar_dimension(variable.path);
+    if (!dimension) return std::nullopt;
+    plan.dimensions.push_back(*dimension);
+  }
+  for (const std::string& column : study_columns(study)) {
+    const auto quantity = add(column);
+    if (!quantity) return std::nullopt;
+    plan.columns.push_back(*quantity);
+  }
+  for (const StudyFilter& filter : study.filters) {
+    const auto quantity = add(filter.name);
+    if (!quantity) return std::nullopt;
+    plan.filters.push_back({*quantity, &filter});
+  }
+  std::ranges::stable_sort(plan.filters, {},
+                           [](const FourBarFilter& filter) { return filter.quantity.stage; });
+  return plan;
+}
+
+/// Whether a row of the drive's table falls where a crank that does not turn fully can be.
+bool has_closed_row(const DriveSweep& drive, const FourBar& linkage) {
+  const double frame = frame_angle(linkage);
+  const double step = (drive.end - drive.start) / drive.steps;
+  for (const CrankRange& range : crank_ranges(lengths(linkage))) {
+    for (double turn = -2; turn <= 2; ++turn) {
+      const double from = (range.from + frame + turn * kTurn - drive.start) / step;
+      const double to = (range.to + frame + turn * kTurn - drive.start) / step;
+      const double first = std::max(std::ceil(std::min(from, to)), 0.0);
+      if (first <= std::max(from, to) && first <= drive.steps) return true;
+    }
+  }
+  return false;
+}
+
+/// Evaluates blocks, for one thread.
+class FourBarBlocks {
+ public:
+  FourBarBlocks(const Study& study, std::uint64_t seed, const std::atomic<bool>* interrupted,
+                FourBarPlan plan, StudyBase text)
+      : study_(&study),
+        interrupted_(interrupted),
+        plan_(std::move(plan)),
+        text_(std::move(text)),
+        points_(study, seed),
+        screen_(plan_.filters) {}
+
+  std::optional<StudyBlock> operator()(std::int64_t first, std::int64_t count) {
+    begin(first, count);
+    for (std::size_t i = 0; i < designs_.size(); ++i) {
+      if (stays_[i] == 0) continue;
+      if (is_interrupted()) return std::nullopt;
+      consider(i);
+    }
+    if (!evaluate_curves()) return std::nullopt;
+    return gather(first, count);
+  }
+
+ private:
+  struct Candidate {
+    std::size_t design = 0;
+    RunStatus status = RunStatus::solved;
+    bool dropped = false;
+  };
+
+  bool is_interrupted() const { return interrupted_ && interrupted_->load(); }
+
+  void begin(std::int64_t first, std::int64_t count) {
+    values_.resize(static_cast<std::size_t>(count) * plan_.dimensions.size());
+    points_.fill(first, values_);
+    designs_.fill(plan_.linkage(), plan_.dimensions, values_);
+    stays_.assign(designs_.size(), 1);
+    if (!study_->keep_all) screen_(designs_, values_, plan_.dimensions.size(), stays_);
+    candidates_.clear();
+    cells_.clear();
+    turning_.clear();
+    others_.clear();
+  }
+
+  std::span<const double> values(std::size_t i) const {
+    const std::size_t variables = plan_.dimensions.size();
+    return std::span(values_).subspan(i * variables, variables);
+  }
+
+  std::span<Cell> cells(std::size_t candidate) {
+    return std::span(cells_).subspan(candidate * plan_.columns.size(), plan_.columns.size());
+  }
+
+  /// All of a design but its curve.
+  void consider(std::size_t i) {
+    const FourBar linkage = designs_.design(plan_.linkage(), i);
+    const Lengths<double> links = lengths(linkage);
+    const std::size_t candidate = candidates_.size();
+    candidates_.push_back({i});
+    cells_.resize(cells_.size() + plan_.columns.size());
+    if (!is_common(linkage) || ClosedForms::is_special(links)) return analyse_design(candidate);
+    closed_.begin(links);
+    if (plan_.wants_swing && closed_.assembles() && !closed_.turns()) {
+      return analyse_design(candidate);  // how far the output swings hangs on the crank's course
+    }
+    const auto cell = [&](const FourBarQuantity& quantity) { return closed_cell(quantity, i); };
+    if (!passes(candidate, FourBarStage::varied, FourBarStage::closed_forms, cell)) return;
+    fill(candidate, FourBarStage::varied, FourBarStage::closed_forms, cell);
+    if (!closed_.assembles()) return without_motion(candidate);
+    if (!closed_.turns() && !has_closed_row(plan_.base.drive, linkage)) {
+      candidates_[candidate].status = RunStatus::no_solution;
+    }
+    const bool has_curve = plan_.wants(FourBarStage::size, FourBarStage::features);
+    if (has_curve) (closed_.turns() ? turning_ : others_).push_back(candidate);
+  }
+
+  Cell closed_cell(const FourBarQuantity& quantity, std::size_t i) {
+    if (quantity.fact == FourBarQuantity::Fact::varied) return values(i)[quantity.variable];
+    if (quantity.metric) return curve_cell(quantity, i);
+    return closed_(quantity.fact);
+  }
+
+  /// Of the links of a curve, which are there before it is drawn.
+  Cell curve_cell(const FourBarQuantity& quantity, std::size_t i) {
+    if (!closed_.assembles()) return {};
+    curve_.begin(designs_.design(plan_.linkage(), i), {});
+    return number(curve_(*quantity.metric));
+  }
+
+  static Cell number(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Cell(*value) : Cell();
+  }
+
+  /// Whether the filters of some stages let a design pass; drops it, or marks it, if not.
+  template <class Value>
+  bool passes(std::size_t candidate, FourBarStage from, FourBarStage to, Value value) {
+    for (const FourBarFilter& filter : plan_.filters) {
+      const FourBarStage stage = filter.quantity.stage;
+      if (stage < from || stage > to || filter.passes(value(filter.quantity))) continue;
+      candidates_[candidate].status = RunStatus::filtered;
+      if (study_->keep_all) {
+        fill(candidate, from, stage, value);
+      } else {
+        candidates_[candidate].dropped = true;
+      }
+      return false;
+    }
+    return true;
+  }
+
+  template <class Value>
+  void fill(std::size_t candidate, FourBarStage from, FourBarStage to, Value value) {
+    const std::span<Cell> row = cells(candidate);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const FourBarQuantity& quantity = plan_.columns[k];
+      if (quantity.stage >= from && quantity.stage <= to) row[k] = value(quantity);
+    }
+  }
+
+  /// A linkage that cannot be assembled has nothing of the later stages.
+  void without_motion(std::size_t candidate) {
+    candidates_[candidate].status = RunStatus::no_solution;
+    passes(candidate, FourBarStage::size, FourBarStage::features,
+           [](const FourBarQuantity&) { return Cell(); });
+  }
+
+  /// A design as any other base would be evaluated.
+  void analyse_design(std::size_t candidate) {
+    const std::size_t i = candidates_[candidate].design;
+    auto task = text_.with(values(i));
+    std::vector<Fact> facts;
+    if (task) {
+      AnalysisProblem& problem = std::get<AnalysisProblem>(*task);
+      problem.output = {.position = false,
+                        .velocity = false,
+                        .acceleration = false,
+                        .transmission = false,
+                        .curve = problem.mechanism.four_bar->coupler_point.has_value()};
+      AnalysisResult result = analyse(problem, Run{.threads = 1});
+      facts = std::move(result.facts);
+      const bool solved = result.status == Status::solved;
+      candidates_[candidate].status = solved ? RunStatus::solved : RunStatus::no_solution;
+    } else {
+      candidates_[candidate].status = RunStatus::invalid;
+    }
+    const auto cell = [&](const FourBarQuantity& quantity) -> Cell {
+      if (quantity.fact == FourBarQuantity::Fact::varied) return values(i)[quantity.variable];
+      const auto found = std::ranges::find(facts, quantity.name, &Fact::name);
+      return found == facts.end() ? Cell() : cell_of(found->value);
+    };
+    if (passes(candidate, FourBarStage::varied, FourBarStage::features, cell)) {
+      fill(candidate, FourBarStage::varied, FourBarStage::features, cell);
+    }
+  }
+
+  static Cell cell_of(const std::variant<double, std::string, bool>& value) {
+    if (const auto* const truth = std::get_if<bool>(&value)) {
+      return std::string(*truth ? "true" : "false");
+    }
+    if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+    return number(std::get<double>(value));
+  }
+
+  /// False if interrupted.
+  bool evaluate_curves() {
+    for (std::size_t begin = 0; begin < turning_.size(); begin += FourBarCurves::kMost) {
+      if (is_interrupted()) return false;
+      const std::size_t end = std::min(begin + FourBarCurves::kMost, turning_.size());
+      evaluate_turning(std::span(turning_).subspan(begin, end - begin));
+    }
+    for (const std::size_t candidate : others_) {
+      if (is_interrupted()) return false;
+      const FourBar linkage = linkage_of(candidate);
+      curve_.begin(linkage, circuit_at(linkage, plan_.base.drive.start));
+      evaluate_stages(candidate, FourBarStage::size, FourBarStage::features);
+    }
+    return true;
+  }
+
+  void evaluate_turning(std::span<const std::size_t> piece) {
+    linkages_.clear();
+    for (const std::size_t candidate : piece) linkages_.push_back(linkage_of(candidate));
+    const bool samples = plan_.wants(FourBarStage::sums, FourBarStage::descriptors);
+    const bool gathered = plan_.wants(FourBarStage::widths, FourBarStage::descriptors);
+    if (samples) curves_.sample(linkages_);
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      curve_.begin(linkages_[k], {linkages_[k].assembly, 1});
+      const bool settled = samples && curves_.is_settled(k);
+      if (settled) curve_.know_sums(curves_.length(k), curves_.area(k));
+      if (!evaluate_stages(piece[k], FourBarStage::size, FourBarStage::sums)) continue;
+      if (settled && gathered) curve_.use(curves_.curve(k));
+      evaluate_stages(piece[k], FourBarStage::widths, FourBarStage::features);
+    }
+  }
+
+  FourBar linkage_of(std::size_t candidate) const {
+    return designs_.design(plan_.linkage(), candidates_[candidate].design);
+  }
+
+  /// Whether the design passes the filters of these stages of its curve.
+  bool evaluate_stages(std::size_t candidate, FourBarStage from, FourBarStage to) {
+    const auto cell = [&](const FourBarQuantity& quantity) {
+      return number(curve_(*quantity.metric));
+    };
+    if (!passes(candidate, from, to, cell)) return false;
+    fill(candidate, from, to, cell);
+    return true;
+  }
+
+  StudyBlock gather(std::int64_t first, std::int64_t count) {
+    StudyBlock block{.first = first, .count = count};
+    block.filtered = count - static_cast<std::int64_t>(candidates_.size());
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const Candidate& candidate = candidates_[k];
+      if (candidate.status == RunStatus::filtered) ++block.filtered;
+      if (candidate.dropped) continue;
+      block.ids.push_back(first + static_cast<std::int64_t>(candidate.design));
+      block.statuses.push_back(candidate.status);
+      std::ranges::move(cells(k), std::back_inserter(block.cells));
+    }
+    return block;
+  }
+
+  const Study* study_;
+  const std::atomic<bool>* interrupted_;
+  FourBarPlan plan_;
+  StudyBase text_;
+  DesignPoints points_;
+  FourBarScreen screen_;
+  std::vector<double> values_, stays_;
+  FourBarDesigns designs_;
+  std::vector<Candidate> candidates_;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> turning_, others_;  ///< candidates whose curves are wanted
+  std::vector<FourBar> linkages_;
+  ClosedForms closed_;
+  FourBarCurves curves_;
+  CurveValues curve_;
+};
+
+}  // namespace
+
+std::optional<BlockEvaluator> four_bar_evaluator(const Study& study, std::uint64_t seed,
+                                                 const std::atomic<bool>* interrupted) {
+  if (study.variables.empty()) return std::nullopt;
+  auto base = four_bar_base(study);
+  if (!base) return std::nullopt;
+  auto made = plan(study, *std::move(base));
+  if (!made) return std::nullopt;
+  // A std::function wants to be copied, which the base's text cannot be.
+  auto blocks =
+      std::make_shared<FourBarBlocks>(study, seed, interrupted, *std::move(made), StudyBase(study));
+  return [blocks](std::int64_t begin, std::int64_t count) { return (*blocks)(begin, count); };
+}
+
+}  // namespace cognate::problems
