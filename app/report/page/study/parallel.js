@@ -1,12 +1,20 @@
 // Parallel coordinates: an axis for each column and a line for each row. A brush on an axis filters
 // the page; axes are moved, turned over and hidden by their names.
 
-const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28 };
+const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28, most: 14 };
+
+// What is not drawn at first: columns of one value, and of many those that are least asked for.
+function firstHidden(columns) {
+  const varying = columns.filter((column) => !column.constant);
+  const rank = (column) => (column.wanted ? 0 : column.role === "variable" ? 1 : 2);
+  const first = [...(varying.length > 1 ? varying : columns)].sort((a, b) => rank(a) - rank(b)).slice(0, PARALLEL.most);
+  return new Set(columns.filter((column) => !first.includes(column)));
+}
 
 class Parallel {
   // `tell.filter(column, range)`, `tell.changed()` where axes are hidden.
   constructor(holder, study, tell) {
-    Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: new Set(study.columns.filter((c) => c.empty)), turned: new Set() });
+    Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });
     this.frame = element("div", { class: "parallel" });
     [this.back, this.front] = [element("canvas", { "aria-hidden": "true" }), element("canvas", { "aria-hidden": "true" })];
     this.root = svg("svg", { role: "group", "aria-label": "Axes; drag along one to filter" });
