@@ -28,15 +28,7 @@ ordered_json faults_json(const std::vector<problems::Fault>& faults) {
   return rows;
 }
 
-std::string described(const problems::Task& task) {
-  return std::visit([](const auto& asked) { return describe(asked); }, task);
-}
-
-ordered_json task_json(const problems::Task& task) {
-  return std::visit([](const auto& asked) { return to_json(asked); }, task);
-}
-
-std::string described(const problems::Study& study) {
+std::string describe(const problems::Study& study) {
   const auto plural = [](std::size_t count, const char* of) {
     return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
   };
@@ -46,7 +38,7 @@ std::string described(const problems::Study& study) {
                      plural(study.metrics.size(), "metric"));
 }
 
-ordered_json task_json(const problems::Study& study) {
+ordered_json to_json(const problems::Study& study) {
   ordered_json variables = ordered_json::array();
   for (const auto& variable : study.variables) variables.push_back(variable.key);
   return {{"kind", "study"},        {"title", study.title},
@@ -54,30 +46,38 @@ ordered_json task_json(const problems::Study& study) {
           {"variables", variables}, {"metrics", study.metrics}};
 }
 
-/// Says what `read` is, or its faults.
-template <class Read>
-ExitStatus check(const tl::expected<Read, std::vector<problems::Fault>>& read,
-                 const std::filesystem::path& file, const Options& options) {
+struct Description {
+  std::string operator()(const problems::Study& study) const { return describe(study); }
+  std::string operator()(const problems::Task& task) const {
+    return std::visit([](const auto& asked) { return describe(asked); }, task);
+  }
+};
+
+struct AsJson {
+  ordered_json operator()(const problems::Study& study) const { return to_json(study); }
+  ordered_json operator()(const problems::Task& task) const {
+    return std::visit([](const auto& asked) { return to_json(asked); }, task);
+  }
+};
+
+}  // namespace
+
+ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
+  const auto read = problems::read_task_or_study(file, study_metrics);
   if (!read) write_standard_error(fault_lines(file, read.error()));
 
   ExitStatus printed = exit_done;
   if (options.json) {
     ordered_json document = {
         {"format", "cognate-check/1"}, {"file", file.string()}, {"valid", read.has_value()}};
-    if (read) document["problem"] = task_json(*read);
+    if (read) document["problem"] = std::visit(AsJson{}, *read);
     document["faults"] = read ? ordered_json::array() : faults_json(read.error());
     printed = print(write_json(document));
   } else if (read && !options.quiet) {
-    printed = print(printable(file.string() + ": " + described(*read) + "; no fault found") + '\n');
+    const std::string what = std::visit(Description{}, *read);
+    printed = print(printable(file.string() + ": " + what + "; no fault found") + '\n');
   }
   return read ? printed : exit_bad_input;
-}
-
-}  // namespace
-
-ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
-  return problems::is_study_file(file) ? check(read_study(file), file, options)
-                                       : check(problems::read_task(file), file, options);
 }
 
 }  // namespace cognate::app

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <variant>
 #include <vector>
 
 #include "problems/read.hpp"
@@ -23,7 +24,11 @@ tl::expected<Study, std::vector<Fault>> parse_study(std::string_view text,
 tl::expected<Study, std::vector<Fault>> read_study(const std::filesystem::path& file,
                                                    const MetricCatalogue& metrics);
 
-/// Whether `file` can be read and says that it is a study: `kind = "study"`, or no kind and a base.
-bool is_study_file(const std::filesystem::path& file);
+/// Whatever a file may hold.
+using TaskOrStudy = std::variant<Task, Study>;
+
+/// What `file` holds, a task or a study, or every fault found in it.
+tl::expected<TaskOrStudy, std::vector<Fault>> read_task_or_study(const std::filesystem::path& file,
+                                                                 const MetricCatalogue& metrics);
 
 }  // namespace cognate::problems

@@ -135,7 +135,7 @@ struct Run {
   /// 0, which no file can ask for, instead of them.
   std::vector<Design> known{};
   std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
-  /// Called now and then from one thread with the share done (0…1) and the best error so far.
+  /// Called now and then from one thread with the share done (0…1) and the best objective so far.
   std::function<void(double share, double best)> progress;
 };
 

@@ -15,6 +15,7 @@
 #include "app/json_values.hpp"
 #include "app/result_json.hpp"
 #include "problems/analysis/analysis_result.hpp"
+#include "problems/analysis/curve_metrics.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::app {
@@ -93,12 +94,26 @@ struct Evaluation {
     if (result.closed_rows == 0) return evaluated;
     ordered_json& metrics = evaluated.design["metrics"];
     add_facts(metrics, result.facts);
-    add_size(metrics, asked.mechanism);
+    add_facts(metrics, facts_of_curve(problem));
     metrics["defects"] = ordered_json::array();
     if (any_starts(names, {"mechanism."})) {
       evaluated.design["mechanism"] = mechanism_json(asked.mechanism);
     }
     return evaluated;
+  }
+
+  /// Those of the coupler curve that have a name here.
+  std::vector<problems::Fact> facts_of_curve(const AnalysisProblem& problem) const {
+    std::vector<problems::Fact> facts;
+    if (!problem.mechanism.four_bar) return facts;
+    const FourBar& linkage = *problem.mechanism.four_bar;
+    problems::CurveValues values;
+    values.begin(linkage, circuit_at(linkage, problem.drive.start));
+    for (const auto& metric : problems::curve_metrics()) {
+      if (std::ranges::find(names, metric.key) == names.end()) continue;
+      if (const auto value = values(metric)) facts.push_back({std::string(metric.key), *value});
+    }
+    return facts;
   }
 
   /// The facts of the motion need no column but those of forces.

@@ -11,6 +11,7 @@
 #include "app/mechanism_catalogue.hpp"
 #include "app/study/design_values.hpp"
 #include "problems/analysis/analysis_result.hpp"
+#include "problems/analysis/curve_metrics.hpp"
 
 namespace cognate::app {
 namespace {
@@ -110,6 +111,15 @@ void add_reactions(MetricNames& names, AnalysisProblem base) {
   }
 }
 
+/// Whether the mechanism of `base` has what `name` stands for: measures of a coupler curve are of
+/// four-bars, and only those of links need no point that traces it.
+bool has(const AnalysisProblem& base, const std::string& name) {
+  const auto* measure = problems::find_curve_metric(name);
+  if (!measure) return true;
+  const auto& linkage = base.mechanism.four_bar;
+  return linkage && (linkage->coupler_point || measure->group <= problems::CurveGroup::size);
+}
+
 struct NamesOf {
   MetricNames operator()(const Problem&) const {
     MetricNames names;
@@ -144,10 +154,7 @@ struct NamesOf {
       }
     }
     add_reactions(names, base);
-    if (base.mechanism.four_bar) {
-      names.names.push_back({"longest_link"});
-      names.names.push_back({"link_ratio"});
-    }
+    std::erase_if(names.names, [&](const auto& name) { return !has(base, name.name); });
     add_values(names.names, mechanism_json(base.mechanism), "mechanism");
     return names;
   }

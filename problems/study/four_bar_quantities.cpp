@@ -12,7 +12,6 @@
 namespace cognate::problems {
 namespace {
 
-using Fact = FourBarQuantity::Fact;
 using Stage = FourBarStage;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -20,21 +19,21 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 struct NamedFact {
   std::string_view name;
   Stage stage;
-  Fact fact;
+  FourBarFact fact;
 };
 
 constexpr std::array<NamedFact, 11> kFacts{
-    {{"class", Stage::links, Fact::mobility_class},
-     {"change_point", Stage::links, Fact::change_point},
-     {"crank_turns_fully", Stage::links, Fact::crank_turns_fully},
-     {"mobility", Stage::links, Fact::mobility},
-     {"moves_as", Stage::links, Fact::moves_as},
-     {"output", Stage::links, Fact::output},
-     {"transmission_angle_deg.min", Stage::closed_forms, Fact::transmission_min},
-     {"transmission_angle_deg.max", Stage::closed_forms, Fact::transmission_max},
-     {"transmission_angle_deg.acute_min", Stage::closed_forms, Fact::transmission_acute_min},
-     {"time_ratio", Stage::closed_forms, Fact::time_ratio},
-     {"output_swing_deg", Stage::closed_forms, Fact::output_swing}}};
+    {{"class", Stage::links, FourBarFact::mobility_class},
+     {"change_point", Stage::links, FourBarFact::change_point},
+     {"crank_turns_fully", Stage::links, FourBarFact::crank_turns_fully},
+     {"mobility", Stage::links, FourBarFact::mobility},
+     {"moves_as", Stage::links, FourBarFact::moves_as},
+     {"output", Stage::links, FourBarFact::output},
+     {"transmission_angle_deg.min", Stage::closed_forms, FourBarFact::transmission_min},
+     {"transmission_angle_deg.max", Stage::closed_forms, FourBarFact::transmission_max},
+     {"transmission_angle_deg.acute_min", Stage::closed_forms, FourBarFact::transmission_acute_min},
+     {"time_ratio", Stage::closed_forms, FourBarFact::time_ratio},
+     {"output_swing_deg", Stage::closed_forms, FourBarFact::output_swing}}};
 
 Stage stage_of(CurveGroup group) {
   switch (group) {
@@ -67,14 +66,14 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
   const auto& variables = study.variables;
   const auto varied = std::ranges::find(variables, name, &StudyVariable::key);
   if (varied != variables.end()) {
-    return FourBarQuantity{.name = name,
+    return FourBarQuantity{.name = varied->key,
                            .variable = static_cast<std::size_t>(varied - variables.begin())};
   }
   const auto* const fact = std::ranges::find(kFacts, name, &NamedFact::name);
-  if (fact != kFacts.end()) return FourBarQuantity{name, fact->stage, fact->fact};
+  if (fact != kFacts.end()) return FourBarQuantity{fact->name, fact->stage, fact->fact};
   const CurveMetric* metric = find_curve_metric(name);
-  if (!metric || !has_point) return std::nullopt;
-  return FourBarQuantity{name, stage_of(metric->group), Fact::curve, 0, metric};
+  if (!metric || (!has_point && metric->group > CurveGroup::size)) return std::nullopt;
+  return FourBarQuantity{metric->key, stage_of(metric->group), FourBarFact::curve, 0, metric};
 }
 
 bool ClosedForms::is_special(const Lengths<double>& links) {
@@ -100,33 +99,33 @@ Cell ClosedForms::swing() const {
   return kDegrees * std::abs(outer->rocker_angle - inner->rocker_angle);
 }
 
-Cell ClosedForms::operator()(Fact fact) {
+Cell ClosedForms::operator()(FourBarFact fact) {
   switch (fact) {
-    case Fact::mobility_class:
+    case FourBarFact::mobility_class:
       return std::string(to_string(mobility_class(links_)));
-    case Fact::change_point:
+    case FourBarFact::change_point:
       return word(is_change_point(links_));
-    case Fact::crank_turns_fully:
+    case FourBarFact::crank_turns_fully:
       return word(turns_);
-    case Fact::mobility:
+    case FourBarFact::mobility:
       return 1.0;
     default:
       break;
   }
   if (!assembles_) return {};
   switch (fact) {
-    case Fact::output:
+    case FourBarFact::output:
       return std::string("rocker");
-    case Fact::transmission_min:
+    case FourBarFact::transmission_min:
       return transmission(&TransmissionAngles::min);
-    case Fact::transmission_max:
+    case FourBarFact::transmission_max:
       return transmission(&TransmissionAngles::max);
-    case Fact::transmission_acute_min:
+    case FourBarFact::transmission_acute_min:
       return transmission(&TransmissionAngles::acute_min);
-    case Fact::time_ratio:
+    case FourBarFact::time_ratio:
       if (const auto ratio = time_ratio(links_)) return *ratio;
       return {};
-    case Fact::output_swing:
+    case FourBarFact::output_swing:
       return swing();
     default:
       return {};

@@ -25,27 +25,28 @@ enum class FourBarStage {
   features
 };
 
-/// A number or word of a design that has a name.
-struct FourBarQuantity {
-  enum class Fact {
-    varied,
-    mobility_class,
-    change_point,
-    crank_turns_fully,
-    mobility,
-    moves_as,
-    output,
-    transmission_min,
-    transmission_max,
-    transmission_acute_min,
-    time_ratio,
-    output_swing,
-    curve
-  };
+/// What the quantities are.
+enum class FourBarFact {
+  varied,
+  mobility_class,
+  change_point,
+  crank_turns_fully,
+  mobility,
+  moves_as,
+  output,
+  transmission_min,
+  transmission_max,
+  transmission_acute_min,
+  time_ratio,
+  output_swing,
+  curve
+};
 
+/// A number or word of a design. Names of varied keys are the study's.
+struct FourBarQuantity {
   std::string_view name;
   FourBarStage stage = FourBarStage::varied;
-  Fact fact = Fact::varied;
+  FourBarFact fact = FourBarFact::varied;
   std::size_t variable = 0;             ///< of a varied key
   const CurveMetric* metric = nullptr;  ///< of the curve
 };
@@ -66,7 +67,7 @@ class ClosedForms {
 
   bool assembles() const { return assembles_; }
   bool turns() const { return turns_; }
-  Cell operator()(FourBarQuantity::Fact fact);
+  Cell operator()(FourBarFact fact);
 
  private:
   double transmission(double TransmissionAngles::*angle);

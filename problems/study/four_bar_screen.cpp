@@ -10,8 +10,6 @@
 namespace cognate::problems {
 namespace {
 
-using Fact = FourBarQuantity::Fact;
-
 constexpr double kPi = std::numbers::pi;
 constexpr double kSlack = 1e-9;
 constexpr double kLeast = 1e-6, kGreatest = 1e6;  ///< of common lengths
@@ -61,16 +59,16 @@ void FourBarScreen::add(const FourBarFilter& filter) {
     by_transmission_ = true;
   };
   switch (filter.quantity.fact) {
-    case Fact::varied:
+    case FourBarFact::varied:
       varied_.push_back({filter.quantity.variable, limits.min, limits.max});
       break;
-    case Fact::mobility_class:
+    case FourBarFact::mobility_class:
       for (const auto& [name, value] : names<MobilityClass>()) {
         if (!allows(limits, name)) allowed_[static_cast<std::size_t>(value)] = 0;
       }
       by_class_ = true;
       break;
-    case Fact::crank_turns_fully:
+    case FourBarFact::crank_turns_fully:
       for (const auto value : {MobilityClass::crank_rocker, MobilityClass::double_crank}) {
         if (!allows(limits, "true")) allowed_[static_cast<std::size_t>(value)] = 0;
       }
@@ -80,16 +78,16 @@ void FourBarScreen::add(const FourBarFilter& filter) {
       }
       by_class_ = true;
       break;
-    case Fact::transmission_min:
+    case FourBarFact::transmission_min:
       bound(least_);
       break;
-    case Fact::transmission_max:
+    case FourBarFact::transmission_max:
       bound(greatest_);
       break;
-    case Fact::transmission_acute_min:
+    case FourBarFact::transmission_acute_min:
       bound(acute_);
       break;
-    case Fact::time_ratio:
+    case FourBarFact::time_ratio:
       // The shorter turn between the limits is 2π/(1 + K), at most half a turn.
       advance_ = {limits.min > 1 ? std::cos(2 * kPi / (1 + limits.min)) - kSlack : -2,
                   std::cos(2 * kPi / (1 + std::max(limits.max, 1.0))) + kSlack};

@@ -55,7 +55,7 @@ std::optional<FourBarPlan> plan(const Study& study, AnalysisProblem base) {
   const bool has_point = plan.linkage().coupler_point.has_value();
   const auto add = [&](std::string_view name) {
     const auto quantity = four_bar_quantity(study, name, has_point);
-    if (quantity && quantity->fact == FourBarQuantity::Fact::output_swing) plan.wants_swing = true;
+    if (quantity && quantity->fact == FourBarFact::output_swing) plan.wants_swing = true;
     return quantity;
   };
   for (const StudyVariable& variable : study.variables) {
@@ -159,18 +159,17 @@ class FourBarBlocks {
       return analyse_design(candidate);  // how far the output swings hangs on the crank's course
     }
     const auto cell = [&](const FourBarQuantity& quantity) { return closed_cell(quantity, i); };
-    if (!passes(candidate, FourBarStage::varied, FourBarStage::closed_forms, cell)) return;
-    fill(candidate, FourBarStage::varied, FourBarStage::closed_forms, cell);
-    if (!closed_.assembles()) return without_motion(candidate);
+    if (!evaluate_stages(candidate, FourBarStage::varied, FourBarStage::varied, cell)) return;
     if (!closed_.turns() && !has_closed_row(plan_.base.drive, linkage)) {
-      candidates_[candidate].status = RunStatus::no_solution;
+      return without_motion(candidate);
     }
+    if (!evaluate_stages(candidate, FourBarStage::links, FourBarStage::closed_forms, cell)) return;
     const bool has_curve = plan_.wants(FourBarStage::size, FourBarStage::features);
     if (has_curve) (closed_.turns() ? turning_ : others_).push_back(candidate);
   }
 
   Cell closed_cell(const FourBarQuantity& quantity, std::size_t i) {
-    if (quantity.fact == FourBarQuantity::Fact::varied) return values(i)[quantity.variable];
+    if (quantity.fact == FourBarFact::varied) return values(i)[quantity.variable];
     if (quantity.metric) return curve_cell(quantity, i);
     return closed_(quantity.fact);
   }
@@ -212,10 +211,10 @@ class FourBarBlocks {
     }
   }
 
-  /// A linkage that cannot be assembled has nothing of the later stages.
+  /// A linkage that no row of the drive can assemble has none of the facts.
   void without_motion(std::size_t candidate) {
     candidates_[candidate].status = RunStatus::no_solution;
-    passes(candidate, FourBarStage::size, FourBarStage::features,
+    passes(candidate, FourBarStage::links, FourBarStage::features,
            [](const FourBarQuantity&) { return Cell(); });
   }
 
@@ -232,20 +231,18 @@ class FourBarBlocks {
                         .transmission = false,
                         .curve = problem.mechanism.four_bar->coupler_point.has_value()};
       AnalysisResult result = analyse(problem, Run{.threads = 1});
-      facts = std::move(result.facts);
       const bool solved = result.status == Status::solved;
+      if (solved) facts = std::move(result.facts);
       candidates_[candidate].status = solved ? RunStatus::solved : RunStatus::no_solution;
     } else {
       candidates_[candidate].status = RunStatus::invalid;
     }
     const auto cell = [&](const FourBarQuantity& quantity) -> Cell {
-      if (quantity.fact == FourBarQuantity::Fact::varied) return values(i)[quantity.variable];
+      if (quantity.fact == FourBarFact::varied) return values(i)[quantity.variable];
       const auto found = std::ranges::find(facts, quantity.name, &Fact::name);
       return found == facts.end() ? Cell() : cell_of(found->value);
     };
-    if (passes(candidate, FourBarStage::varied, FourBarStage::features, cell)) {
-      fill(candidate, FourBarStage::varied, FourBarStage::features, cell);
-    }
+    evaluate_stages(candidate, FourBarStage::varied, FourBarStage::features, cell);
   }
 
   static Cell cell_of(const std::variant<double, std::string, bool>& value) {
@@ -267,7 +264,7 @@ class FourBarBlocks {
       if (is_interrupted()) return false;
       const FourBar linkage = linkage_of(candidate);
       curve_.begin(linkage, circuit_at(linkage, plan_.base.drive.start));
-      evaluate_stages(candidate, FourBarStage::size, FourBarStage::features);
+      evaluate_curve(candidate, FourBarStage::size, FourBarStage::features);
     }
     return true;
   }
@@ -282,9 +279,9 @@ class FourBarBlocks {
       curve_.begin(linkages_[k], {linkages_[k].assembly, 1});
       const bool settled = samples && curves_.is_settled(k);
       if (settled) curve_.know_sums(curves_.length(k), curves_.area(k));
-      if (!evaluate_stages(piece[k], FourBarStage::size, FourBarStage::sums)) continue;
+      if (!evaluate_curve(piece[k], FourBarStage::size, FourBarStage::sums)) continue;
       if (settled && gathered) curve_.use(curves_.curve(k));
-      evaluate_stages(piece[k], FourBarStage::widths, FourBarStage::features);
+      evaluate_curve(piece[k], FourBarStage::widths, FourBarStage::features);
     }
   }
 
@@ -292,14 +289,18 @@ class FourBarBlocks {
     return designs_.design(plan_.linkage(), candidates_[candidate].design);
   }
 
-  /// Whether the design passes the filters of these stages of its curve.
-  bool evaluate_stages(std::size_t candidate, FourBarStage from, FourBarStage to) {
-    const auto cell = [&](const FourBarQuantity& quantity) {
-      return number(curve_(*quantity.metric));
-    };
-    if (!passes(candidate, from, to, cell)) return false;
-    fill(candidate, from, to, cell);
+  /// The values of some stages into the design's row; false, and none, if their filters stop it.
+  template <class Value>
+  bool evaluate_stages(std::size_t candidate, FourBarStage from, FourBarStage to, Value value) {
+    if (!passes(candidate, from, to, value)) return false;
+    fill(candidate, from, to, value);
     return true;
+  }
+
+  bool evaluate_curve(std::size_t candidate, FourBarStage from, FourBarStage to) {
+    return evaluate_stages(candidate, from, to, [&](const FourBarQuantity& quantity) {
+      return number(curve_(*quantity.metric));
+    });
   }
 
   StudyBlock gather(std::int64_t first, std::int64_t count) {
