@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "app/study/study_schema.hpp"
-#include "app/study/study_words.hpp"
+#include "problems/study/study_names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -250,7 +250,7 @@ void StudyDatabase::insert_rows(const StudyBlock& block) {
     for (std::size_t i = 0; i < width_; ++i) {
       insert.bind(static_cast<int>(i) + 2, block.cells[row * width_ + i]);
     }
-    insert.bind(status_place, run_status_name(block.statuses[row]));
+    insert.bind(status_place, problems::to_string(block.statuses[row]));
     insert.run();
   }
 }

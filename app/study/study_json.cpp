@@ -5,8 +5,8 @@
 
 #include "app/json_values.hpp"
 #include "app/study/study_summary.hpp"
-#include "app/study/study_words.hpp"
 #include "app/version.hpp"
+#include "problems/study/study_names.hpp"
 
 namespace cognate::app {
 namespace {
@@ -24,19 +24,6 @@ std::string_view end_name(StudyEnd end) {
   }
 }
 
-std::string_view sampling_name(problems::Sampling sampling) {
-  switch (sampling) {
-    case problems::Sampling::halton:
-      return "halton";
-    case problems::Sampling::latin:
-      return "latin";
-    case problems::Sampling::random:
-      return "random";
-    default:
-      return "sobol";
-  }
-}
-
 ordered_json cell_json(const problems::Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return *number;
   if (const auto* word = std::get_if<std::string>(&cell)) return *word;
@@ -47,7 +34,7 @@ ordered_json variable_json(const problems::Study& study, const problems::StudyVa
   ordered_json json = {{"key", variable.key}};
   if (variable.range) {
     json["range"] = to_json(*variable.range);
-    json["sampling"] = sampling_name(study.sampling);
+    json["sampling"] = problems::to_string(study.sampling);
     json["count"] = study.samples;
   } else {
     json["values"] = variable.values;
@@ -73,7 +60,7 @@ ordered_json row_json(const StudyRows& rows, std::size_t row) {
   for (std::size_t i = 0; i < width; ++i) {
     json[rows.columns[i]] = cell_json(rows.cells[row * width + i]);
   }
-  json["status"] = run_status_name(rows.statuses[row]);
+  json["status"] = problems::to_string(rows.statuses[row]);
   return json;
 }
 

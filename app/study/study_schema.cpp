@@ -42,6 +42,8 @@ std::string best_of(const problems::Study& study) {
 }  // namespace
 
 Identity study_identity(const problems::Study& study, const StudyOrigin& origin) {
+  auto variables = nlohmann::json::array();
+  for (const auto& variable : study.variables) variables.push_back(variable.key);
   auto objectives = nlohmann::json::array();
   for (const auto& objective : study.objectives) {
     objectives.push_back({{objective.greatest ? "maximize" : "minimize", objective.name}});
@@ -53,7 +55,8 @@ Identity study_identity(const problems::Study& study, const StudyOrigin& origin)
           {"study", origin.text},
           {"base_file", study.base},
           {"base", study.base_text},
-          {"columns", nlohmann::json(problems::study_columns(study)).dump()},
+          {"variables", variables.dump()},
+          {"metrics", nlohmann::json(study.metrics).dump()},
           {"objectives", objectives.dump()},
           {"designs", fmt::format("{}", problems::design_count(study))}};
 }

@@ -3,10 +3,13 @@
 
 #include "problems/names.hpp"
 #include "problems/study/study.hpp"
+#include "problems/study/study_block.hpp"
 
 namespace cognate::problems {
 
 template <>
 std::span<const Named<Sampling>> names<Sampling>();
+template <>
+std::span<const Named<RunStatus>> names<RunStatus>();
 
 }  // namespace cognate::problems
