@@ -6,7 +6,7 @@ const ATLAS = { curves: 60, samples: 96, width: 132, height: 104 };
 class Atlas {
   // `tell.select(row)`; `linkageOf(row)`: its RowLinkage.
   constructor(study, linkageOf, tell) {
-    Object.assign(this, { study, linkageOf, tell, page: 0, holder: byId("curves-of-linkages") });
+    Object.assign(this, { study, linkageOf, tell, page: 0, slow: true, holder: byId("curves-of-linkages") });
     this.pager = new Pager(byId("atlas"), (page) => { this.page = page; this.draw(); });
   }
 
