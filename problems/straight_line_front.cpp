@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "problems/degrees.hpp"
+#include "problems/straight_line_model.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kLargest = 4, kRatio = 0.84;
-constexpr int kMostPoints = 14;
-/// Searches afresh for each bound: of this many starts.
-constexpr int kStarts = 48;
+constexpr double kRatio = 0.8;
+constexpr int kMostPoints = 12;
+/// Afresh at every second bound, and from the points beside each.
+constexpr StretchEffort kFresh{36, 4}, kOnward{0, 2};
 /// The front ends where δ/L exceeds this.
 constexpr double kBent = 0.02;
 constexpr double kFeasible = 1e-7;
@@ -20,13 +25,13 @@ class Front {
   Front(const StraightLineProblem& problem, const Run& run, const Deadline& deadline, Work& work)
       : problem_(problem), run_(run), deadline_(deadline), work_(work) {
     problem_.solve.designs = 1;
-    if (!problem_.solve.starts) problem_.solve.starts = kStarts;
   }
 
   void descend() {
-    double bound = problem_.stretch.size_over_length_max.value_or(kLargest);
+    double bound = size_limit(problem_);
     for (int i = 0; i < kMostPoints && !deadline_.reached(); ++i, bound *= kRatio) {
-      auto best = solve(bound, neighbours(points_.size()), true);
+      const StretchEffort& effort = i % 2 == 0 ? kFresh : kOnward;
+      auto best = solve(bound, neighbours(points_.size()), effort);
       if (!best || best->objective > kBent) break;
       points_.push_back({bound, *best});
       if (run_.progress) run_.progress(double(i + 1) / (kMostPoints + 4), best->objective);
@@ -37,7 +42,7 @@ class Front {
   void settle() {
     for (std::size_t i = points_.size(); i-- > 0;) {
       if (deadline_.reached()) return;
-      auto best = solve(points_[i].bound, neighbours(i), false);
+      auto best = solve(points_[i].bound, neighbours(i), kOnward);
       if (best && best->objective < points_[i].found.objective) points_[i].found = *best;
     }
   }
@@ -56,8 +61,7 @@ class Front {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const FoundStretch& found = points_[i].found;
       const double size = largest_dimension(found.stretch) / found.stretch.length;
-      const double values[] = {size, found.objective, 1 / size,
-                               found.stretch.reach * 2 * 57.29577951308232};
+      const double values[] = {size, found.objective, 1 / size, degrees(2 * found.stretch.reach)};
       for (std::size_t k = 0; k < 4; ++k) front.table.columns[k].values.push_back(values[k]);
       if (double(i) + 0.5 < next) continue;
       front.points.push_back(found);
@@ -81,12 +85,12 @@ class Front {
   }
 
   std::optional<FoundStretch> solve(double bound, const std::vector<LineStretch>& known,
-                                    bool fresh) {
+                                    const StretchEffort& effort) {
     StraightLineProblem bounded = problem_;
     bounded.stretch.size_over_length_max = bound;
     Run quiet = run_;
     quiet.progress = {};
-    auto found = search_stretches(bounded, known, fresh, quiet, deadline_, work_).found;
+    auto found = search_stretches(bounded, known, effort, quiet, deadline_, work_).found;
     if (found.empty() || found.front().violation > kFeasible) return std::nullopt;
     return found.front();
   }

@@ -14,7 +14,7 @@ struct StretchFront {
 };
 
 /// The method of the ε-constraint: the largest dimension over the length is bounded and δ/L
-/// minimised, for bounds in equal ratios down from the file's (4 where it has none) until stretches
+/// minimised, for bounds in equal ratios down from `size_limit` until stretches
 /// are no longer straight; then each again from its neighbours. In the search's unit.
 StretchFront stretch_front(const StraightLineProblem& problem, const Run& run,
                            const Deadline& deadline, Work& work);

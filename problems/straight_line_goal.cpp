@@ -89,6 +89,9 @@ void sort(const StraightLineProblem& problem, std::vector<Design>& designs) {
     return first ? merit(problem, a) < merit(problem, b)
                  : violation(a.constraints) < violation(b.constraints);
   });
+  // Where there are sound designs nobody wants others.
+  if (designs.empty() || !all_satisfied(designs.front().constraints)) return;
+  std::erase_if(designs, [](const Design& d) { return !all_satisfied(d.constraints); });
 }
 
 Status status_of(const Result& result, const Deadline& deadline) {
@@ -123,8 +126,7 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   const StraightLineProblem problem = prepared(file);
   const double unit = unit_of(problem);
   const StraightLineProblem scaled = in_unit(problem, unit);
-  const StraightLineGoal& goal = *problem.goal;
-  const bool front = !goal.length && !goal.deviation && !goal.deviation_relative;
+  const bool front = wants_front(problem);
   Result result;
   std::vector<FoundStretch> found;
   if (front) {

@@ -66,8 +66,14 @@ StretchObjective objective_of(const StraightLineProblem& problem) {
   return scaled ? StretchObjective::length : StretchObjective::size;
 }
 
+bool wants_front(const StraightLineProblem& problem) {
+  const StraightLineGoal& goal = *problem.goal;
+  return !goal.length && !goal.deviation && !goal.deviation_relative;
+}
+
 double size_limit(const StraightLineProblem& problem) {
   if (problem.stretch.size_over_length_max) return *problem.stretch.size_over_length_max;
+  if (wants_front(problem)) return kFrontSizeOverLength;
   return objective_of(problem) == StretchObjective::size ? kFarthest : kSizeOverLength;
 }
 
@@ -461,7 +467,9 @@ void StretchModel::add_transmission(const Curve<T>& curve, Rows& rows) const {
 /// Speeds along the line over their mean, between `least_speed` and that and the variation.
 template <class T>
 void StretchModel::add_speeds(const Curve<T>& curve, const All& at, Rows& rows) const {
-  const double variation = *problem_.stretch.speed_variation_max;
+  // The highest speed may lie between two nodes.
+  constexpr double kMargin = 1e-3;
+  const double variation = (1 - kMargin) * *problem_.stretch.speed_variation_max;
   const double unit = 2 / at[length];
   for (const T& speed : curve.speeds) {
     const T share = unit * curve.reach * speed;

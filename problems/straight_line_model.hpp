@@ -26,6 +26,12 @@ StretchObjective objective_of(const StraightLineProblem& problem);
 /// Largest dimension over length where the file says nothing and more would always be better.
 inline constexpr double kSizeOverLength = 2;
 
+/// Where a front begins unless the file says where.
+inline constexpr double kFrontSizeOverLength = 4;
+
+/// Whether the goal names neither length nor deviation.
+bool wants_front(const StraightLineProblem& problem);
+
 /// The limit on the largest dimension over the length: the file's, or by the objective.
 double size_limit(const StraightLineProblem& problem);
 

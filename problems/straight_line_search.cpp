@@ -17,13 +17,11 @@ namespace {
 
 using synthesis::Backend;
 
-/// Starts refined where the file says nothing, and linkages drawn for each.
-constexpr int kStarts = 120, kDrawnPerStart = 60;
+/// Linkages drawn for each start that is refined.
+constexpr int kDrawnPerStart = 60;
 /// Cells between nodes and iterations: of the first refinement, and of the best ones.
 constexpr int kCoarseCells = 20, kCoarseIterations = 60;
 constexpr int kFineCells = 32, kFineIterations = 80;
-/// How many of the first are refined further, beyond one for each design wanted.
-constexpr std::size_t kDeepened = 7;
 /// Rounds in which peaks between the nodes join them.
 constexpr int kExchangeRounds = 4;
 /// δ/L up to this is rounding: the line is exact.
@@ -86,7 +84,7 @@ class Search {
 
   std::vector<StretchStart> draw(int wanted);
   void begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts);
-  void deepen();
+  void deepen(std::size_t reserve);
   void finish();
   StretchSearchResult take() && { return {std::move(all_), thoroughness_}; }
 
@@ -244,8 +242,8 @@ void Search::begin(const std::vector<LineStretch>& known, const std::vector<Stre
   });
 }
 
-void Search::deepen() {
-  keep_best(kept(kDeepened));
+void Search::deepen(std::size_t reserve) {
+  keep_best(kept(reserve));
   report(0.7);
   const std::vector<double> nodes = stretch_nodes(kFineCells);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int) {
@@ -278,11 +276,11 @@ void Search::exchange(FoundStretch& found) const {
 }
 
 void Search::finish() {
-  keep_best(kept(2));
+  keep_best(kept(1));
   report(0.9);
   parallel_for(static_cast<int>(all_.size()), run_.threads,
                [&](int i, int) { exchange(all_[static_cast<std::size_t>(i)]); });
-  keep_best(static_cast<std::size_t>(kept(2)));
+  keep_best(kept(1));
   report(1);
 }
 
@@ -308,13 +306,14 @@ bool same_stretch(const LineStretch& a, const LineStretch& b, double tolerance) 
 }
 
 StretchSearchResult search_stretches(const StraightLineProblem& problem,
-                                     const std::vector<LineStretch>& known, bool fresh,
-                                     const Run& run, const Deadline& deadline, Work& work) {
+                                     const std::vector<LineStretch>& known,
+                                     const StretchEffort& effort, const Run& run,
+                                     const Deadline& deadline, Work& work) {
   Search search(problem, run, deadline, work);
   std::vector<StretchStart> starts;
-  if (fresh) starts = search.draw(problem.solve.starts.value_or(kStarts));
+  if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
   search.begin(known, starts);
-  search.deepen();
+  search.deepen(effort.deepened);
   search.finish();
   return std::move(search).take();
 }
