@@ -85,18 +85,20 @@ StudyRows best_rows(SqliteDatabase& database, const problems::Study& study, std:
 
 StudyRows report_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most) {
   const auto total = static_cast<std::size_t>(database.integer("SELECT sum(kept) FROM blocks"));
-  auto best = study.objectives.size() > 1 ? ids_of(database, "SELECT id FROM front")
-                                          : best_ids(database, study, kListedRows);
-  std::ranges::sort(best);
-  std::set<std::int64_t> ids;
+  auto best = best_ids(database, study, most / 2);
+  std::set<std::int64_t> ids(best.begin(), best.end());
   if (total <= most) {
     const auto all = ids_of(database, "SELECT id FROM runs");
     ids.insert(all.begin(), all.end());
   } else {
-    const auto chosen = best_ids(database, study, most / 2);
-    ids.insert(chosen.begin(), chosen.end());
     add_others(database, ids, most);
   }
+  if (study.objectives.size() > 1) {
+    best = ids_of(database, "SELECT id FROM front");
+  } else if (best.size() > kListedRows) {
+    best.resize(kListedRows);
+  }
+  std::ranges::sort(best);
   auto rows = rows_of(database, study, ids);
   for (const auto id : rows.ids) rows.best.push_back(std::ranges::binary_search(best, id));
   return rows;

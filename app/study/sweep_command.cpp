@@ -121,7 +121,8 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
 
 /// The part of the process that stores the rows. `begin` is called once, with whether it can.
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
-  const auto ready = prepare_folder(sweep.folder, {sweep.stem + ".report.html"});
+  const auto ready =
+      prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".report.html"});
   const auto lock =
       ready ? StudyLock::take(sweep.path(".study.lock")) : tl::unexpected(ready.error());
   std::optional<StudyDatabase> database;

@@ -49,6 +49,8 @@ Stage stage_of(CurveGroup group) {
       return Stage::descriptors;
     case CurveGroup::stretches:
       return Stage::stretches;
+    case CurveGroup::loose_stretches:
+      return Stage::loose_stretches;
     case CurveGroup::features:
       return Stage::features;
   }

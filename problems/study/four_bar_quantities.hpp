@@ -22,6 +22,7 @@ enum class FourBarStage {
   widths,
   descriptors,
   stretches,
+  loose_stretches,
   features
 };
 

@@ -46,14 +46,13 @@ class CommandLine(unittest.TestCase):
         general = run("--help")
         self.assertEqual(general.returncode, 0)
         self.assertEqual(general.stderr, "")
-        for command in ("solve", "analyze", "export", "check", "list"):
+        for command in ("solve", "analyze", "sweep", "export", "check", "list"):
             self.assertIn("\n  cognate " + command, general.stdout)
             special = run(command, "--help")
             self.assertEqual(special.returncode, 0)
             self.assertIn("\n  cognate " + command, special.stdout)
             for option in ("--json", "--seed", "--threads", "--time-limit", "--quiet"):
                 self.assertIn(option, special.stdout)
-        self.assertNotIn("sweep", general.stdout)
 
     def test_version(self):
         done = run("--version")
@@ -61,12 +60,10 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(done.stdout, r"^cognate \d+\.\d+\.\d+\n$")
 
     def test_a_command_is_needed(self):
-        self.expect_one_line_refusal(run(), "solve, analyze, export, check and list")
-        self.expect_one_line_refusal(run("--json"), "solve, analyze, export, check and list")
-        self.expect_one_line_refusal(run("sovle", "x"), "'sovle'", "solve, analyze, export, check and list")
-        self.expect_one_line_refusal(
-            run("sweep", "x.toml"), "'sweep' is not available in this version", "solve"
-        )
+        commands = "solve, analyze, sweep, export, check and list"
+        self.expect_one_line_refusal(run(), commands)
+        self.expect_one_line_refusal(run("--json"), commands)
+        self.expect_one_line_refusal(run("sovle", "x"), "'sovle'", commands)
 
     def test_bad_options(self):
         for arguments, part in [

@@ -19,7 +19,9 @@ const dataOf = (page) => page.evaluate(() => JSON.parse(document.getElementById(
 const values = (column) => column.values ?? column.index.map((i) => (i < 0 ? null : column.levels[i]));
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const inkOf = (page, selector) => page.locator(selector).evaluate((canvas) => {
-  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
   let ink = 0;
   for (let i = 3; i < data.length; i += 4) ink += data[i] > 0;
   return ink;

@@ -74,6 +74,11 @@ class Plane {
     this.tip.style.transform = `translate(${round(Math.max(0, left))}px, ${round(Math.max(0, top))}px)`;
   }
 
+  // Draws anew where the holder's size has changed.
+  watch() {
+    new ResizeObserver(() => { if (this.holder.clientWidth !== this.width || this.holder.clientHeight !== this.height) this.later(); }).observe(this.holder);
+  }
+
   // Joins what is asked for within a frame into one drawing.
   later() {
     this.pending ??= requestAnimationFrame(() => { this.pending = undefined; this.draw(); });

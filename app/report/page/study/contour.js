@@ -7,7 +7,7 @@ class Contour extends Plane {
   // `tell.select(row)`
   constructor(holder, study, tell) {
     super(holder, "Map of a column over two others; a click opens the nearest design");
-    Object.assign(this, { study, tell, held: new Map(), method: null });
+    Object.assign(this, { study, tell, held: new Map(), method: null, slow: true });
     this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) tell.select(row); });
     this.root.addEventListener("pointermove", (event) => this.#hover(this.pointer(event)));
     this.root.addEventListener("pointerleave", () => this.showTip([0, 0], null));
@@ -59,6 +59,9 @@ class Contour extends Plane {
     }[this.method];
     byId("contour-note").textContent = `${text}${logarithmic ? " Colours by the logarithm." : ""}`;
   }
+
+  select() { this.draw(); }
+  filtered() { this.draw(); }
 
   draw() {
     const brush = this.begin();

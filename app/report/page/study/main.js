@@ -13,11 +13,14 @@ const views = [];
 function select(row) {
   study.selected = row;
   design.show();
-  for (const view of views) if (view.select) view.select(); else view.draw();
+  for (const view of views) view.select();
 }
 
 // Filters once in a frame, however fast the brush moves.
 let waiting = false;
+// What takes long follows when the brush rests for so many milliseconds.
+const SLOW = 120;
+let slowly = 0;
 function filter(column, range) {
   study.filters.choose(column, range);
   if (!waiting) requestAnimationFrame(() => { waiting = false; showFiltered(); });
@@ -25,11 +28,17 @@ function filter(column, range) {
 }
 
 function showFiltered() {
+  showCount();
+  for (const view of views) if (!view.slow) view.filtered();
+  clearTimeout(slowly);
+  slowly = setTimeout(() => { for (const view of views) if (view.slow) view.filtered(); }, SLOW);
+}
+
+function showCount() {
   const { filters } = study;
   byId("count").textContent = filters.any ? `${filters.rows.length.toLocaleString("en")} of ${plural(count, "row")}` : plural(count, "row");
   byId("clear").hidden = !filters.any;
   table.update(filters, (column) => !parallel || parallel.shown.includes(column));
-  for (const view of views) if (view.filtered) view.filtered(); else view.draw();
 }
 
 function paintBy(column) {
@@ -72,7 +81,7 @@ function startScatter() {
   selects("x", drawn, x, (column) => { x = column; scatter.choose(x, y); });
   selects("y", drawn, y, (column) => { y = column; scatter.choose(x, y); });
   scatter.choose(x, y);
-  new ResizeObserver(() => scatter.later()).observe(byId("scatter-plane"));
+  scatter.watch();
 }
 
 function startContour() {
@@ -91,7 +100,7 @@ function startContour() {
   selects("across", numbers, x, (column) => { x = column; choose(); });
   selects("up", numbers, y, (column) => { y = column; choose(); });
   choose();
-  new ResizeObserver(() => contour.later()).observe(byId("contour-plane"));
+  contour.watch();
 }
 
 function startParallel() {
@@ -130,11 +139,12 @@ if (canDraw && count) {
   startContour();
   startAtlas();
 } else {
-  for (const id of ["scatter", "contour"]) byId(id).hidden = true;
+  byId("main").classList.add("plain");
+  for (const part of document.querySelectorAll("#scatter, #contour, #parallel .choices label")) part.hidden = true;
   byId("axes").replaceChildren(element("p", { class: "muted" }, count ? "This report was made without d3, so it draws no plots: Cognate was built without npm, or without a network for it. Install npm, run cmake and build again."
     : "No row was kept."));
 }
-showFiltered();
+showCount();
 design.show();
 followTheme(repaint);
 byId("clear").addEventListener("click", () => { study.filters.clear(); showFiltered(); });

@@ -1,12 +1,20 @@
 // Parallel coordinates: an axis for each column and a line for each row. A brush on an axis filters
 // the page; axes are moved, turned over and hidden by their names.
 
-const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28 };
+const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28, most: 14 };
+
+// What is not drawn at first: columns of one value, and of many those that are least asked for.
+function firstHidden(columns) {
+  const varying = columns.filter((column) => !column.constant);
+  const rank = (column) => (column.wanted ? 0 : column.role === "variable" ? 1 : 2);
+  const first = [...(varying.length > 1 ? varying : columns)].sort((a, b) => rank(a) - rank(b)).slice(0, PARALLEL.most);
+  return new Set(columns.filter((column) => !first.includes(column)));
+}
 
 class Parallel {
   // `tell.filter(column, range)`, `tell.changed()` where axes are hidden.
   constructor(holder, study, tell) {
-    Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: new Set(study.columns.filter((c) => c.empty)), turned: new Set() });
+    Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });
     this.frame = element("div", { class: "parallel" });
     [this.back, this.front] = [element("canvas", { "aria-hidden": "true" }), element("canvas", { "aria-hidden": "true" })];
     this.root = svg("svg", { role: "group", "aria-label": "Axes; drag along one to filter" });
@@ -52,7 +60,8 @@ class Parallel {
     this.root.replaceChildren(...this.axes.map((axis) => this.#axis(axis)), this.chosen = svg("path", { class: "chosen-line" }));
     this.#placeRows();
     this.draw();
-    this.filtered();
+    this.#placeBrushes();
+    this.select();
   }
 
   #name({ column, x, room }) {
@@ -119,20 +128,21 @@ class Parallel {
     this.axes.forEach(({ x, ys }, i) => (i ? brush.lineTo(x, ys[row]) : brush.moveTo(x, ys[row])));
   }
 
-  // What stands behind: all rows in grey.
+  // What stands behind, all rows in grey, and before it those that pass.
   draw() {
     const brush = sized(this.back, this.width, PARALLEL.height);
     brush.strokeStyle = colour("--line");
     brush.globalAlpha = this.study.count > 1000 ? 0.35 : 0.7;
     brush.beginPath();
     for (let row = 0; row < this.study.count; ++row) this.#line(brush, row);
-    if (this.study.filters.any) brush.stroke();
+    brush.stroke();
     this.#drawRows();
   }
 
   // The rows that pass in their colours, the best last.
   #drawRows() {
     const { filters, paint, best } = this.study;
+    this.back.toggleAttribute("hidden", !filters.any);
     const brush = sized(this.front, this.width, PARALLEL.height);
     const stroke = (rows, alpha, width) => {
       Object.assign(brush, { globalAlpha: alpha, lineWidth: width, lineJoin: "round" });
@@ -149,6 +159,11 @@ class Parallel {
 
   // After the filters have changed.
   filtered() {
+    this.#drawRows();
+    this.#placeBrushes();
+  }
+
+  #placeBrushes() {
     for (const axis of this.axes) {
       const range = this.study.filters.chosen.get(axis.column);
       const [low, high] = axis.scale.range().slice().sort((a, b) => a - b);
@@ -156,8 +171,6 @@ class Parallel {
       if (!axis.brush.node().matches(":active")) axis.place(range ? this.#ends(axis.column, range).map(place).sort((a, b) => a - b) : null);
       axis.bars.setAttribute("d", this.#bars(axis));
     }
-    this.draw();
-    this.select();
   }
 
   #ends(column, [from, to]) {

@@ -25,9 +25,12 @@ class Scatter extends Plane {
 
   choose(x, y) {
     Object.assign(this, { x, y });
-    this.reset();
+    if (this.transform !== d3.zoomIdentity) this.reset();
     this.draw();
   }
+
+  select() { this.draw(); }
+  filtered() { this.draw(); }
 
   draw() {
     const brush = this.begin();

@@ -1,0 +1,401 @@
+"""Studies from outside: files, documents, what is refused, what survives being stopped.
+
+Run as: sweep_test.py PROGRAM SCHEMA, the built program and the JSON schema of summaries.
+"""
+
+import json
+import os
+import pathlib
+import pty
+import re
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+PROGRAM = ""
+SCHEMA = pathlib.Path()
+
+SLIDER = """
+kind = "analysis"
+[mechanism]
+type = "slider-crank"
+pivot = [0, 0]
+crank = 1
+coupler = 3
+offset = 0.25
+[drive]
+speed = 1
+steps = 36
+[output]
+position = true
+"""
+
+SMALL = """
+base = "slider.toml"
+[[vary]]
+key = "mechanism.coupler"
+range = [0.5, 5.5]
+steps = 21
+[[vary]]
+key = "mechanism.offset"
+values = [0, 0.25, 0.5]
+[output]
+metrics = ["class", "stroke", "time_ratio"]
+[filter]
+"transmission_angle_deg.acute_min" = { min = 30 }
+[objective]
+maximize = "stroke"
+"""
+
+# Analysed one by one for longer than any test lasts.
+LONG = """
+base = "slider.toml"
+[[vary]]
+key = "mechanism.coupler"
+range = [2, 5]
+sampling = "sobol"
+count = 4000000
+[[vary]]
+key = "mechanism.offset"
+range = [0, 0.5]
+sampling = "sobol"
+count = 4000000
+[output]
+metrics = ["stroke"]
+"""
+
+# The plain program becomes another one under mpirun; both may be sanitized, MPI is not.
+MPI = dict(
+    os.environ,
+    OMPI_ALLOW_RUN_AS_ROOT="1",
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+    ASAN_OPTIONS="detect_leaks=0",
+)
+
+
+def refuse_constant(name):
+    raise AssertionError(f"{name} is no JSON")
+
+
+class Sweeps(unittest.TestCase):
+    """A folder with a base file and studies of it."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        (self.folder / "slider.toml").write_text(SLIDER)
+        (self.folder / "small.toml").write_text(SMALL)
+        (self.folder / "long.toml").write_text(LONG)
+
+    def run_program(self, *arguments, **options):
+        return subprocess.run(
+            [PROGRAM, *map(str, arguments)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            **options,
+        )
+
+    def start(self, *arguments, **options):
+        return subprocess.Popen(
+            [PROGRAM, *map(str, arguments)],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            **options,
+        )
+
+    def rows(self, file, table="runs ORDER BY id"):
+        with sqlite3.connect(self.folder / file) as database:
+            return database.execute(f"SELECT * FROM {table}").fetchall()
+
+    def wait_for_rows(self, file):
+        """Queries the study file while the study runs, until there are rows."""
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline:
+            try:
+                if (self.folder / file).exists() and self.rows(file, "runs LIMIT 1"):
+                    return
+            except sqlite3.OperationalError:
+                pass  # its tables are not there yet
+            time.sleep(0.02)
+        self.fail("no rows within a minute")
+
+    def expect_refusal(self, done, *parts):
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        for part in parts:
+            self.assertIn(part, done.stderr)
+
+
+class SweepTest(Sweeps):
+    def test_rows_table_and_report(self):
+        done = self.run_program("sweep", "small.toml", "--seed", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("done: 63 designs evaluated", done.stdout)
+        self.assertIn("wrote small.study.db and small.report.html", done.stdout)
+        self.assertEqual(
+            sorted(path.name for path in self.folder.iterdir()),
+            ["long.toml", "slider.toml", "small.report.html", "small.study.db", "small.toml"],
+        )
+        with sqlite3.connect(self.folder / "small.study.db") as database:
+            columns = [row[1] for row in database.execute("PRAGMA table_info(runs)")]
+            study = dict(database.execute("SELECT name, value FROM study"))
+        self.assertEqual(
+            columns,
+            ["id", "mechanism.coupler", "mechanism.offset", "class", "stroke", "time_ratio", "status"],
+        )
+        self.assertEqual(study["study"], SMALL)
+        self.assertEqual(study["base"], SLIDER)
+        self.assertEqual(study["seed"], "3")
+        rows = self.rows("small.study.db")
+        # By hand: the crank turns fully where coupler − crank ≥ offset, and its transmission angle
+        # is least at cos = (crank + offset) / coupler; the grid's last variable is the fastest.
+        for number, coupler, offset, _, stroke, _, status in rows:
+            self.assertEqual(coupler, 0.5 + number // 3 * 0.25)
+            self.assertEqual(offset, [0, 0.25, 0.5][number % 3])
+            self.assertEqual(status, "solved")
+            outer, inner = ((coupler + sign) ** 2 - offset**2 for sign in (1, -1))
+            self.assertAlmostEqual(stroke, outer**0.5 - inner**0.5, delta=1e-9)
+        kept = [
+            number
+            for number in range(63)
+            if 0.5 + number // 3 * 0.25 >= (1 + [0, 0.25, 0.5][number % 3]) / (3**0.5 / 2)
+        ]
+        self.assertEqual([row[0] for row in rows], kept)
+        best = self.rows("small.study.db", "best")
+        self.assertEqual(sorted(best), rows)
+        self.assertEqual(best, sorted(best, key=lambda row: (-row[4], row[0])))
+
+    def test_document(self):
+        done = self.run_program("sweep", "small.toml", "--json", "--out", "deep/er")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        document = json.loads(done.stdout, parse_constant=refuse_constant)
+        if jsonschema is not None:
+            jsonschema.validate(document, json.loads(SCHEMA.read_text()))
+        rows = self.rows("deep/er/small.study.db")
+        best = self.rows("deep/er/small.study.db", "best LIMIT 10")
+        self.assertEqual([list(row.values()) for row in document["best"]], [list(row) for row in best])
+        self.assertEqual(document["status"], "done")
+        self.assertEqual(document["counts"]["evaluated"], 63)
+        self.assertEqual(document["counts"]["kept"], len(rows))
+        self.assertEqual(document["counts"]["filtered"], 63 - len(rows))
+        self.assertTrue((self.folder / "deep/er/small.report.html").exists())
+        self.run_program("sweep", "small.toml", "--json")
+        self.assertFalse((self.folder / "small.report.html").exists())
+
+    def test_again_there_is_nothing_to_do(self):
+        self.run_program("sweep", "small.toml")
+        (self.folder / "small.report.html").unlink()
+        rows = self.rows("small.study.db")
+        again = self.run_program("sweep", "small.toml")
+        self.assertEqual((again.returncode, again.stderr), (0, ""))
+        self.assertIn("nothing was left to do", again.stdout)
+        self.assertEqual(self.rows("small.study.db"), rows)
+        self.assertTrue((self.folder / "small.report.html").exists())
+
+    def test_nothing_passes(self):
+        (self.folder / "none.toml").write_text(SMALL.replace("min = 30", "min = 89.9"))
+        done = self.run_program("sweep", "none.toml")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("0 kept", done.stdout)
+
+    def test_faults_of_the_file(self):
+        (self.folder / "bad.toml").write_text(SMALL.replace("coupler", "cuopler"))
+        done = self.run_program("sweep", "bad.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"^bad\.toml:\d+:\d+: ")
+        self.assertFalse((self.folder / "bad.study.db").exists())
+        self.expect_refusal(self.run_program("sweep", "nowhere.toml"), "nowhere.toml:1:1: ")
+
+    def test_other_input_is_refused(self):
+        self.run_program("sweep", "small.toml")
+        rows = self.rows("small.study.db")
+        self.expect_refusal(self.run_program("sweep", "small.toml", "--seed", "2"), "the seed (1 there, 2 here)")
+        (self.folder / "slider.toml").write_text(SLIDER.replace("speed = 1", "speed = 2"))
+        self.expect_refusal(self.run_program("sweep", "small.toml"), "the base file (from line 10 on)")
+        (self.folder / "slider.toml").write_text(SLIDER)
+        (self.folder / "small.toml").write_text("# other\n" + SMALL)
+        self.expect_refusal(self.run_program("sweep", "small.toml"), "the study file (from line 1 on)", "--out")
+        self.assertEqual(self.rows("small.study.db"), rows)
+        (self.folder / "small.toml").write_text(SMALL)
+        (self.folder / "small.study.db").write_text("no database, but long enough to be looked at")
+        self.expect_refusal(self.run_program("sweep", "small.toml"), "is no study file")
+
+    def test_interrupted_and_gone_on_with(self):
+        (self.folder / "some.toml").write_text(LONG.replace("4000000", "20000"))
+        running = self.start("sweep", "some.toml", "--quiet")
+        self.wait_for_rows("some.study.db")
+        second = self.run_program("sweep", "../" + self.folder.name + "/some.toml", "--out", self.folder)
+        if running.poll() is None:
+            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
+        running.send_signal(signal.SIGINT)
+        _, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 0)
+        self.assertRegex(errors, r"interrupted after [\d ]+ of 20 000 designs; the same command goes on")
+        part = self.rows("some.study.db")
+        self.assertGreater(len(part), 0)
+        self.assertLess(len(part), 20000)
+        self.assertFalse((self.folder / "some.study.lock").exists())
+        done = self.run_program("sweep", "some.toml", "--threads", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("went on from", done.stdout)
+        self.run_program("sweep", "some.toml", "--threads", "1", "--out", "whole")
+        rows = self.rows("some.study.db")
+        self.assertEqual(rows, self.rows("whole/some.study.db"))
+        self.assertEqual([row for row in rows if row[0] in {row[0] for row in part}], part)
+
+    def test_time_limit(self):
+        done = self.run_program("sweep", "long.toml", "--time-limit", "0.3")
+        self.assertIn("time limit reached after", done.stderr)
+        self.assertIn("stopped at the time limit", done.stdout)
+        self.assertEqual(done.returncode, 0)
+
+    def test_disk_is_full(self):
+        limit = 400_000  # bytes; the file of a limit and the end of a disk are one error of writing
+
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+        done = self.run_program("sweep", "long.toml", "--quiet", preexec_fn=limited)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("cannot store rows in", done.stderr)
+        self.assertIn("the rows so far are there", done.stderr)
+        with sqlite3.connect(self.folder / "long.study.db") as database:
+            self.assertEqual(database.execute("PRAGMA integrity_check").fetchone(), ("ok",))
+            kept = database.execute("SELECT sum(kept) FROM blocks").fetchone()[0]
+            self.assertEqual(database.execute("SELECT count(*) FROM runs").fetchone()[0], kept)
+        self.assertGreater(kept, 0)
+        more = self.run_program("sweep", "long.toml", "--time-limit", "0.3", "--json")
+        self.assertGreater(json.loads(more.stdout)["counts"]["kept"], kept)
+
+    def test_place_that_cannot_be_written(self):
+        (self.folder / "file").write_text("")
+        self.expect_refusal(self.run_program("sweep", "small.toml", "--out", "file"), "'file'")
+        if os.geteuid() != 0:
+            (self.folder / "shut").mkdir(mode=0o500)
+            self.expect_refusal(self.run_program("sweep", "small.toml", "--out", "shut"), "'shut'")
+
+    def test_study_file_is_removed(self):
+        running = self.start("sweep", "long.toml", "--quiet")
+        self.wait_for_rows("long.study.db")
+        (self.folder / "long.study.db").unlink()
+        _, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 2)
+        self.assertIn("was removed or replaced while the study ran", errors)
+
+    def test_progress_on_a_terminal(self):
+        controller, terminal = pty.openpty()
+        self.addCleanup(os.close, controller)
+        with os.fdopen(terminal, "w") as error:
+            running = subprocess.Popen(
+                [PROGRAM, "sweep", "long.toml", "--time-limit", "1.5", "--json"],
+                cwd=self.folder,
+                stdout=subprocess.DEVNULL,
+                stderr=error,
+                env=dict(os.environ, TERM="xterm"),
+            )
+        shown = b""
+        while running.poll() is None:
+            try:
+                shown += os.read(controller, 1000)
+            except OSError:
+                break
+        running.wait()
+        self.assertRegex(shown.decode(), r"\[\.*#*\.*\] +\d+ %  [\d ]+ of 4 000 000 designs, [\d ]+/s, .* left")
+
+    def test_design_of_a_row(self):
+        self.run_program("sweep", "small.toml")
+        number, coupler, offset, _, stroke, *_ = self.rows("small.study.db", "best")[0]
+        done = self.run_program("export", "small.study.db", "--row", number, "--out", "designs")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        file = f"designs/small.{number}.toml"
+        self.assertEqual(done.stdout, f"wrote {file}\n")
+        text = (self.folder / file).read_text()
+        self.assertEqual(float(re.search(r"coupler = (\S+)", text)[1]), coupler)
+        self.assertEqual(float(re.search(r"offset = (\S+)", text)[1]), offset)
+        result = json.loads(self.run_program("analyze", file, "--json").stdout)
+        self.assertAlmostEqual(result["designs"][0]["metrics"]["stroke"], stroke, delta=1e-12)
+        self.expect_refusal(self.run_program("export", "small.study.db", "--row", "0"), "has no row 0")
+        self.expect_refusal(self.run_program("export", "small.study.db", "--row", "-1"), "--row: '-1'")
+        self.expect_refusal(self.run_program("export", "small.toml", "--row", "1"), "study file")
+        self.expect_refusal(self.run_program("export", "small.study.db"), "--format is required")
+        self.expect_refusal(
+            self.run_program("export", "small.study.db", "--row", "1", "--format", "svg"), "--format"
+        )
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "mpirun is not there")
+class MpiTest(Sweeps):
+    def setUp(self):
+        if not pathlib.Path(PROGRAM).with_name("cognate-mpi").exists():
+            self.skipTest("built without MPI")
+        super().setUp()
+
+    def run_many(self, count, *arguments):
+        return subprocess.run(
+            ["mpirun", "--oversubscribe", "-n", str(count), PROGRAM, *arguments],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            env=MPI,
+            timeout=120,
+        )
+
+    def test_rows_are_those_of_one_process(self):
+        (self.folder / "some.toml").write_text(LONG.replace("4000000", "3000"))
+        many = self.run_many(3, "sweep", "some.toml", "--out", "many")
+        self.assertEqual((many.returncode, many.stderr), (0, ""))
+        self.assertEqual(many.stdout.count("3 000 designs evaluated"), 1, many.stdout)
+        self.assertIn("on 3 threads", many.stdout)
+        self.run_program("sweep", "some.toml", "--out", "one")
+        for table in ("runs ORDER BY id", "best", "front ORDER BY id", "study ORDER BY name"):
+            self.assertEqual(
+                self.rows("many/some.study.db", table), self.rows("one/some.study.db", table)
+            )
+
+    def test_faults_are_said_once(self):
+        (self.folder / "bad.toml").write_text(SMALL.replace("coupler", "cuopler"))
+        done = self.run_many(3, "sweep", "bad.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count("bad.toml:"), 1, done.stderr)
+        done = self.run_many(2, "sweep", "small.toml", "--seed", "x")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count("--seed: 'x'"), 1, done.stderr)
+
+    def test_interrupted_and_gone_on_with(self):
+        running = subprocess.Popen(
+            ["mpirun", "--oversubscribe", "-n", "2", PROGRAM, "sweep", "long.toml"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=MPI,
+        )
+        self.wait_for_rows("long.study.db")
+        running.send_signal(signal.SIGINT)
+        _, errors = running.communicate(timeout=60)
+        self.assertRegex(errors, r"interrupted after [\d ]+ of 4 000 000 designs")
+        kept = len(self.rows("long.study.db"))
+        more = self.run_many(2, "sweep", "long.toml", "--json", "--time-limit", "0.3")
+        self.assertGreater(json.loads(more.stdout)["counts"]["kept"], kept)
+
+
+if __name__ == "__main__":
+    SCHEMA = pathlib.Path(sys.argv.pop(2))
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,87 @@
+/// @file How fast rows reach a study file: what bounds a study of many machines, where one process
+/// stores what all others send.
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "app/study/block_message.hpp"
+#include "app/study/study_database.hpp"
+#include "tests/unit/study_samples.hpp"
+
+namespace {
+
+using namespace cognate;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t kBlock = 8192;
+
+/// The rows of a block; with `keeps` false those of one whose designs do not pass.
+problems::StudyBlock block_at(std::int64_t first, bool keeps) {
+  if (!keeps) return {.first = first, .count = kBlock, .filtered = kBlock};
+  return tests::sample_block(first, kBlock);
+}
+
+struct Times {
+  double pack = 0;
+  double unpack = 0;
+  double store = 0;
+};
+
+/// Seconds since `mark`, which becomes now.
+double lap(Clock::time_point& mark) {
+  const auto now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - mark).count();
+  mark = now;
+  return seconds;
+}
+
+void measure(const char* what, std::int64_t blocks, bool keeps,
+             std::vector<problems::StudyObjective> objectives) {
+  const tests::TestFolder folder;
+  auto study = tests::sample_study(1, std::move(objectives));
+  study.samples = blocks * kBlock;
+  app::StudyDatabase database(folder / "writer.study.db", study, {});
+  Times times;
+  for (std::int64_t i = 0; i < blocks; ++i) {
+    const auto block = block_at(i * kBlock, keeps);
+    auto mark = Clock::now();
+    const auto message = app::block_message(block);
+    times.pack += lap(mark);
+    const auto received = app::block_of(message);
+    times.unpack += lap(mark);
+    database.store(received);
+    database.tick();
+    times.store += lap(mark);
+  }
+  auto mark = Clock::now();
+  database.commit();
+  times.store += lap(mark);
+  const auto per = static_cast<double>(keeps ? database.counts().kept : blocks);
+  fmt::print("{:34} {:>11.4g} {:>11.4g} {:>11.4g} {:>9.1f}\n", what, per / times.pack,
+             per / times.unpack, per / times.store,
+             static_cast<double>(std::filesystem::file_size(folder / "writer.study.db")) * 0x1p-20);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::int64_t blocks = argc > 1 ? std::atoll(argv[1]) : 256;
+  fmt::print("{} blocks of {} designs; a row has 4 columns besides id and status\n\n", blocks,
+             kBlock);
+  fmt::print("{:34} {:>11} {:>11} {:>11} {:>9}\n", "per second", "packed", "unpacked", "stored",
+             "MiB");
+  measure("rows, no objective", blocks, true, {});
+  measure("rows, one objective", blocks, true, {{.name = "a.first"}});
+  measure("rows, two objectives", blocks, true,
+          {{.name = "a.first"}, {.name = "second", .greatest = true}});
+  measure("rows, three objectives", blocks, true,
+          {{.name = "a.first"}, {.name = "second", .greatest = true}, {.name = "mechanism.crank"}});
+  measure("blocks without a row", 64 * blocks, false, {});
+  struct rusage used {};
+  getrusage(RUSAGE_SELF, &used);
+  fmt::print("\npeak memory {} MiB\n", used.ru_maxrss / 1024);
+}
