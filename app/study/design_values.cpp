@@ -137,7 +137,8 @@ Cell list_of_words(const ordered_json& list) {
   std::string words;
   for (const auto& word : list) {
     if (!word.is_string()) return {};
-    words += (words.empty() ? "" : ",") + word.get<std::string>();
+    if (!words.empty()) words += ',';
+    words += word.get_ref<const std::string&>();
   }
   return words.empty() ? Cell("none") : Cell(std::move(words));
 }

@@ -28,8 +28,6 @@ constexpr Metric kExtras[] = {
     {"error.rms_deg", "deg", "functions: of the rocker's angle"},
     {"error.max_deg", "deg", "functions: of the rocker's angle"},
     {"origin", "", "which exact synthesis or search the design came from"},
-    {"longest_link", "length", "of crank, coupler, rocker and frame: the size of a four-bar"},
-    {"link_ratio", "1", "longest over shortest link of a four-bar"},
     {"certificate.lower_bound", "of the target", "with solve.certify"},
     {"certificate.gap_relative", "1", "with solve.certify"},
     {"facts.FACT", "its own", "a fact of a synthesis, as facts.solutions"},
