@@ -19,15 +19,17 @@ namespace {
 constexpr std::string_view kMetrics = "metrics";
 constexpr Count kNames{1, 200, "names"};
 
-// A study that says what it is by its `base` alone is one as well.
-void read_kind(TableReader& file) {
-  if (!file.has(kKind)) return;
+// Whether the file says that it is a study, which it may do by its `base` alone; a fault if not.
+bool read_kind(TableReader& file) {
+  if (!file.has(kKind)) return true;
   const auto kind = file.text(kKind);
-  if (!kind || *kind == kStudyKind) return;
-  file.fault(kKind,
-             fmt::format("is {}; 'cognate sweep' runs a file of kind = \"study\", whose base "
-                         "may be of another kind",
-                         in_quotes(*kind)));
+  if (kind && *kind == kStudyKind) return true;
+  if (kind) {
+    file.fault(kKind, fmt::format("is {}; 'cognate sweep' runs a file of kind = \"study\", whose "
+                                  "base may be of another kind",
+                                  in_quotes(*kind)));
+  }
+  return false;
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
@@ -117,7 +119,7 @@ Study read_study(const Table& document, const std::filesystem::path& folder,
                  const MetricCatalogue& metrics, FaultList& faults) {
   Study study;
   TableReader file(document, faults);
-  read_kind(file);
+  if (!read_kind(file)) return study;  // what else is amiss hangs on what it is meant to be
   study.title = file.text("title").value_or("");
   const auto base = read_base(file, folder, metrics, study);
   read_variables(file, base ? &*base : nullptr, study);

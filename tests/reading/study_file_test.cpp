@@ -163,6 +163,7 @@ std::string with(const std::string& rest) {
 const std::vector<Wrong> kWrong = {
     {"UnknownKey", "titel = \"x\"\n" + with(""), 1, 1, "did you mean \"title\"?"},
     {"OtherKind", "kind = \"cam\"\n" + with(""), 1, 8, "kind is \"cam\""},
+    {"AProblem", "kind = \"cam\"\n[follower]\ntype = \"x\"\n", 1, 8, "whose base may be"},
     {"NoBase", kVary + kOutput, 1, 1, "base is missing"},
     {"BaseNotThere", "base = \"none.toml\"\n" + kVary + kOutput, 1, 8, "does not exist"},
     {"BaseEmpty", "base = \"\"\n" + kVary + kOutput, 1, 8, "the name is empty"},
