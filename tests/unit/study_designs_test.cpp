@@ -1,6 +1,7 @@
 // The numbers of a study's designs, and the base file with them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -149,6 +150,16 @@ TEST(DesignText, LeavesEverythingElseAsItWas) {
   for (std::size_t i = 0; i < taken.size(); ++i) text += taken[i] + gaps.pieces[i + 1];
   EXPECT_EQ(text, kText);
   EXPECT_EQ(gaps.variable, (std::vector<std::size_t>{3, 1, 2, 4, 5, 7, 6, 0}));
+}
+
+TEST(DesignText, AByteOrderMarkHasNoColumn) {
+  const Study study = study_of(
+      "\xef\xbb\xbf"
+      "gravity = [1.5, -9.8]\n",
+      {{"g", {"gravity", std::size_t{1}}}});
+  EXPECT_EQ(design_text(study, std::vector{2.0}),
+            "\xef\xbb\xbf"
+            "gravity = [1.5, 2.0]\n");
 }
 
 TEST(DesignText, ReadsBackAsTheSameDoubles) {
