@@ -119,8 +119,8 @@ struct Wrong {
   std::string says;
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* out) {
-  *out << wrong.text;
+std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
+  return out << wrong.text;
 }
 
 class StudyFaults : public testing::TestWithParam<Wrong> {};
