@@ -60,7 +60,8 @@ TEST(DesignPoints, EveryPointOfTheGridHasAllSamples) {
   std::vector<double> unit(10);
   latin_points(2, 5, 1)(0, unit);
   for (std::size_t i = 0; i < 15; ++i) {
-    EXPECT_EQ(all[3 * i + 1], static_cast<double>(i / 5 + 1));
+    const std::size_t point = i / 5;
+    EXPECT_EQ(all[3 * i + 1], static_cast<double>(point + 1));
     EXPECT_DOUBLE_EQ(all[3 * i], 2 + 2 * unit[2 * (i % 5)]);
     EXPECT_DOUBLE_EQ(all[3 * i + 2], -1 + 2 * unit[2 * (i % 5) + 1]);
   }

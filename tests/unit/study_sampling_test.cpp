@@ -76,7 +76,7 @@ TEST(Sobol, IsThePublishedSequence) {
 TEST(Sobol, AnyBlockOfAPowerOfTwoIsEvenWhateverTheSeed) {
   for (const std::uint64_t seed : {0, 1, 77}) {
     for (const std::int64_t first : {0, 64, 192}) {
-      std::vector<double> block(64 * 5);
+      std::vector<double> block(std::size_t{64} * 5);
       sobol_points(5, seed)(first, block);
       for (std::size_t d = 0; d < 5; ++d) {
         EXPECT_TRUE(one_in_each_part(column(block, 5, d))) << seed << " " << first << " " << d;
