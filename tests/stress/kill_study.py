@@ -51,7 +51,7 @@ range = [0, 1.5]
 sampling = "sobol"
 count = {count}
 [output]
-metrics = ["class", "transmission_angle_deg.acute_min", "time_ratio", "stroke"]
+metrics = ["class", "transmission_angle_deg.acute_min", "time_ratio", "output_stroke"]
 [filter]
 "transmission_angle_deg.acute_min" = {{ min = 10 }}
 [objective]
@@ -166,8 +166,8 @@ def main():
         folder = pathlib.Path(name)
         (folder / "base.toml").write_text(BASE)
         rate = designs_per_second(asked.program, folder)
-        # Enough for all kills to find it at work.
-        count = int(rate * 0.12 * (asked.kills + 2))
+        # Enough for all kills to find it at work: rows are committed every half second.
+        count = int(rate * 0.4 * (asked.kills + 2))
         (folder / "killed.toml").write_text(STUDY.format(count=count))
         killer = Killer(asked.program, asked.mpi, folder, asked.seed)
         killer.run("whole")
@@ -175,9 +175,11 @@ def main():
         runs = 0
         while kills < asked.kills:
             runs += 1
-            if killer.kill_once(start * 0.5 + killer.random.uniform(0, start * 0.5 + 0.16)):
+            if killer.kill_once(start * 0.5 + killer.random.uniform(0, start * 0.5 + 0.9)):
                 kills += 1
                 killer.check()
+                if kills % 20 == 0:
+                    print(f"{kills} kills, {len(killer.rows)} rows", file=sys.stderr, flush=True)
             elif runs > 3 * asked.kills + 10:
                 sys.exit(f"only {kills} kills met a running study")
         left = len(killer.rows)
