@@ -81,6 +81,14 @@ class Killer:
             stdout=subprocess.DEVNULL,
         )
 
+    def seconds_to_start(self):
+        """How long a run takes that finds nothing left to do."""
+        (self.folder / "killed.toml").write_text(STUDY.format(count=1))
+        self.run("start")
+        begun = time.monotonic()
+        self.run("start")
+        return time.monotonic() - begun
+
     def victims(self, process):
         """The process, or those that mpirun has started by now."""
         if self.processes == 1:
@@ -142,6 +150,7 @@ def tables(file):
 
 
 def designs_per_second(program, folder):
+    """By a short study of its own."""
     (folder / "trial.toml").write_text(STUDY.format(count=2048))
     trial = subprocess.run(
         [program, "sweep", str(folder / "trial.toml"), "--json", "--out", str(folder / "trial")],
@@ -161,15 +170,15 @@ def main():
     if asked.mpi > 1 and shutil.which("mpirun") is None:
         print("mpirun is not there")
         return 77
-    start = 0.6 if asked.mpi > 1 else 0.05  # seconds until the first design, about
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "base.toml").write_text(BASE)
         rate = designs_per_second(asked.program, folder)
         # Enough for all kills to find it at work: rows are committed every half second.
         count = int(rate * 0.4 * (asked.kills + 2))
-        (folder / "killed.toml").write_text(STUDY.format(count=count))
         killer = Killer(asked.program, asked.mpi, folder, asked.seed)
+        start = killer.seconds_to_start()
+        (folder / "killed.toml").write_text(STUDY.format(count=count))
         killer.run("whole")
         kills = 0
         runs = 0
