@@ -75,7 +75,7 @@ count = 4000000
 metrics = ["output_stroke"]
 """
 
-# The plain program becomes another one under mpirun; both may be sanitized, MPI is not.
+# MPI keeps some memory to its end, which a sanitized program would count as leaked.
 MPI = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
