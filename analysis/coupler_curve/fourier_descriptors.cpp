@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace cognate {
@@ -83,6 +84,39 @@ FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
   }
   normalise(found);
   return found;
+}
+
+FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length) {
+  FourierDescriptors found;
+  const auto count = static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int k = -kHarmonics; k <= kHarmonics; ++k) {
+      if (k == 0) continue;
+      Vec2d& c = found.coefficients[static_cast<std::size_t>(k + kHarmonics)];
+      c = c + unit_at(-kTurn * k * static_cast<double>(i) / count) * points[i];
+    }
+  }
+  for (Vec2d& c : found.coefficients) c = (kTurn / (length * count)) * c;
+  normalise(found);
+  return found;
+}
+
+double squared_distance(const FourierDescriptors& a, const FourierDescriptors& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const bool mirrored : {false, true}) {
+    for (const bool reversed : {false, true}) {
+      for (const double even : {1.0, -1.0}) {  // half a turn on, from half a length on
+        double sum = 0;
+        for (int k = -kHarmonics; k <= kHarmonics; ++k) {
+          const Vec2d& other = b.of(reversed ? -k : k);
+          const Vec2d turned = (k % 2 == 0 ? even : 1.0) * (mirrored ? conj(other) : other);
+          sum += squared_norm(a.of(k) - turned);
+        }
+        least = std::min(least, sum);
+      }
+    }
+  }
+  return least;
 }
 
 }  // namespace cognate

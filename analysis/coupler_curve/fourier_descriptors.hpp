@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
@@ -40,5 +41,13 @@ class DescriptorFinder {
  private:
   std::vector<double> speed_;
 };
+
+/// The descriptors of the closed curve through `points`, which lie in equal steps of its arc length
+/// `length`.
+FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length);
+
+/// The sum of |aₖ − bₖ|² in whichever of the ways to name b's coefficients, or those of its mirror
+/// image, comes nearest: in either sense and from either start, near which a curve may be given.
+double squared_distance(const FourierDescriptors& a, const FourierDescriptors& b);
 
 }  // namespace cognate
