@@ -28,7 +28,7 @@ void reverse(FourierDescriptors& found) {
 /// Turns the curve by β and starts it so that cₖ is multiplied by e^{i(β + kα)}.
 void turn(FourierDescriptors& found, double turned, double started) {
   for (int k = -kHarmonics; k <= kHarmonics; ++k) {
-    Vec2d& c = found.coefficients[static_cast<std::size_t>(k + kHarmonics)];
+    Vec2d& c = found.of(k);
     c = unit_at(turned + k * started) * c;
   }
 }
@@ -69,16 +69,16 @@ FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
     const Vec2d back = unit_at(-kTurn * along / sum);
     Vec2d power = back;
     for (int k = 1; k <= kHarmonics; ++k, power = power * back) {
-      Vec2d& forward = found.coefficients[static_cast<std::size_t>(kHarmonics + k)];
-      Vec2d& backward = found.coefficients[static_cast<std::size_t>(kHarmonics - k)];
+      Vec2d& forward = found.of(k);
+      Vec2d& backward = found.of(-k);
       forward = forward + rate * power;
       backward = backward + rate * conj(power);
     }
     along += step_integral(speed_.data() + i);
   }
   for (int k = 1; k <= kHarmonics; ++k) {
-    Vec2d& forward = found.coefficients[static_cast<std::size_t>(kHarmonics + k)];
-    Vec2d& backward = found.coefficients[static_cast<std::size_t>(kHarmonics - k)];
+    Vec2d& forward = found.of(k);
+    Vec2d& backward = found.of(-k);
     forward = (1 / (k * sum)) * Vec2d{forward.y, -forward.x};
     backward = (1 / (k * sum)) * Vec2d{-backward.y, backward.x};
   }
@@ -92,7 +92,7 @@ FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length) 
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int k = -kHarmonics; k <= kHarmonics; ++k) {
       if (k == 0) continue;
-      Vec2d& c = found.coefficients[static_cast<std::size_t>(k + kHarmonics)];
+      Vec2d& c = found.of(k);
       c = c + unit_at(-kTurn * k * static_cast<double>(i) / count) * points[i];
     }
   }

@@ -27,8 +27,12 @@ inline constexpr int kHarmonics = 4;
 struct FourierDescriptors {
   std::array<Vec2d, 2 * kHarmonics + 1> coefficients{};
 
-  const Vec2d& of(int harmonic) const {
-    return coefficients[static_cast<std::size_t>(harmonic + kHarmonics)];
+  Vec2d& of(int harmonic) { return coefficients[place(harmonic)]; }
+  const Vec2d& of(int harmonic) const { return coefficients[place(harmonic)]; }
+
+ private:
+  static constexpr std::size_t place(int harmonic) {
+    return static_cast<std::size_t>(harmonic) + std::size_t{kHarmonics};  // of a ring of numbers
   }
 };
 

@@ -100,8 +100,7 @@ class AtlasRows {
     for (const auto& harmonic : kDescriptors) {
       const double magnitude = number(column++);
       const double phase = has_phase(harmonic) ? number(column++) * std::numbers::pi / 180 : 0;
-      const auto place = static_cast<std::size_t>(harmonic.number + kHarmonics);
-      curve.descriptors.coefficients[place] = {magnitude * std::cos(phase),
+      curve.descriptors.of(harmonic.number) = {magnitude * std::cos(phase),
                                                magnitude * std::sin(phase)};
     }
     const auto links = lengths(curve.linkage);
