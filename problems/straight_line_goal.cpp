@@ -134,7 +134,7 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
     found = std::move(along.points);
     result.families.push_back(std::move(along.table));
   } else {
-    StretchSearchResult search = search_stretches(scaled, {}, true, run, deadline, result.work);
+    StretchSearchResult search = search_stretches(scaled, {}, {}, run, deadline, result.work);
     found = std::move(search.found);
     result.facts = {{"starts", double(search.thoroughness.starts)},
                     {"best_hits", double(search.thoroughness.best_hits)}};

@@ -25,12 +25,18 @@ struct StretchSearchResult {
   SearchThoroughness thoroughness;
 };
 
+/// How much a search takes upon itself.
+struct StretchEffort {
+  int starts = 120;          ///< refined, where the file says nothing; 0: none but known ones
+  std::size_t deepened = 7;  ///< of the best that are refined further, beyond the designs wanted
+};
+
 /// Optima of a problem in the search's unit (`in_unit`), equal for any number of threads. `known`:
-/// stretches to begin with besides; with `fresh` false instead of starts of its own. Counts what
-/// was done in `work`.
+/// stretches to begin with besides. Counts what was done in `work`.
 StretchSearchResult search_stretches(const StraightLineProblem& problem,
-                                     const std::vector<LineStretch>& known, bool fresh,
-                                     const Run& run, const Deadline& deadline, Work& work);
+                                     const std::vector<LineStretch>& known,
+                                     const StretchEffort& effort, const Run& run,
+                                     const Deadline& deadline, Work& work);
 
 /// Limits met to this count as met while searching.
 inline constexpr double kStretchFeasibility = 1e-8;

@@ -318,7 +318,8 @@ ordered_json poses_of(const FourBar& linkage) {
   ordered_json angles = ordered_json::array(), points = ordered_json::array();
   const Motion motion(linkage);
   for (int i = 0; i < 24; ++i) {
-    const double angle = -3 + 0.26 * i;
+    // The first is where a linkage that all but folds flat does so.
+    const double angle = i == 0 ? frame_angle(linkage) + kPi : -3 + 0.26 * i;
     angles.push_back(angle);
     const auto pose = motion.at(angle);
     if (!pose) {

@@ -28,7 +28,7 @@ class Controls {
     byId("play").addEventListener("click", () => this.play(!this.playing));
     byId("speed").addEventListener("input", (event) => this.setSpeed(Number(event.target.value)));
     document.addEventListener("keydown", (event) => {
-      if (event.altKey || event.ctrlKey || event.metaKey || event.target.closest("input, button, a, select")) return;
+      if (event.altKey || event.ctrlKey || event.metaKey || event.target.closest("input, button, a, select, summary")) return;
       const sense = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
       if (event.key === " ") this.play(!this.playing);
       else if (sense) this.step(sense, event.shiftKey);

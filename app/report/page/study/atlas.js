@@ -66,17 +66,21 @@ class Atlas {
   }
 }
 
+// The sample at which an overview shows its linkage.
+const SHOWN = 16;
+
 // A linkage with the curves of all its coupler points.
 class Overview {
   constructor(linkage, rows, paint) {
-    const curves = rows.map(({ row, linkage: own }) => ({ row, points: own.poses(ATLAS.samples).map((pose) => pose.p) }));
-    const { b, c } = linkage.pose(Math.PI / 3);
+    const motions = rows.map(({ linkage: own }) => own.poses(ATLAS.samples));
+    const curves = rows.map(({ row }, i) => ({ row, points: motions[i].map((pose) => pose.p) }));
+    const { b, c } = motions[0][SHOWN];
     const { a, d } = linkage.closure;
     const [width, height] = [2 * ATLAS.width + 8, 2 * ATLAS.height + 40];
     const view = new View(boxOf([a, b, c, d, ...curves.flatMap(({ points }) => points)]), width, height + SCALE_ROOM, 14);
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
     this.lines = new Map(curves.map(({ row, points }) => [row, svg("path", { d: `${line(points)}Z`, style: `stroke:${paint.of(row)}` })]));
-    const at = rows.map(({ linkage: own }) => view.screen(own.pose(Math.PI / 3).p));
+    const at = curves.map(({ points }) => view.screen(points[SHOWN]));
     this.root = svg("svg", { class: "overview", viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": "The linkage and all its curves" }, ...this.lines.values(),
       svg("path", { class: "links", d: line([a, b, c, d]) }), ...at.map(([x, y]) => svg("circle", { class: "place", cx: round(x), cy: round(y), r: 1.8 })),
       ...[a, b, c, d].map((p) => view.screen(p)).map(([x, y]) => svg("circle", { class: "pin", cx: round(x), cy: round(y), r: 3 })));

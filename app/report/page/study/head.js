@@ -35,13 +35,13 @@ function showStudy(columns, study) {
 
 function showStudyHead(data) {
   const { result } = data;
-  const title = result.study?.title || data.study.title;
+  const title = data.study.title || data.study.base;
   const shown = data.ids.length < data.total ? `${data.ids.length.toLocaleString("en")} of ${plural(data.total, "row")} shown, the best among them` : "";
   showHead({ ...result, problem: { title } }, "Design study", [...countsLine(result.counts, result.status), shown,
     result.work?.seconds ? duration(result.work.seconds) : ""], data.linkage ? "space plays, ← → turn the crank" : "brushes filter");
   showNotes(result.notes ?? []);
-  const { by_status: outcomes = {}, ...counts } = result.counts ?? {};
-  showWork({ ...counts, ...outcomes, ...result.work });
+  const { designs_per_second: rate, ...work } = result.work ?? {};
+  showWork({ ...work, ...(rate ? { designs_per_second: Math.round(rate) } : {}), ...result.counts });
   byId("work-title").textContent = "Counted";
   byId("skipped").textContent = "";
   byId("save").textContent = "Save the summary as JSON";

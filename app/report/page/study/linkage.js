@@ -26,13 +26,14 @@ class RowLinkage {
 
   #setRange() {
     const [least, greatest] = this.closure.limits;
-    this.closes = least <= 1 && greatest >= -1 && this.closure.frame > 0;
+    this.closes = least <= 1 && greatest >= -1 && this.lengths.every((length) => length > 0);
     this.fullTurn = this.closes && least <= -1 && greatest >= 1;
     const [inner, outer] = [greatest >= 1 ? 0 : Math.acos(greatest), least <= -1 ? Math.PI : Math.acos(least)];
     // About the frame line where the limits lie on both sides of it.
     const range = greatest >= 1 ? [-outer, outer] : least <= -1 ? [inner, TURN - inner] : [inner, outer];
     // A hair within the limits, where rounding cannot open the triangle.
     [this.from, this.to] = [range[0] + HAIR, range[1] - HAIR];
+    this.closes = this.closes && this.pose(1) !== null;
   }
 
   // The pose at `phase` of the motion, 0 to 2π. `crank`: the angle from the x axis, in degrees.
