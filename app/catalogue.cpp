@@ -33,6 +33,8 @@ constexpr Entry kSolveOptions[] = {
     {"loss_scale",
      "with a loss: the error from which it differs, a length for paths, radians for functions"},
     {"tolerance", "relative change of the error at which a refinement stops"},
+    {"atlas",
+     "paths, closed curves: the study file of an atlas, whose nearest curves a search begins with"},
     {"certify",
      "true: prove how near the best design is to the best possible; timed paths and functions by "
      "least squares (at most 60 s, or what --time-limit leaves)"},
