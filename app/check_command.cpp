@@ -28,33 +28,29 @@ ordered_json faults_json(const std::vector<problems::Fault>& faults) {
   return rows;
 }
 
-std::string describe(const problems::Study& study) {
-  const auto plural = [](std::size_t count, const char* of) {
-    return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
-  };
-  const auto designs = static_cast<std::size_t>(problems::design_count(study));
-  return fmt::format("a study of {}: {}, {}, {}", study.base, plural(designs, "design"),
-                     plural(study.variables.size(), "variable"),
-                     plural(study.metrics.size(), "metric"));
-}
-
-ordered_json to_json(const problems::Study& study) {
-  ordered_json variables = ordered_json::array();
-  for (const auto& variable : study.variables) variables.push_back(variable.key);
-  return {{"kind", "study"},        {"title", study.title},
-          {"base", study.base},     {"designs", problems::design_count(study)},
-          {"variables", variables}, {"metrics", study.metrics}};
-}
-
 struct Description {
-  std::string operator()(const problems::Study& study) const { return describe(study); }
+  std::string operator()(const problems::Study& study) const {
+    const auto plural = [](std::int64_t count, const char* of) {
+      return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
+    };
+    return fmt::format("a study of {}: {}, {}, {}", study.base,
+                       plural(problems::design_count(study), "design"),
+                       plural(std::ssize(study.variables), "variable"),
+                       plural(std::ssize(study.metrics), "metric"));
+  }
   std::string operator()(const problems::Task& task) const {
     return std::visit([](const auto& asked) { return describe(asked); }, task);
   }
 };
 
 struct AsJson {
-  ordered_json operator()(const problems::Study& study) const { return to_json(study); }
+  ordered_json operator()(const problems::Study& study) const {
+    ordered_json variables = ordered_json::array();
+    for (const auto& variable : study.variables) variables.push_back(variable.key);
+    return {{"kind", "study"},        {"title", study.title},
+            {"base", study.base},     {"designs", problems::design_count(study)},
+            {"variables", variables}, {"metrics", study.metrics}};
+  }
   ordered_json operator()(const problems::Task& task) const {
     return std::visit([](const auto& asked) { return to_json(asked); }, task);
   }
