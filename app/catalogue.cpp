@@ -88,7 +88,18 @@ constexpr Metric kMetrics[] = {
     {"crank_to_deg_at_0_001, _at_0_01", "deg", "crank angle at which it ends"},
     {"speed_variation_at_0_001, _at_0_01", "1",
      "(max - min)/mean of the speed along the line for a crank of constant speed"},
-    {"straight_length_over_longest_link", "1", "straight length at 0.1 % over the longest link"}};
+    {"straight_length_over_longest_link", "1",
+     "straight length (of exact designs at 0.1 %) over the longest link"},
+    {"straight_length, deviation", "length",
+     "of a searched stretch: between the feet of its ends on the best line; farthest from it"},
+    {"deviation_relative", "1", "that over the straight length"},
+    {"crank_from_deg, crank_to_deg", "deg", "crank angles between which the stretch lies"},
+    {"direction_deg", "deg", "of its best line as the crank's angle grows"},
+    {"speed_variation", "1", "(max - min)/mean of the speed along it at constant crank speed"},
+    {"size_over_length", "1",
+     "largest dimension of a link, the coupler's with its point, over the straight length"},
+    {"straight_length_over_box", "1",
+     "over the diagonal of the box along the line that holds both moving pivots meanwhile"}};
 
 constexpr Metric kFacts[] = {
     {"problems_solved", "1", "searches and refinements from neighbours, with solve.objectives"},

@@ -93,8 +93,15 @@ constexpr Entry kQuickReturn[] = {
     {"constraints.pressure_angle_deg_max", "slider-crank and shaper"}};
 
 constexpr Entry kStraightLine[] = {
-    {"target.method", "\"exact\": by the theory of contact"},
-    {"target.contact", "3, 4 or 5 coinciding points of path and line (default 5)"},
+    {"target.length",
+     "of the straight stretch: deviation is minimised; with neither a Pareto front is searched"},
+    {"target.deviation",
+     "greatest distance from the line: length is maximised; both: size minimised"},
+    {"target.deviation_relative", "or: that over the length"},
+    {"target.direction_deg", "of the line, either way along it"},
+    {"target.constant_velocity", "true: constraints.speed_variation_max = 0.1 unless given"},
+    {"target.method", "\"exact\": by the theory of contact; by default linkages are searched"},
+    {"target.contact", "exact: 3, 4 or 5 coinciding points of path and line (default 5)"},
     {"mechanism.type", "\"four-bar\" (default) or \"slider-crank\""},
     {"mechanism.crank", "its length; coupler, rocker, frame: likewise; contact 5 may find one"},
     {"mechanism.crank_deg", "the position; contact 5 may find it"},
@@ -106,15 +113,21 @@ constexpr Entry kStraightLine[] = {
     {"mechanism.frame_angle_deg", "direction from A to D"},
     {"mechanism.assembly", "\"open\" or \"crossed\"; both by default"},
     {"mechanism.pivot", "slider-crank: [x, y] of the crank's pivot"},
-    {"mechanism.offset", "slider-crank: of the slide line (default 0)"},
-    {"mechanism.direction_deg", "slider-crank: of the slide line (default 0)"}};
+    {"mechanism.offset", "slider-crank: of the slide line (exact: default 0)"},
+    {"mechanism.direction_deg", "slider-crank: of the slide line (default 0)"},
+    {"constraints.crank_range_deg", "search: [min, max] of the crank's turn over the stretch"},
+    {"constraints.size_over_length_max",
+     "search: largest dimension of a link, coupler point included, over the length (default 2)"},
+    {"constraints.speed_variation_max", "search: (max - min)/mean of the speed along the line"},
+    {"constraints.link_ratio_max", "search: 10 by default"}};
 
 constexpr KeyedEntry kSynthesis[] = {
     {"function-generation", "designs by Freudenstein's equation and by least squares", kFunction},
     {"motion-generation", "designs by Burmester's theory and by least squares", kMotion},
     {"path-generation", "designs by homotopy and by least squares", kPath},
     {"quick-return", "designs from the time ratio", kQuickReturn},
-    {"straight-line", "designs from the curvature of coupler curves", kStraightLine}};
+    {"straight-line", "designs by minimax search and from the curvature of coupler curves",
+     kStraightLine}};
 
 constexpr Entry kBounds[] = {
     {"length", "[min, max] of every link; crank, coupler, rocker, frame: of one"},

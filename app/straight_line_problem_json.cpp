@@ -29,9 +29,43 @@ ordered_json four_bar_table(const StraightLineProblem& problem) {
   return table;
 }
 
+ordered_json searched_mechanism(const StraightLineProblem& problem) {
+  const problems::Given& given = problem.given;
+  if (problem.type == problems::MechanismType::four_bar) return mechanism_table(given);
+  ordered_json table{{"type", "slider-crank"}};
+  set_json(table, "pivot", given.pivot_a);
+  set(table, "crank", given.crank);
+  set(table, "coupler", given.coupler);
+  set(table, "offset", problem.slider_offset);
+  set_deg(table, "direction_deg", given.frame_angle);
+  set_json(table, "coupler_point", given.coupler_point);
+  if (given.assembly) table["assembly"] = problems::to_string(*given.assembly);
+  return table;
+}
+
+ordered_json search_tables(const StraightLineProblem& problem) {
+  ordered_json tables = document("straight-line", problem.title);
+  auto& target = tables["target"];
+  target = ordered_json::object();
+  set(target, "length", problem.goal->length);
+  set(target, "deviation", problem.goal->deviation);
+  set(target, "deviation_relative", problem.goal->deviation_relative);
+  set_deg(target, "direction_deg", problem.goal->direction);
+  tables["mechanism"] = searched_mechanism(problem);
+  tables["bounds"] = bounds_table(problem.bounds);
+  auto& constraints = tables["constraints"];
+  constraints = constraints_table(problem.constraints);
+  set_deg(constraints, "crank_range_deg", problem.stretch.crank_range);
+  set(constraints, "size_over_length_max", problem.stretch.size_over_length_max);
+  set(constraints, "speed_variation_max", problem.stretch.speed_variation_max);
+  tables["solve"] = solve_table(problem.solve);
+  return tables;
+}
+
 }  // namespace
 
 ordered_json tables_of(const StraightLineProblem& problem) {
+  if (problem.goal) return search_tables(problem);
   ordered_json tables = document("straight-line", problem.title);
   tables["target"] = {{"method", "exact"}, {"contact", problem.contact}};
   auto& mechanism = tables["mechanism"];

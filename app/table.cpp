@@ -66,6 +66,9 @@ constexpr FactColumn kQuickReturnFacts[] = {
 constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
                                              {"straight_length_at_0_001", "straight to 0.1 %"},
                                              {"straight_length_at_0_01", "to 1 %"}};
+constexpr FactColumn kSearchedLineFacts[] = {{"straight_length", "straight"},
+                                             {"deviation_relative", "deviation/length"},
+                                             {"size_over_length", "size/length"}};
 
 /// What is told of the designs of each kind of problem.
 struct Choice {
@@ -82,7 +85,8 @@ struct Choice {
   ColumnChoice operator()(const problems::QuickReturnProblem&) const {
     return {.facts = kQuickReturnFacts};
   }
-  ColumnChoice operator()(const problems::StraightLineProblem&) const {
+  ColumnChoice operator()(const problems::StraightLineProblem& problem) const {
+    if (problem.goal) return {.coupler_point = true, .facts = kSearchedLineFacts};
     return {.coupler_point = true, .facts = kStraightLineFacts};
   }
 };

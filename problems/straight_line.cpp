@@ -7,6 +7,7 @@
 #include "problems/deadline.hpp"
 #include "problems/result.hpp"
 #include "problems/straight_line_design.hpp"
+#include "problems/straight_line_goal.hpp"
 #include "problems/straight_line_solutions.hpp"
 #include "problems/verify.hpp"
 
@@ -65,6 +66,7 @@ Status status_of(const Result& result, const Deadline& deadline, bool ended_earl
 }  // namespace
 
 Result solve(const StraightLineProblem& problem, const Run& run) {
+  if (problem.goal) return search_straight_lines(problem, run);
   const Deadline deadline(run);
   Result result;
   StraightLineSolutions found = find_solutions(problem);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
+#include "problems/analysis/named_mechanism.hpp"
 #include "problems/linkage_limits.hpp"
 
 namespace cognate::problems {
@@ -24,10 +25,35 @@ struct SliderGuide {
   double direction = 0;  ///< of the slide line
 };
 
-/// `kind = "straight-line"` with `method = "exact"`: coupler points whose path has contact of at
-/// least `contact` points with a straight line, by the local theory of a position.
+/// What `[target]` demands where it names no method: a search over all linkages. The measures are
+/// those of analysis/coupler_curve/straightness.hpp.
+struct StraightLineGoal {
+  std::optional<double> length;              ///< of the stretch
+  std::optional<double> deviation;           ///< greatest, half the strip's width
+  std::optional<double> deviation_relative;  ///< greatest, over the length
+  std::optional<double> direction;           ///< of the line, either way along it
+};
+
+/// `[constraints]` that a stretch has beside those of linkages.
+struct StretchConstraints {
+  std::optional<Range> crank_range;  ///< the crank's turn over the stretch
+  /// Largest dimension of a link (the coupler's with its point) over the length; empty: 2 where
+  /// deviation or length would gain by size without end.
+  std::optional<double> size_over_length_max;
+  std::optional<double> speed_variation_max;
+};
+
+/// `kind = "straight-line"`. With `method = "exact"`: coupler points whose path has contact of at
+/// least `contact` points with a straight line, by the local theory of a position. Else the
+/// linkages that `goal` asks for; then `type` and `given` say what is given (a slider-crank's
+/// offset in `slider_offset`, its slide line's direction in `given.frame_angle`).
 struct StraightLineProblem {
   std::string title;
+  std::optional<StraightLineGoal> goal;          ///< empty with method = "exact"
+  MechanismType type = MechanismType::four_bar;  ///< of the linkage that is searched
+  std::optional<double> slider_offset;
+  StretchConstraints stretch;
+  Bounds bounds;    ///< of a search
   int contact = 4;  ///< 3, 4 or 5
   CrankArrangement cranks = CrankArrangement::any;
   /// Lengths, pivots and assembly. Of `any` and `symmetric` cranks one length may be missing, which

@@ -23,35 +23,30 @@ double cubic_peak(double f0, double d0, double f1, double d1) {
   return f0 + t * (d0 + t * (b + t * a / 3));
 }
 
-/// How far a curve reaches in a direction.
-double reach(const CurveSamples& curve, const Vec2d& direction) {
-  const std::size_t count = curve.size();
-  const double step = 2 * kPi / static_cast<double>(count);
-  const auto value = [&](std::size_t i) {
+/// Samples of a curve, looked at from directions; between samples it is a cubic.
+struct Support {
+  const CurveSamples& curve;
+  double step = 2 * kPi / static_cast<double>(curve.size());
+
+  double value(std::size_t i, const Vec2d& direction) const {
     return direction.x * curve.x[i] + direction.y * curve.y[i];
-  };
-  const auto slope = [&](std::size_t i) {
-    return step * (direction.x * curve.dx[i] + direction.y * curve.dy[i]);
-  };
-  double best = value(0);
-  double before = value(count - 1), here = best;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = i + 1 < count ? i + 1 : 0;
-    const double after = value(next);
-    if (here >= before && here >= after) {
-      const double rate = slope(i);
-      best = std::max(best, here);
-      if (rate > 0 && slope(next) <= 0) {
-        best = std::max(best, cubic_peak(here, rate, after, slope(next)));
-      } else if (const std::size_t last = i > 0 ? i - 1 : count - 1; rate < 0 && slope(last) >= 0) {
-        best = std::max(best, cubic_peak(before, slope(last), here, rate));
-      }
-    }
-    before = here;
-    here = after;
   }
-  return best;
-}
+  double slope(std::size_t i, const Vec2d& direction) const {
+    return step * (direction.x * curve.dx[i] + direction.y * curve.dy[i]);
+  }
+
+  /// How far the curve reaches next to sample i, if that is farther than its neighbours.
+  double peak(std::size_t i, const Vec2d& direction) const {
+    const std::size_t next = i + 1 < curve.size() ? i + 1 : 0;
+    const std::size_t last = i > 0 ? i - 1 : curve.size() - 1;
+    const double here = value(i, direction), rate = slope(i, direction);
+    const std::size_t other = rate > 0 ? next : last;
+    const double beyond = value(other, direction), back = slope(other, direction);
+    if (here < beyond || rate * back >= 0) return here;
+    return rate > 0 ? std::max(here, cubic_peak(here, rate, beyond, back))
+                    : std::max(here, cubic_peak(beyond, back, here, rate));
+  }
+};
 
 /// Takes in the arc about `centre` that `radius` along the x axis turned by `from` … `to` goes
 /// through.
@@ -119,17 +114,23 @@ bool CurveSums::is_settled(std::size_t i) const {
   return std::abs(length[i] - half_length[i]) <= 1e-6 * length[i];
 }
 
-double WidthFinder::width_along(const CurveSamples& curve, const Vec2d& direction) {
-  return reach(curve, direction) + reach(curve, -direction);
+double WidthFinder::sampled_width(const CurveSamples& curve, const Vec2d& direction) {
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double value = direction.x * curve.x[i] + direction.y * curve.y[i];
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return high - low;
 }
 
 CurveWidths WidthFinder::operator()(const CurveSamples& curve) {
   for (std::size_t k = 0; k < kDirections; ++k) {
     const double angle = kStep * static_cast<double>(k);
-    widths_[k] = width_along(curve, {std::cos(angle), std::sin(angle)});
+    widths_[k] = sampled_width(curve, {std::cos(angle), std::sin(angle)});
   }
   const auto [least, greatest] = std::ranges::minmax(widths_);
-  CurveWidths found{least, greatest};
+  CurveWidths found{INFINITY, 0};
   // A width changes by no more than the diameter times the turn, and near its greatest by less.
   const double below = least + greatest * kStep, above = greatest * std::cos(kStep);
   for (std::size_t k = 0; k < kDirections; ++k) {
@@ -137,24 +138,60 @@ CurveWidths WidthFinder::operator()(const CurveSamples& curve) {
                  after = widths_[(k + 1) % kDirections];
     const double angle = kStep * static_cast<double>(k);
     if (here <= before && here <= after && here <= below) {
-      found.least = std::min(found.least, refined(curve, angle, -1));
+      found.least = std::min(found.least, refined(curve, angle, greatest, -1));
     }
     if (here >= before && here >= after && here >= above) {
-      found.greatest = std::max(found.greatest, refined(curve, angle, 1));
+      found.greatest = std::max(found.greatest, refined(curve, angle, greatest, 1));
     }
   }
   return found;
 }
 
-double WidthFinder::refined(const CurveSamples& curve, double angle, double sense) {
+/// The samples that the lines may touch, or touch next to, in directions up to a step away.
+void WidthFinder::find_candidates(const CurveSamples& curve, double angle, double diameter) {
+  const Support support{curve};
+  const Vec2d direction{std::cos(angle), std::sin(angle)};
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double value = support.value(i, direction);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const double slack = 2 * kStep * diameter;
+  low_.clear();
+  high_.clear();
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double value = support.value(i, direction);
+    if (value <= low + slack) low_.push_back(i);
+    if (value >= high - slack) high_.push_back(i);
+  }
+}
+
+double WidthFinder::candidates_width(const CurveSamples& curve, const Vec2d& direction) const {
+  const Support support{curve};
+  const auto farthest = [&](const std::vector<std::size_t>& candidates, const Vec2d& towards) {
+    double most = -INFINITY;
+    for (const std::size_t i : candidates) {
+      // Over a step the curve does not rise above what its slope at the peak's side leads to.
+      const double bound = support.value(i, towards) + std::abs(support.slope(i, towards));
+      if (bound > most) most = std::max(most, support.peak(i, towards));
+    }
+    return most;
+  };
+  return farthest(high_, direction) + farthest(low_, -direction);
+}
+
+double WidthFinder::refined(const CurveSamples& curve, double angle, double diameter,
+                            double sense) {
   constexpr double kGolden = 0.6180339887498949;
+  find_candidates(curve, angle, diameter);
   const auto score = [&](double at) {
-    return sense * width_along(curve, {std::cos(at), std::sin(at)});
+    return sense * candidates_width(curve, {std::cos(at), std::sin(at)});
   };
   double low = angle - kStep, high = angle + kStep;
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
   double at_a = score(a), at_b = score(b), best = std::max(at_a, at_b);
-  constexpr int kSteps = 40;
+  constexpr int kSteps = 30;
   for (int step = 0; step < kSteps; ++step) {
     if (at_b < at_a) {
       high = b;

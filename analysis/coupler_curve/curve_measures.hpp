@@ -36,21 +36,24 @@ struct CurveWidths {
   double greatest = 0;
 };
 
-/// Finds widths. Between samples the curve is taken for the
+/// Finds widths; keeps its room from curve to curve. Between samples the curve is taken for the
 /// cubics through its points and derivatives.
 class WidthFinder {
  public:
   CurveWidths operator()(const CurveSamples& curve);
 
  private:
-  static constexpr std::size_t kDirections = 180;
+  static constexpr std::size_t kDirections = 90;
   static constexpr double kStep = std::numbers::pi / kDirections;
 
-  static double width_along(const CurveSamples& curve, const Vec2d& direction);
+  static double sampled_width(const CurveSamples& curve, const Vec2d& direction);
   /// The greatest (`sense` = 1) or least (−1) width next to the direction at `angle`.
-  static double refined(const CurveSamples& curve, double angle, double sense);
+  double refined(const CurveSamples& curve, double angle, double diameter, double sense);
+  void find_candidates(const CurveSamples& curve, double angle, double diameter);
+  double candidates_width(const CurveSamples& curve, const Vec2d& direction) const;
 
   std::array<double, kDirections> widths_{};  ///< of the directions that are looked at
+  std::vector<std::size_t> low_, high_;       ///< samples next to which the lines touch
 };
 
 /// The box, along the axes of the plane, that holds the moving pivots B and C over a circuit: its

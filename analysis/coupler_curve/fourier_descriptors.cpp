@@ -13,12 +13,10 @@ Vec2d unit_at(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// The part of an integral over one step between samples, over the step: by the polynomial through
-/// six samples about it (weights of its antiderivative, of order h⁷).
-double step_integral(const std::vector<double>& f, std::size_t i) {
-  const std::size_t n = f.size();
-  const auto at = [&](std::size_t k) { return f[(i + k + n - 2) % n]; };
-  return (11 * (at(0) + at(5)) - 93 * (at(1) + at(4)) + 802 * (at(2) + at(3))) / 1440;
+/// The integral from the third of six samples to the fourth, over the step: by the polynomial
+/// through six samples about it (weights of its antiderivative, of order h⁷).
+double step_integral(const double* f) {
+  return (11 * (f[0] + f[5]) - 93 * (f[1] + f[4]) + 802 * (f[2] + f[3])) / 1440;
 }
 
 /// The other way round: c₋ₖ in place of cₖ.
@@ -52,12 +50,16 @@ void normalise(FourierDescriptors& found) {
 
 FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
   const std::size_t count = curve.size();
-  speed_.resize(count);
+  // Two samples before the first and three beyond the last are those of the turn before and after.
+  speed_.resize(count + 5);
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    speed_[i] = std::sqrt(curve.dx[i] * curve.dx[i] + curve.dy[i] * curve.dy[i]);
-    sum += speed_[i];
+    const double speed = std::sqrt(curve.dx[i] * curve.dx[i] + curve.dy[i] * curve.dy[i]);
+    speed_[i + 2] = speed;
+    sum += speed;
   }
+  for (const std::size_t i : {0, 1}) speed_[i] = speed_[i + count];
+  for (const std::size_t i : {2, 3, 4}) speed_[i + count] = speed_[i];
   // With φ = 2πs/L, integration by parts: 2πi k cₖ = ∮ P′ e^{−ikφ}, and L = 2π sum/count.
   FourierDescriptors found;
   double along = 0;
@@ -71,7 +73,7 @@ FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
       forward = forward + rate * power;
       backward = backward + rate * conj(power);
     }
-    along += step_integral(speed_, i);
+    along += step_integral(speed_.data() + i);
   }
   for (int k = 1; k <= kHarmonics; ++k) {
     Vec2d& forward = found.coefficients[static_cast<std::size_t>(kHarmonics + k)];

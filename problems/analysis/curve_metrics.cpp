@@ -10,8 +10,6 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kStraight[] = {0.001, 0.01};
-
 constexpr std::array<int, 8> kMagnitudes{-4, -3, -2, -1, 1, 2, 3, 4};
 constexpr std::array<int, 6> kPhases{-4, -3, -2, 2, 3, 4};
 
@@ -52,8 +50,8 @@ const std::vector<CurveMetric>& curve_metrics() {
       {"fourier_phase_deg.p3", descriptors, 12},
       {"fourier_phase_deg.p4", descriptors, 13},
       {"straight_length_at_0_001", stretches, 0},
-      {"straight_length_at_0_01", stretches, 1},
-      {"straight_length_over_longest_link", stretches, 2},
+      {"straight_length_over_longest_link", stretches, 1},
+      {"straight_length_at_0_01", loose_stretches, 0},
       {"cusps", features, 0},
       {"double_points", features, 1},
       {"inflections", features, 2},
@@ -109,7 +107,12 @@ void CurveValues::compute(CurveGroup group) {
     case CurveGroup::descriptors:
       return find_descriptors();
     case CurveGroup::stretches:
-      return find_stretches();
+      values(group)[0] = longest_stretch(0.001);
+      values(group)[1] = *values(group)[0] / longest(lengths(linkage_));
+      return;
+    case CurveGroup::loose_stretches:
+      values(group)[0] = longest_stretch(0.01);
+      return;
     case CurveGroup::features:
       return find_features();
   }
@@ -155,17 +158,13 @@ void CurveValues::find_descriptors() {
   }
 }
 
-void CurveValues::find_stretches() {
+double CurveValues::longest_stretch(double relative) {
   sample_circuit(linkage_, circuit_, table(kStretchSteps), stretch_room_);
   points_.resize(kStretchSteps);
   for (std::size_t i = 0; i < kStretchSteps; ++i) {
     points_[i] = {stretch_room_.x[i], stretch_room_.y[i]};
   }
-  auto& all = values(CurveGroup::stretches);
-  for (std::size_t i = 0; i < std::size(kStraight); ++i) {
-    all[i] = stretches_.longest(points_, true, kStraight[i]).length;
-  }
-  all[2] = *all[0] / longest(lengths(linkage_));
+  return stretches_.longest(points_, true, relative).length;
 }
 
 void CurveValues::find_features() {

@@ -15,7 +15,16 @@
 namespace cognate::problems {
 
 /// What is computed together, the cheapest first.
-enum class CurveGroup { links, size, sums, widths, descriptors, stretches, features };
+enum class CurveGroup {
+  links,
+  size,
+  sums,
+  widths,
+  descriptors,
+  stretches,
+  loose_stretches,
+  features
+};
 
 /// A number that `output.curve` gives; `key` as in `cognate list --metrics`.
 struct CurveMetric {
@@ -47,7 +56,7 @@ class CurveValues {
 
  private:
   static constexpr std::size_t kStretchSteps = 256;
-  static constexpr std::size_t kGroups = 7;
+  static constexpr std::size_t kGroups = 8;
 
   void compute(CurveGroup group);
   std::array<std::optional<double>, 14>& values(CurveGroup group) {
@@ -58,7 +67,7 @@ class CurveValues {
   void find_sums();
   void find_widths();
   void find_descriptors();
-  void find_stretches();
+  double longest_stretch(double relative);
   void find_features();
 
   FourBar linkage_;

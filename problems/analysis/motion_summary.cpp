@@ -160,7 +160,7 @@ class Summary {
       add_landmark("limit position", name, limit.drive);
     if (travel_.slides) {
       add("output_stroke", range->stroke());
-    } else if (range->stroke() < 2 * kPi) {
+    } else if (range->stroke() < 2 * kPi * (1 - 1e-12)) {
       add("output_swing_deg", kDegrees * range->stroke());
     }
     const auto ratio =

@@ -8,25 +8,27 @@
 #include "problems/reading/constraint_tables.hpp"
 #include "problems/reading/linkage_tables.hpp"
 #include "problems/reading/quantity_rules.hpp"
+#include "problems/reading/straight_line_search.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kCrankAngle = "crank_deg";
+constexpr std::string_view kGoalKeys[] = {"length", "deviation", "deviation_relative",
+                                          "direction_deg", "constant_velocity"};
 
-void read_method(TableReader& target) {
+/// Whether the file asks for the theory of contact.
+bool read_method(TableReader& target) {
   constexpr std::string_view kMethods[] = {"exact"};
-  if (!target.has("method")) {
-    target.fault("method", "is missing; method = \"exact\" is the one available in this version");
-  }
   target.choice_of("method", kMethods);
-  for (const std::string_view key :
-       {"length", "deviation", "deviation_relative", "direction_deg", "constant_velocity"}) {
+  if (!target.has("method")) return false;
+  for (const std::string_view key : kGoalKeys) {
     if (!target.has(key)) continue;
     target.fault(key,
-                 "is not available in this version, which optimises no straight lines; method = "
-                 "\"exact\" with contact = 3, 4 or 5 is");
+                 "is given with method = \"exact\", which knows curvature alone; leave it out, or "
+                 "leave out method for a search");
   }
+  return true;
 }
 
 /// A key that belongs to other arrangements.
@@ -156,11 +158,11 @@ void read_slider_crank(TableReader& mechanism, StraightLineProblem& problem) {
 StraightLineProblem read_straight_line_problem(TableReader& document) {
   StraightLineProblem problem;
   TableReader target = document.table("target");
+  if (!read_method(target)) return read_straight_line_search(document);
   TableReader mechanism = document.table("mechanism");
   TableReader constraints = document.table("constraints");
   TableReader solve = document.table("solve");
 
-  read_method(target);
   problem.contact = target.integer("contact", 3, 5).value_or(problem.contact);
   constexpr std::string_view kTypes[] = {"four-bar", "slider-crank"};
   const bool slides = mechanism.choice_of("type", kTypes).value_or(0) == 1;

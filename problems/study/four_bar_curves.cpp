@@ -3,20 +3,17 @@
 #include <algorithm>
 
 namespace cognate::problems {
-namespace {
 
-constexpr std::size_t kSamples = kCurveSteps[0];
-
-}  // namespace
-
-FourBarCurves::FourBarCurves() : cranks_(CrankTable<double>::full_turn(kSamples)) {
-  samples_.resize(kSamples * kMost);
-  one_.resize(kSamples);
+FourBarCurves::FourBarCurves(std::size_t steps, std::size_t most)
+    : most_(most), cranks_(CrankTable<double>::full_turn(steps)) {
+  for (auto& column : designs_) column.resize(most);
+  samples_.resize(steps * most);
+  one_.resize(steps);
 }
 
 void FourBarCurves::sample(std::span<const FourBar> linkages) {
   // The last is repeated, so that every lane holds a linkage.
-  for (std::size_t i = 0; i < kMost; ++i) {
+  for (std::size_t i = 0; i < most_; ++i) {
     const FourBar& linkage = linkages[std::min(i, linkages.size() - 1)];
     const std::array<double, 10> numbers{
         linkage.pivot_a.x,       linkage.pivot_a.y,      linkage.pivot_d.x,
@@ -32,12 +29,12 @@ void FourBarCurves::sample(std::span<const FourBar> linkages) {
       FourBarColumns<double>{
           .x = samples_.x, .y = samples_.y, .velocity_x = samples_.dx, .velocity_y = samples_.dy});
   static_cast<void>(status);  // sizes agree, and the widest instruction set is there
-  sums_.add_up(samples_.samples(), kMost);
+  sums_.add_up(samples_.samples(), most_);
 }
 
 CurveSamples FourBarCurves::curve(std::size_t i) {
-  for (std::size_t j = 0; j < kSamples; ++j) {
-    const std::size_t at = j * kMost + i;
+  for (std::size_t j = 0; j < one_.x.size(); ++j) {
+    const std::size_t at = j * most_ + i;
     one_.x[j] = samples_.x[at];
     one_.y[j] = samples_.y[at];
     one_.dx[j] = samples_.dx[at];

@@ -14,11 +14,13 @@ namespace cognate::problems {
 /// Samples curves over a whole turn of the crank, as many as lie in the fast memory of a core.
 class FourBarCurves {
  public:
-  static constexpr std::size_t kMost = 64;
+  /// Curves of `steps` samples each, `most` at once: a multiple of 8, which every set of
+  /// instructions has lanes for.
+  FourBarCurves(std::size_t steps, std::size_t most);
 
-  FourBarCurves();
+  std::size_t most() const { return most_; }
 
-  /// Curves of no more than `kMost` linkages with coupler points.
+  /// Curves of no more than `most` linkages with coupler points.
   void sample(std::span<const FourBar> linkages);
 
   /// Of linkage i: whether its samples settle the length; and the sums over them.
@@ -30,9 +32,10 @@ class FourBarCurves {
   CurveSamples curve(std::size_t i);
 
  private:
+  std::size_t most_;
   CrankTable<double> cranks_;
-  std::array<std::array<double, kMost>, 10> designs_{};
-  CurveRoom samples_;  ///< sample j of linkage i at j·kMost + i
+  std::array<std::vector<double>, 10> designs_;
+  CurveRoom samples_;  ///< sample j of linkage i at j·most + i
   CurveRoom one_;
   CurveSums sums_;
 };

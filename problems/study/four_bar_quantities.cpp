@@ -49,6 +49,8 @@ Stage stage_of(CurveGroup group) {
       return Stage::descriptors;
     case CurveGroup::stretches:
       return Stage::stretches;
+    case CurveGroup::loose_stretches:
+      return Stage::loose_stretches;
     case CurveGroup::features:
       return Stage::features;
   }
@@ -79,6 +81,11 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
 bool ClosedForms::is_special(const Lengths<double>& links) {
   // A little wider than `is_change_point`, where ranges of the crank nearly meet.
   return std::abs(grashof_excess(links)) <= 1e-9;
+}
+
+bool ClosedForms::is_of_lengths(FourBarFact fact) {
+  return fact == FourBarFact::varied || fact == FourBarFact::mobility_class ||
+         fact == FourBarFact::change_point || fact == FourBarFact::crank_turns_fully;
 }
 
 void ClosedForms::begin(const Lengths<double>& links) {

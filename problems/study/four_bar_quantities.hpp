@@ -22,6 +22,7 @@ enum class FourBarStage {
   widths,
   descriptors,
   stretches,
+  loose_stretches,
   features
 };
 
@@ -62,6 +63,9 @@ class ClosedForms {
   /// Whether a design of these links is left to `analyse`: at change points facts hang on the
   /// course of the motion.
   static bool is_special(const Lengths<double>& links);
+
+  /// What follows from the lengths at change points, too.
+  static bool is_of_lengths(FourBarFact fact);
 
   void begin(const Lengths<double>& links);
 

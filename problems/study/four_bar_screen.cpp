@@ -25,14 +25,6 @@ bool allows(const StudyFilter& filter, std::string_view word) {
 
 }  // namespace
 
-bool FourBarFilter::passes(const Cell& value) const {
-  if (const auto* const text = std::get_if<std::string>(&value)) {
-    return !limits->words.empty() && allows(*limits, *text);
-  }
-  const auto* const number = std::get_if<double>(&value);
-  return number && limits->words.empty() && *number >= limits->min && *number <= limits->max;
-}
-
 bool is_common(const FourBar& linkage) {
   const auto is_length = [](double x) { return x >= kLeast && x <= kGreatest; };
   const auto is_place = [](double x) {

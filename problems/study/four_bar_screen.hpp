@@ -14,8 +14,6 @@ namespace cognate::problems {
 struct FourBarFilter {
   FourBarQuantity quantity;
   const StudyFilter* limits = nullptr;
-
-  bool passes(const Cell& value) const;
 };
 
 /// Whether the numbers of a design are of common size, so that a file with them is read and squares

@@ -1,6 +1,7 @@
 #include "problems/study/four_bar_study.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -16,6 +17,7 @@
 #include "problems/study/four_bar_quantities.hpp"
 #include "problems/study/four_bar_screen.hpp"
 #include "problems/study/study_base.hpp"
+#include "problems/study/study_filter.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -153,8 +155,9 @@ class FourBarBlocks {
     const std::size_t candidate = candidates_.size();
     candidates_.push_back({i});
     cells_.resize(cells_.size() + plan_.columns.size());
-    if (!is_common(linkage) || ClosedForms::is_special(links)) return analyse_design(candidate);
+    if (!is_common(linkage)) return analyse_design(candidate);
     closed_.begin(links);
+    if (ClosedForms::is_special(links)) return consider_special(candidate);
     if (plan_.wants_swing && closed_.assembles() && !closed_.turns()) {
       return analyse_design(candidate);  // how far the output swings hangs on the crank's course
     }
@@ -166,6 +169,21 @@ class FourBarBlocks {
     if (!evaluate_stages(candidate, FourBarStage::links, FourBarStage::closed_forms, cell)) return;
     const bool has_curve = plan_.wants(FourBarStage::size, FourBarStage::features);
     if (has_curve) (closed_.turns() ? turning_ : others_).push_back(candidate);
+  }
+
+  /// Near a change point the class still hangs on the lengths alone, and may decide.
+  void consider_special(std::size_t candidate) {
+    const std::size_t i = candidates_[candidate].design;
+    const auto fails = [&](const FourBarFilter& filter) {
+      const FourBarQuantity& quantity = filter.quantity;
+      return ClosedForms::is_of_lengths(quantity.fact) &&
+             !problems::passes(*filter.limits, closed_cell(quantity, i));
+    };
+    if (study_->keep_all || std::ranges::none_of(plan_.filters, fails)) {
+      return analyse_design(candidate);
+    }
+    candidates_[candidate].status = RunStatus::filtered;
+    candidates_[candidate].dropped = true;
   }
 
   Cell closed_cell(const FourBarQuantity& quantity, std::size_t i) {
@@ -190,7 +208,8 @@ class FourBarBlocks {
   bool passes(std::size_t candidate, FourBarStage from, FourBarStage to, Value value) {
     for (const FourBarFilter& filter : plan_.filters) {
       const FourBarStage stage = filter.quantity.stage;
-      if (stage < from || stage > to || filter.passes(value(filter.quantity))) continue;
+      if (stage < from || stage > to || problems::passes(*filter.limits, value(filter.quantity)))
+        continue;
       candidates_[candidate].status = RunStatus::filtered;
       if (study_->keep_all) {
         fill(candidate, from, stage, value);
@@ -255,10 +274,14 @@ class FourBarBlocks {
 
   /// False if interrupted.
   bool evaluate_curves() {
-    for (std::size_t begin = 0; begin < turning_.size(); begin += FourBarCurves::kMost) {
-      if (is_interrupted()) return false;
-      const std::size_t end = std::min(begin + FourBarCurves::kMost, turning_.size());
-      evaluate_turning(std::span(turning_).subspan(begin, end - begin));
+    for (FourBarCurves& curves : curves_) {
+      rough_.clear();
+      for (std::size_t begin = 0; begin < turning_.size(); begin += curves.most()) {
+        if (is_interrupted()) return false;
+        const std::size_t end = std::min(begin + curves.most(), turning_.size());
+        evaluate_turning(curves, std::span(turning_).subspan(begin, end - begin));
+      }
+      std::swap(turning_, rough_);
     }
     for (const std::size_t candidate : others_) {
       if (is_interrupted()) return false;
@@ -269,18 +292,23 @@ class FourBarBlocks {
     return true;
   }
 
-  void evaluate_turning(std::span<const std::size_t> piece) {
+  /// Those whose samples do not settle their length are left for more samples, the last apart.
+  void evaluate_turning(FourBarCurves& curves, std::span<const std::size_t> piece) {
     linkages_.clear();
     for (const std::size_t candidate : piece) linkages_.push_back(linkage_of(candidate));
     const bool samples = plan_.wants(FourBarStage::sums, FourBarStage::descriptors);
     const bool gathered = plan_.wants(FourBarStage::widths, FourBarStage::descriptors);
-    if (samples) curves_.sample(linkages_);
+    if (samples) curves.sample(linkages_);
     for (std::size_t k = 0; k < piece.size(); ++k) {
+      const bool settled = samples && curves.is_settled(k);
+      if (samples && !settled && &curves != &curves_.back()) {
+        rough_.push_back(piece[k]);
+        continue;
+      }
       curve_.begin(linkages_[k], {linkages_[k].assembly, 1});
-      const bool settled = samples && curves_.is_settled(k);
-      if (settled) curve_.know_sums(curves_.length(k), curves_.area(k));
+      if (settled) curve_.know_sums(curves.length(k), curves.area(k));
       if (!evaluate_curve(piece[k], FourBarStage::size, FourBarStage::sums)) continue;
-      if (settled && gathered) curve_.use(curves_.curve(k));
+      if (settled && gathered) curve_.use(curves.curve(k));
       evaluate_curve(piece[k], FourBarStage::widths, FourBarStage::features);
     }
   }
@@ -328,9 +356,13 @@ class FourBarBlocks {
   std::vector<Candidate> candidates_;
   std::vector<Cell> cells_;
   std::vector<std::size_t> turning_, others_;  ///< candidates whose curves are wanted
+  std::vector<std::size_t> rough_;             ///< of these the ones that want more samples
   std::vector<FourBar> linkages_;
   ClosedForms closed_;
-  FourBarCurves curves_;
+  /// As large as a core's nearest memory has room for, and then as few as there are lanes.
+  std::array<FourBarCurves, 3> curves_{FourBarCurves(kCurveSteps[0], 64),
+                                       FourBarCurves(kCurveSteps[1], 16),
+                                       FourBarCurves(kCurveSteps[2], 8)};
   CurveValues curve_;
 };
 

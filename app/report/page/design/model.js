@@ -27,9 +27,11 @@ function takeTargets(design, drawn, target) {
 const largestDistance = (targets, reached) =>
   Math.max(0, ...targets.map((t, i) => (reached[i] ? Math.hypot(reached[i][0] - t[0], reached[i][1] - t[1]) : 0)));
 
-// The part of the path that is straight to 0.1 % of its length; empty where there is none.
+// The part of the path that is straight: as it was sought, or to 0.1 % of its length; empty where
+// there is none.
 function stretchOf({ metrics }, pointAt) {
-  const [from, to] = [metrics.crank_from_deg_at_0_001, metrics.crank_to_deg_at_0_001];
+  const from = metrics.crank_from_deg ?? metrics.crank_from_deg_at_0_001;
+  const to = metrics.crank_to_deg ?? metrics.crank_to_deg_at_0_001;
   if (from === undefined || to === undefined) return [];
   const steps = 120;
   return Array.from({ length: steps + 1 }, (_, i) => pointAt(from + ((to - from) * i) / steps));

@@ -59,7 +59,7 @@ function distanceSheet(design) {
 function deviationSheet({ stretch, entry: { metrics } }) {
   const points = stretch.filter(Boolean);
   if (points.length < 2) return null;
-  const [x, y] = unitVector(metrics.direction_deg_at_0_001 ?? 0);
+  const [x, y] = unitVector(metrics.direction_deg ?? metrics.direction_deg_at_0_001 ?? 0);
   const start = points[0];
   const along = points.map((p) => (p[0] - start[0]) * x + (p[1] - start[1]) * y);
   const across = points.map((p) => (p[1] - start[1]) * x - (p[0] - start[0]) * y);

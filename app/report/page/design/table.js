@@ -11,6 +11,13 @@ const ERRORS = {
 };
 
 const straightLength = ({ metrics }) => number(metrics.straight_length_at_0_001, 5);
+// Searched designs have one stretch, with its own deviation.
+const SEARCHED = [
+  { name: "Straight", title: "Length of the straight stretch", text: ({ metrics }) => number(metrics.straight_length, 5), kind: "number" },
+  { name: "Deviation", title: "Greatest distance from the best line, over the length", text: ({ metrics }) => number(metrics.deviation_relative, 3), kind: "number" },
+  { name: "Size", title: "Largest dimension of a link, coupler point included, over the length", text: ({ metrics }) => number(metrics.size_over_length, 3), kind: "number wide" },
+];
+const isSearched = ({ metrics }) => metrics.straight_length !== undefined;
 const STRAIGHT = { name: "Straight", title: "Length of the stretch that is straight to 0.1 % of it", text: straightLength };
 
 const isFourBar = (d) => d.mechanism.type === "four-bar";
@@ -20,8 +27,9 @@ const classText = (d) => (isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.
 
 function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];
+  const searched = kind === "straight-line" && entries.some(isSearched);
   return [
-    ...(first ? [{ ...first, kind: "number" }] : []),
+    ...(searched ? SEARCHED : first ? [{ ...first, kind: "number" }] : []),
     { name: entries.every(isFourBar) ? "Class" : "Type", text: classText },
     { name: "Transm. angle", text: (d) => transmissionText(d), kind: "number" },
     { name: "K", title: "Time ratio", text: (d) => number(d.metrics.time_ratio, 4), kind: "number wide" },

@@ -1,0 +1,192 @@
+/// The search for straight lines against the classical linkages and the best figures known, each on
+/// its own measure, all measured anew from the finished linkage.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "problems/read.hpp"
+#include "problems/result.hpp"
+#include "problems/verify.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Result solve_text(const std::string& text, int threads = 0) {
+  const auto problem = parse_problem("kind = \"straight-line\"\n" + text);
+  EXPECT_TRUE(problem.has_value()) << (problem ? "" : problem.error()[0].message);
+  Run run;
+  run.threads = threads;
+  return problem ? solve(std::get<StraightLineProblem>(*problem), run) : Result{};
+}
+
+double fact(const Design& design, const std::string& name) {
+  for (const Fact& f : design.metrics.facts) {
+    if (f.name == name) return std::get<double>(f.value);
+  }
+  ADD_FAILURE() << "no fact " << name;
+  return NAN;
+}
+
+/// Half the width of the narrowest strip over the distance between the feet of the ends, from the
+/// triangles of the textbook and 20000 samples: no code of the library enters.
+double plain_straightness(const FourBar& linkage, double from, double to) {
+  const Vec2d frame = linkage.pivot_d - linkage.pivot_a;
+  const double side = linkage.assembly == Assembly::open ? 1 : -1;
+  std::vector<Vec2d> points;
+  constexpr int kSamples = 20000;
+  for (int k = 0; k <= kSamples; ++k) {
+    const double angle = from + (to - from) * k / kSamples;
+    const Vec2d b{linkage.crank * std::cos(angle), linkage.crank * std::sin(angle)};
+    const Vec2d diagonal = frame - b;
+    const double d = std::hypot(diagonal.x, diagonal.y);
+    const double l2 = linkage.coupler, l3 = linkage.rocker;
+    const double cosine = (d * d + l2 * l2 - l3 * l3) / (2 * d * l2);
+    const double angle_of_coupler =
+        std::atan2(diagonal.y, diagonal.x) + side * std::acos(std::clamp(cosine, -1.0, 1.0));
+    const double c = std::cos(angle_of_coupler), s = std::sin(angle_of_coupler);
+    const auto [u, v] = *linkage.coupler_point;
+    points.push_back({b.x + u * c - v * s, b.y + u * s + v * c});
+  }
+  const Vec2d chord = points.back() - points.front();
+  double best = 1e300;
+  const double along = std::atan2(chord.y, chord.x);
+  // The best line turns from the chord by no more than a few times δ/L.
+  for (int k = -4000; k <= 4000; ++k) {
+    const double turn = along + 1e-2 * std::pow(k / 4000.0, 3);
+    const double c = std::cos(turn), s = std::sin(turn);
+    double low = 1e300, high = -1e300;
+    for (std::size_t i = 0; i < points.size(); i += 20) {
+      const double height = c * points[i].y - s * points[i].x;
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    best = std::min(best, 0.5 * (high - low) / std::abs(c * chord.x + s * chord.y));
+  }
+  return best;
+}
+
+void expect_sound(const Result& result) {
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_FALSE(result.designs.empty());
+  for (const Design& design : result.designs) {
+    EXPECT_TRUE(all_satisfied(design.constraints));
+    EXPECT_TRUE(design.metrics.defects.empty());
+    const double from = fact(design, "crank_from_deg") * kPi / 180;
+    const double to = fact(design, "crank_to_deg") * kPi / 180;
+    const double told = fact(design, "deviation_relative");
+    EXPECT_NEAR(plain_straightness(four_bar(design), from, to), told, 1e-3 * told + 1e-8);
+  }
+}
+
+/// 2 δ/L in per cent, as the tables give it.
+double best_width(const Result& result) {
+  return 200 * fact(result.designs.at(0), "deviation_relative");
+}
+
+std::string hoeken(int range) {
+  return "[target]\nlength = 1\n[constraints]\nclass = \"crank-rocker\"\nlink_ratio_max = 10\n"
+         "size_over_length_max = 5\ncrank_range_deg = [" +
+         std::to_string(range) + ", " + std::to_string(range) + "]\n";
+}
+
+struct HoekenRow {
+  int range;
+  double published;  ///< Norton, Design of Machinery: (max − min)/stroke in per cent
+  double best_known;
+};
+
+/// Norton's table for Hoeken's linkage, and the best of symmetric four-bars found by Nelder and
+/// Mead's method from 40 starts each, all links within ten cranks.
+class HoekenRange : public testing::TestWithParam<HoekenRow> {};
+
+TEST_P(HoekenRange, IsReachedAtLeast) {
+  const auto [range, published, best_known] = GetParam();
+  const Result result = solve_text(hoeken(range));
+  expect_sound(result);
+  EXPECT_LT(best_width(result), published);
+  EXPECT_LE(best_width(result), best_known);
+  EXPECT_NEAR(fact(result.designs[0], "crank_to_deg") - fact(result.designs[0], "crank_from_deg"),
+              range, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(StraightLineSearch, HoekenRange,
+                         testing::Values(HoekenRow{120, 0.01, 0.0053507758},
+                                         HoekenRow{180, 0.096, 0.027562524}));
+
+/// Frame 4, cranks 5, coupler 2, its middle between x = ±2: 0.24384 % of the stroke from side to
+/// side.
+TEST(StraightLineSearch, BeatsChebyshevs) {
+  const Result result = solve_text(
+      "[target]\nlength = 4\n[mechanism]\nframe = 4\n[bounds]\nlength = [0, 5]\n"
+      "[constraints]\nclass = \"double-rocker\"\nsize_over_length_max = 1.25\n");
+  expect_sound(result);
+  EXPECT_LT(best_width(result), 0.24384332715847723);
+  EXPECT_NEAR(lengths(four_bar(result.designs[0])).frame, 4, 1e-12);
+}
+
+/// Frame 2, coupler 1, arms 1.2: 0.013642 over the stroke of 2.
+TEST(StraightLineSearch, BeatsRoberts) {
+  const Result result = solve_text(
+      "[target]\nlength = 2\n[mechanism]\nframe = 2\n[bounds]\nlength = [0, 2.4]\n"
+      "[constraints]\nsize_over_length_max = 1.2\n");
+  expect_sound(result);
+  EXPECT_LT(best_width(result), 100 * 0.013642022867877412 / 2);
+}
+
+/// Watt's cranks of 2 and coupler of 1 at the length over which his linkage is straight to 0.1 %.
+TEST(StraightLineSearch, BeatsWatts) {
+  const Result result = solve_text(
+      "[target]\nlength = 1.2872834\n[mechanism]\ncrank = 2\ncoupler = 1\nrocker = 2\n"
+      "[constraints]\nsize_over_length_max = 3.2029\n");
+  expect_sound(result);
+  EXPECT_LT(best_width(result), 0.2);
+}
+
+/// Evans' linkage 2, 3, 6 with pivots (5, 6) apart, straight to 0.1 % over 6.06406.
+TEST(StraightLineSearch, BeatsEvans) {
+  const Result result = solve_text(
+      "[target]\nlength = 6.0640603\n[bounds]\nlength = [0, 7.81025]\n[constraints]\n"
+      "class = \"triple-rocker\"\nsize_over_length_max = 1.28796\n");
+  expect_sound(result);
+  EXPECT_LT(best_width(result), 0.2);
+}
+
+/// Scott Russell's slider-crank is exact: crank, coupler and B–P equal, the slide line through A.
+TEST(StraightLineSearch, FindsTheExactSliderCrank) {
+  const Result result = solve_text(
+      "[target]\nlength = 1\n[mechanism]\ntype = \"slider-crank\"\n[solve]\nstarts = 40\n");
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_LT(fact(result.designs[0], "deviation_relative"), 1e-9);
+  const auto& slider = std::get<SliderCrank>(result.designs[0].mechanism.description);
+  EXPECT_NEAR(slider.crank, slider.coupler, 1e-6);
+  EXPECT_NEAR(slider.offset, 0, 1e-6);
+}
+
+/// The three goals are one front: the smallest linkage for the deviation that a size allows has
+/// that size.
+TEST(StraightLineSearch, GoalsAgree) {
+  const std::string common = "[constraints]\nclass = \"crank-rocker\"\n";
+  const Result straightest = solve_text("[target]\nlength = 1\n" + common +
+                                        "size_over_length_max = 1.3\n[solve]\ndesigns = 1\n");
+  expect_sound(straightest);
+  const double deviation = fact(straightest.designs[0], "deviation_relative");
+  const Result smallest = solve_text("[target]\ndeviation_relative = " + std::to_string(deviation) +
+                                     "\n" + common + "[solve]\ndesigns = 1\n");
+  expect_sound(smallest);
+  EXPECT_LT(fact(smallest.designs[0], "size_over_length"), 1.3 * 1.002);
+  const Result longest =
+      solve_text("[target]\ndeviation_relative = " + std::to_string(deviation) +
+                 "\n[bounds]\nlength = [0, 13]\ncoupler_point = [[-13, -13], [13, 13]]\n" + common +
+                 "size_over_length_max = 1.3\n[solve]\ndesigns = 1\n");
+  expect_sound(longest);
+  EXPECT_GT(fact(longest.designs[0], "straight_length"), 10 * 0.998);
+}
+
+}  // namespace
+}  // namespace cognate::problems
