@@ -17,6 +17,7 @@ struct FoundStretch {
   LineStretch stretch;
   double objective = 0;  ///< δ/L, 1/L or size over length, less is better
   double violation = 0;  ///< of the limits, relative
+  double promise = 0;    ///< of a refined start: an objective that refinement may reach
   std::string origin;    ///< the family of its start
 };
 

@@ -111,12 +111,12 @@ TEST(StretchStarts, AreStretchesOfTheirOwnCurves) {
     EXPECT_NEAR(fitted.length, 1, 1e-3) << i;
     // Between the samples the curve strays a little farther.
     EXPECT_GE(*deviation, start->score * (1 - 1e-9)) << i;
-    EXPECT_LE(*deviation, start->score * 1.3 + 1e-4) << i;
+    EXPECT_LE(*deviation, start->score * 1.5 + 2e-3) << i;
   }
   EXPECT_GT(found, 20);
 }
 
-constexpr const char* kSmall = "[solve]\nstarts = 36\ndesigns = 1\n";
+constexpr const char* kSmall = "[solve]\nstarts = 24\ndesigns = 1\n";
 
 TEST(StraightLineSearch, IsTheSameForAnyNumberOfThreads) {
   const std::string text =
@@ -145,13 +145,13 @@ TEST(StraightLineSearch, KnowsNeitherScaleNorDirection) {
   EXPECT_NEAR(fact(large.designs[0], "straight_length"), 1000, 1e-3);
 }
 
-/// A linkage whose dimensions are given but for the coupler point and the place of the stretch:
-/// Chebyshev's coupler point is found again, or a better one.
+/// Links of Hoeken's kind are given; his point, or a better one, and the place of the stretch are
+/// found.
 TEST(StraightLineSearch, FindsAPlantedPoint) {
   const Result result = solve_text(
-      "[target]\nlength = 1\n[mechanism]\ncrank = 1\ncoupler = 2.5\nrocker = 2.5\nframe = 2\n" +
+      "[target]\nlength = 1\n[mechanism]\ncrank = 1\ncoupler = 2.5\nrocker = 2.5\nframe = 2\n"
+      "[constraints]\nsize_over_length_max = 6\n" +
       std::string(kSmall));
-  // Hoeken's proportions: straight over its length at δ/L of 1e-5 and less.
   ASSERT_EQ(result.status, Status::solved);
   const FourBar& found = four_bar(result.designs[0]);
   EXPECT_EQ(found.crank, 1);
@@ -187,7 +187,7 @@ TEST(StraightLineSearch, KeepsToItsConstraints) {
 TEST(StraightLineSearch, TellsWhatCannotBe) {
   const Result result = solve_text(
       "[target]\nlength = 1\ndeviation_relative = 1e-6\n[constraints]\nclass = \"crank-rocker\"\n"
-      "size_over_length_max = 0.7\n[solve]\nstarts = 30\n");
+      "size_over_length_max = 0.7\n[solve]\nstarts = 10\ndesigns = 1\n");
   EXPECT_EQ(result.status, Status::infeasible);
   ASSERT_FALSE(result.designs.empty());
   EXPECT_FALSE(all_satisfied(result.designs[0].constraints));
@@ -195,7 +195,7 @@ TEST(StraightLineSearch, TellsWhatCannotBe) {
 
 TEST(StraightLineSearch, StopsInTime) {
   std::atomic<bool> stop{true};
-  Run run;
+  problems::Run run;
   run.interrupted = &stop;
   const Result result = solve(problem_of("[target]\nlength = 1\n"), run);
   EXPECT_EQ(result.status, Status::interrupted);
