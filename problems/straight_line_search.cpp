@@ -100,7 +100,7 @@ class Search {
   std::vector<StretchStart> draw(int wanted);
   void begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts);
   void deepen(std::size_t reserve);
-  void finish();
+  void finish(std::size_t reserve);
   StretchSearchResult take() && { return {std::move(all_), thoroughness_}; }
 
  private:
@@ -338,12 +338,12 @@ void Search::exchange(FoundStretch& found) const {
   }
 }
 
-void Search::finish() {
-  keep_best(kept(1));
+void Search::finish(std::size_t reserve) {
+  keep_best(kept(reserve));
   report(0.9);
   parallel_for(static_cast<int>(all_.size()), run_.threads,
                [&](int i, int) { exchange(all_[static_cast<std::size_t>(i)]); });
-  keep_best(kept(1));
+  keep_best(kept(reserve));
   report(1);
 }
 
@@ -377,7 +377,7 @@ StretchSearchResult search_stretches(const StraightLineProblem& problem,
   if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
   search.begin(known, starts);
   search.deepen(effort.deepened);
-  search.finish();
+  search.finish(effort.finished);
   return std::move(search).take();
 }
 

@@ -179,18 +179,19 @@ std::string written(double value) {
 /// that size.
 TEST(StraightLineSearch, GoalsAgree) {
   const std::string common = "[constraints]\nclass = \"crank-rocker\"\n";
-  const Result straightest = solve_text("[target]\nlength = 1\n" + common +
-                                        "size_over_length_max = 1.3\n[solve]\ndesigns = 1\n");
+  const Result straightest =
+      solve_text("[target]\nlength = 1\n" + common +
+                 "size_over_length_max = 1.3\n[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(straightest);
   const double deviation = fact(straightest.designs[0], "deviation_relative");
   const Result smallest = solve_text("[target]\ndeviation_relative = " + written(deviation) + "\n" +
-                                     common + "[solve]\ndesigns = 1\n");
+                                     common + "[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(smallest);
   EXPECT_LT(fact(smallest.designs[0], "size_over_length"), 1.3 * 1.002);
   const Result longest =
       solve_text("[target]\ndeviation_relative = " + written(deviation) +
                  "\n[bounds]\nlength = [0, 13]\ncoupler_point = [[-13, -13], [13, 13]]\n" + common +
-                 "size_over_length_max = 1.3\n[solve]\ndesigns = 1\n");
+                 "size_over_length_max = 1.3\n[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(longest);
   EXPECT_GT(fact(longest.designs[0], "straight_length"), 10 * 0.998);
 }
