@@ -276,7 +276,7 @@ void Search::merge(std::size_t count) {
 }
 
 void Search::begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts) {
-  for (const LineStretch& stretch : known) all_.push_back({stretch, 0, 0, 0, "given"});
+  for (const LineStretch& stretch : known) all_.push_back({stretch, 0, 0, 0, "neighbour"});
   for (const StretchStart& start : starts) {
     all_.push_back({start.stretch, 0, 0, 0, std::string(name(start.family))});
   }
