@@ -33,6 +33,8 @@ constexpr Entry kSolveOptions[] = {
     {"loss_scale",
      "with a loss: the error from which it differs, a length for paths, radians for functions"},
     {"tolerance", "relative change of the error at which a refinement stops"},
+    {"atlas",
+     "paths, closed curves: the study file of an atlas, whose nearest curves a search begins with"},
     {"certify",
      "true: prove how near the best design is to the best possible; timed paths and functions by "
      "least squares (at most 60 s, or what --time-limit leaves)"},
@@ -94,6 +96,7 @@ constexpr Metric kMetrics[] = {
     {"straight_length, deviation", "length",
      "of a searched stretch: between the feet of its ends on the best line; farthest from it"},
     {"deviation_relative", "1", "that over the straight length"},
+    {"start_family", "", "how the linkage was drawn that it was refined from (searched lines)"},
     {"crank_from_deg, crank_to_deg", "deg", "crank angles between which the stretch lies"},
     {"direction_deg", "deg", "of its best line as the crank's angle grows"},
     {"speed_variation", "1", "(max - min)/mean of the speed along it at constant crank speed"},

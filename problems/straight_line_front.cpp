@@ -14,7 +14,7 @@ namespace {
 constexpr double kRatio = 0.8;
 constexpr int kMostPoints = 12;
 /// Afresh at every second bound, and from the points beside each.
-constexpr StretchEffort kFresh{36, 4}, kOnward{0, 2};
+constexpr StretchEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
 constexpr double kBent = 0.02;
 constexpr double kFeasible = 1e-7;

@@ -37,6 +37,21 @@ bool is_better(const FoundStretch& a, const FoundStretch& b) {
   return is_feasible(a) ? a.objective < b.objective : a.violation < b.violation;
 }
 
+/// The problem of which a start is refined first: the least deviation at a length and for a size
+/// over the length, for which no start is too far from its limits.
+StraightLineProblem at_size(const StraightLineProblem& problem, double length, double size) {
+  StraightLineProblem relaxed = problem;
+  relaxed.goal->deviation.reset();
+  relaxed.goal->deviation_relative.reset();
+  if (!relaxed.goal->length) relaxed.goal->length = length;
+  relaxed.stretch.size_over_length_max = std::min(size, size_limit(problem));
+  return relaxed;
+}
+
+double size_over_length(const LineStretch& stretch) {
+  return largest_dimension(stretch) / stretch.length;
+}
+
 double difference(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
 }
@@ -85,15 +100,23 @@ class Search {
   std::vector<StretchStart> draw(int wanted);
   void begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts);
   void deepen(std::size_t reserve);
-  void finish();
+  void finish(std::size_t reserve);
   StretchSearchResult take() && { return {std::move(all_), thoroughness_}; }
 
  private:
   void refine(FoundStretch& found, std::vector<double> nodes, Backend backend,
-              int iterations) const;
+              int iterations) const {
+    refine(problem_, found, std::move(nodes), backend, iterations);
+  }
+  void refine(const StraightLineProblem& problem, FoundStretch& found, std::vector<double> nodes,
+              Backend backend, int iterations) const;
+  void refine_start(FoundStretch& found) const;
+  void approach(FoundStretch& found, const std::vector<double>& nodes) const;
   void exchange(FoundStretch& found) const;
-  void assess(FoundStretch& found, const StretchModel& model) const;
+  void assess(FoundStretch& found, const StretchModel& model, StretchObjective objective) const;
   void keep_best(std::size_t count);
+  void keep_most_promising(std::size_t count);
+  void merge(std::size_t count);
   std::size_t kept(std::size_t reserve) const {
     return reserve + static_cast<std::size_t>(problem_.solve.designs);
   }
@@ -151,7 +174,8 @@ std::vector<StretchStart> Search::draw(int wanted) {
 }
 
 /// Measures the stretch by its own best line and checks the limits there.
-void Search::assess(FoundStretch& found, const StretchModel& model) const {
+void Search::assess(FoundStretch& found, const StretchModel& model,
+                    StretchObjective objective) const {
   LineStretch& stretch = found.stretch;
   found.violation = std::numeric_limits<double>::infinity();
   const double size = largest_dimension(stretch);
@@ -168,7 +192,7 @@ void Search::assess(FoundStretch& found, const StretchModel& model) const {
     const double miss = i < equalities ? std::abs(limits[i]) : -limits[i];
     found.violation = std::max(found.violation, miss);
   }
-  switch (objective_) {
+  switch (objective) {
     case StretchObjective::deviation:
       found.objective = 0;
       for (const double r : residuals) found.objective = std::max(found.objective, std::abs(r));
@@ -182,11 +206,12 @@ void Search::assess(FoundStretch& found, const StretchModel& model) const {
   }
 }
 
-void Search::refine(FoundStretch& found, std::vector<double> nodes, Backend backend,
-                    int iterations) const {
-  const bool exact = objective_ == StretchObjective::deviation && found.objective <= kExact;
+void Search::refine(const StraightLineProblem& problem, FoundStretch& found,
+                    std::vector<double> nodes, Backend backend, int iterations) const {
+  const StretchObjective objective = objective_of(problem);
+  const bool exact = objective == StretchObjective::deviation && found.objective <= kExact;
   if (exact && is_feasible(found) && found.objective > 0) return;
-  const StretchModel model(problem_, found.stretch, std::move(nodes));
+  const StretchModel model(problem, found.stretch, std::move(nodes));
   const synthesis::Options options{.tolerance = problem_.solve.tolerance.value_or(1e-9),
                                    .feasibility = 0.1 * kStretchFeasibility,
                                    .max_iterations = iterations,
@@ -200,12 +225,42 @@ void Search::refine(FoundStretch& found, std::vector<double> nodes, Backend back
     return;
   }
   found.stretch = model.stretch(solution.x);
-  assess(found, model);
+  assess(found, model, objective);
+}
+
+/// The promise of a start: its objective, or where the deviation is limited that of a size at which
+/// the limit is just met. Along fronts the deviation goes with the fourth power of the size.
+void Search::refine_start(FoundStretch& found) const {
+  const std::vector<double> nodes = stretch_nodes(kCoarseCells);
+  if (objective_ == StretchObjective::deviation) {
+    refine(found, nodes, Backend::slsqp, kCoarseIterations);
+    found.promise = found.objective * (1 + 4 * found.violation);
+    return;
+  }
+  const double length = found.stretch.length;
+  refine(at_size(problem_, length, size_over_length(found.stretch)), found, nodes, Backend::slsqp,
+         kCoarseIterations);
+  const StraightLineGoal& goal = *problem_.goal;
+  const double most = goal.deviation ? *goal.deviation / length : *goal.deviation_relative;
+  const double missed = std::pow(found.objective / most, 0.25);
+  const bool sized = objective_ == StretchObjective::size;
+  const double own = sized ? size_over_length(found.stretch) : 1 / length;
+  found.promise = own * missed * (1 + found.violation);
 }
 
 void Search::keep_best(std::size_t count) {
-  std::erase_if(all_, [](const FoundStretch& f) { return !std::isfinite(f.violation); });
   std::ranges::stable_sort(all_, is_better);
+  merge(count);
+}
+
+void Search::keep_most_promising(std::size_t count) {
+  std::ranges::stable_sort(all_, {}, &FoundStretch::promise);
+  merge(count);
+}
+
+/// Leaves the first `count` different ones.
+void Search::merge(std::size_t count) {
+  std::erase_if(all_, [](const FoundStretch& f) { return !std::isfinite(f.violation); });
   std::vector<FoundStretch> different;
   int hits = 0;
   for (const FoundStretch& found : all_) {
@@ -221,37 +276,45 @@ void Search::keep_best(std::size_t count) {
 }
 
 void Search::begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts) {
-  for (const LineStretch& stretch : known) all_.push_back({stretch, 0, 0, "given"});
+  for (const LineStretch& stretch : known) all_.push_back({stretch, 0, 0, 0, "neighbour"});
   for (const StretchStart& start : starts) {
-    all_.push_back({start.stretch, 0, 0, std::string(name(start.family))});
+    all_.push_back({start.stretch, 0, 0, 0, std::string(name(start.family))});
   }
   thoroughness_.starts = static_cast<int>(all_.size());
-  const std::vector<double> nodes = stretch_nodes(kCoarseCells);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int thread) {
     FoundStretch& found = all_[static_cast<std::size_t>(i)];
     if (deadline_.reached()) {
       found.violation = std::numeric_limits<double>::infinity();
       return;
     }
-    refine(found, nodes, Backend::slsqp, kCoarseIterations);
-    if (thread == 0) {
-      if (run_.progress) {
-        run_.progress(0.1 + 0.6 * i / double(all_.size()), found.objective);
-      }
+    refine_start(found);
+    if (thread == 0 && run_.progress) {
+      run_.progress(0.1 + 0.6 * i / double(all_.size()), std::numeric_limits<double>::infinity());
     }
   });
 }
 
+/// To the least deviation at the size or length at which the limit is expected to be met.
+void Search::approach(FoundStretch& found, const std::vector<double>& nodes) const {
+  const bool sized = objective_ == StretchObjective::size;
+  const double length = sized ? found.stretch.length : 1 / found.promise;
+  const double size = sized ? found.promise : size_limit(problem_);
+  if (!sized && !problem_.goal->length) found.stretch.length = length;
+  refine(at_size(problem_, length, size), found, nodes, Backend::ipopt, kFineIterations);
+}
+
 void Search::deepen(std::size_t reserve) {
-  keep_best(kept(reserve));
+  keep_most_promising(kept(reserve));
   report(0.7);
   const std::vector<double> nodes = stretch_nodes(kFineCells);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int) {
     if (deadline_.reached()) return;
     FoundStretch& found = all_[static_cast<std::size_t>(i)];
     FoundStretch next = found;
+    if (objective_ != StretchObjective::deviation) approach(next, nodes);
     refine(next, nodes, Backend::ipopt, kFineIterations);
-    if (is_better(next, found) || !is_feasible(found)) found = next;
+    const bool other = objective_ != StretchObjective::deviation;  // than that of the start
+    if (other || is_better(next, found) || !is_feasible(found)) found = next;
   });
 }
 
@@ -275,12 +338,12 @@ void Search::exchange(FoundStretch& found) const {
   }
 }
 
-void Search::finish() {
-  keep_best(kept(1));
+void Search::finish(std::size_t reserve) {
+  keep_best(kept(reserve));
   report(0.9);
   parallel_for(static_cast<int>(all_.size()), run_.threads,
                [&](int i, int) { exchange(all_[static_cast<std::size_t>(i)]); });
-  keep_best(kept(1));
+  keep_best(kept(reserve));
   report(1);
 }
 
@@ -314,7 +377,7 @@ StretchSearchResult search_stretches(const StraightLineProblem& problem,
   if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
   search.begin(known, starts);
   search.deepen(effort.deepened);
-  search.finish();
+  search.finish(effort.finished);
   return std::move(search).take();
 }
 

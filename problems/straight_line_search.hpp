@@ -17,6 +17,7 @@ struct FoundStretch {
   LineStretch stretch;
   double objective = 0;  ///< δ/L, 1/L or size over length, less is better
   double violation = 0;  ///< of the limits, relative
+  double promise = 0;    ///< of a refined start: an objective that refinement may reach
   std::string origin;    ///< the family of its start
 };
 
@@ -27,8 +28,9 @@ struct StretchSearchResult {
 
 /// How much a search takes upon itself.
 struct StretchEffort {
-  int starts = 120;          ///< refined, where the file says nothing; 0: none but known ones
-  std::size_t deepened = 7;  ///< of the best that are refined further, beyond the designs wanted
+  int starts = 120;  ///< refined, where the file says nothing; 0: none but known ones
+  /// Of the best, beyond the designs wanted: how many are refined further, and to the last digit.
+  std::size_t deepened = 7, finished = 1;
 };
 
 /// Optima of a problem in the search's unit (`in_unit`), equal for any number of threads. `known`:

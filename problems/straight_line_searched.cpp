@@ -1,5 +1,7 @@
 #include "problems/straight_line_searched.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include "problems/mechanism_metrics.hpp"
 #include "problems/straight_line_model.hpp"
 #include "problems/verify.hpp"
+#include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -168,7 +171,11 @@ Design searched_design(const StraightLineProblem& problem, const FoundStretch& f
         check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
   }
   add_checks(problem, straight, design);
-  design.origin = "search:" + found.origin;
+  design.metrics.facts.push_back({"start_family", found.origin});
+  const auto& solver = problem.solve.solver;
+  const auto last =
+      solver == SolverChoice::automatic ? synthesis::Backend::ipopt : backend_of(solver);
+  design.origin = fmt::format("search + slsqp + {}", synthesis::name(last));
   return design;
 }
 

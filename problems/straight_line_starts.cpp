@@ -17,10 +17,13 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2 * kPi;
 constexpr int kSamples = 120;
+/// Fewer steps say nothing of how straight a stretch is: two samples are always in line.
+constexpr std::size_t kLeastCells = 4;
 /// Stretches less straight than this, over their length, are not worth refining.
 constexpr double kWorthRefining = 0.03;
-/// How much less straight than asked for a start may be.
-constexpr double kLoose = 6;
+/// How much less straight than asked for a start may be, and how bent it may be in any case: what
+/// refinement makes of it is a hundred times as straight.
+constexpr double kLoose = 6, kBent = 0.01;
 
 /// Kronecker's sequence by the powers of the root of x^(d+1) = x + 1, which fills a cube of d
 /// dimensions evenly from any index on (Roberts 2018, "The unreasonable effectiveness of
@@ -253,11 +256,15 @@ std::optional<StretchStart> StretchStarts::best_stretch(const LineStretch& drawn
   const bool scaled = has_scale(problem_);
   const double size = largest_dimension(drawn), shortest = size / size_limit(problem_);
   StretchLimits limits;
+  limits.least_cells = kLeastCells;
   const auto& turn = problem_.stretch.crank_range;
   if (turn && closed_) {
     const double step = kTurn / kSamples;
-    limits.least_cells = static_cast<std::size_t>(std::max(1.0, std::floor(turn->min / step)));
-    limits.most_cells = static_cast<std::size_t>(std::max(1.0, std::ceil(turn->max / step)));
+    const auto cells = [step](double angle) {
+      return std::max(kLeastCells, static_cast<std::size_t>(angle / step));
+    };
+    limits.least_cells = cells(turn->min);
+    limits.most_cells = cells(turn->max + step);
   }
   SampledStretch found;
   const StretchObjective objective = objective_of(problem_);
@@ -266,10 +273,9 @@ std::optional<StretchStart> StretchStarts::best_stretch(const LineStretch& drawn
     found = stretches_.straightest(curve_, closed_, least, kWorthRefining, limits);
   } else {
     const double length = goal.length.value_or(1);
-    double relative = kLoose * goal.deviation_relative.value_or(kWorthRefining / kLoose);
-    if (goal.deviation && !scaled) relative = kLoose * *goal.deviation / length;
-    if (goal.deviation && scaled) limits.deviation = kLoose * *goal.deviation;
-    found = stretches_.longest(curve_, closed_, std::min(relative, 0.1), limits);
+    const double asked = goal.deviation ? *goal.deviation / length : *goal.deviation_relative;
+    const double relative = std::clamp(kLoose * asked, kBent, 0.1);
+    found = stretches_.longest(curve_, closed_, relative, limits);
   }
   if (!(found.length > 0)) return std::nullopt;
   StretchStart start;

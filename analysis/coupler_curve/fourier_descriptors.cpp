@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace cognate {
@@ -27,7 +28,7 @@ void reverse(FourierDescriptors& found) {
 /// Turns the curve by β and starts it so that cₖ is multiplied by e^{i(β + kα)}.
 void turn(FourierDescriptors& found, double turned, double started) {
   for (int k = -kHarmonics; k <= kHarmonics; ++k) {
-    Vec2d& c = found.coefficients[static_cast<std::size_t>(k + kHarmonics)];
+    Vec2d& c = found.of(k);
     c = unit_at(turned + k * started) * c;
   }
 }
@@ -68,21 +69,54 @@ FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
     const Vec2d back = unit_at(-kTurn * along / sum);
     Vec2d power = back;
     for (int k = 1; k <= kHarmonics; ++k, power = power * back) {
-      Vec2d& forward = found.coefficients[static_cast<std::size_t>(kHarmonics + k)];
-      Vec2d& backward = found.coefficients[static_cast<std::size_t>(kHarmonics - k)];
+      Vec2d& forward = found.of(k);
+      Vec2d& backward = found.of(-k);
       forward = forward + rate * power;
       backward = backward + rate * conj(power);
     }
     along += step_integral(speed_.data() + i);
   }
   for (int k = 1; k <= kHarmonics; ++k) {
-    Vec2d& forward = found.coefficients[static_cast<std::size_t>(kHarmonics + k)];
-    Vec2d& backward = found.coefficients[static_cast<std::size_t>(kHarmonics - k)];
+    Vec2d& forward = found.of(k);
+    Vec2d& backward = found.of(-k);
     forward = (1 / (k * sum)) * Vec2d{forward.y, -forward.x};
     backward = (1 / (k * sum)) * Vec2d{-backward.y, backward.x};
   }
   normalise(found);
   return found;
+}
+
+FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length) {
+  FourierDescriptors found;
+  const auto count = static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int k = -kHarmonics; k <= kHarmonics; ++k) {
+      if (k == 0) continue;
+      Vec2d& c = found.of(k);
+      c = c + unit_at(-kTurn * k * static_cast<double>(i) / count) * points[i];
+    }
+  }
+  for (Vec2d& c : found.coefficients) c = (kTurn / (length * count)) * c;
+  normalise(found);
+  return found;
+}
+
+double squared_distance(const FourierDescriptors& a, const FourierDescriptors& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const bool mirrored : {false, true}) {
+    for (const bool reversed : {false, true}) {
+      for (const double even : {1.0, -1.0}) {  // half a turn on, from half a length on
+        double sum = 0;
+        for (int k = -kHarmonics; k <= kHarmonics; ++k) {
+          const Vec2d& other = b.of(reversed ? -k : k);
+          const Vec2d turned = (k % 2 == 0 ? even : 1.0) * (mirrored ? conj(other) : other);
+          sum += squared_norm(a.of(k) - turned);
+        }
+        least = std::min(least, sum);
+      }
+    }
+  }
+  return least;
 }
 
 }  // namespace cognate

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
@@ -26,8 +27,12 @@ inline constexpr int kHarmonics = 4;
 struct FourierDescriptors {
   std::array<Vec2d, 2 * kHarmonics + 1> coefficients{};
 
-  const Vec2d& of(int harmonic) const {
-    return coefficients[static_cast<std::size_t>(harmonic + kHarmonics)];
+  Vec2d& of(int harmonic) { return coefficients[place(harmonic)]; }
+  const Vec2d& of(int harmonic) const { return coefficients[place(harmonic)]; }
+
+ private:
+  static constexpr std::size_t place(int harmonic) {
+    return static_cast<std::size_t>(harmonic) + std::size_t{kHarmonics};  // of a ring of numbers
   }
 };
 
@@ -40,5 +45,13 @@ class DescriptorFinder {
  private:
   std::vector<double> speed_;
 };
+
+/// The descriptors of the closed curve through `points`, which lie in equal steps of its arc length
+/// `length`.
+FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length);
+
+/// The sum of |aₖ − bₖ|² in whichever of the ways to name b's coefficients, or those of its mirror
+/// image, comes nearest: in either sense and from either start, near which a curve may be given.
+double squared_distance(const FourierDescriptors& a, const FourierDescriptors& b);
 
 }  // namespace cognate

@@ -27,7 +27,7 @@ double longest(const Lengths<double>& links) {
 
 const std::vector<CurveMetric>& curve_metrics() {
   using enum CurveGroup;
-  static const std::vector<CurveMetric> kAll = {
+  static const std::vector<CurveMetric> all = {
       {"longest_link", links, 0},
       {"link_ratio", links, 1},
       {"size", size, 0},
@@ -56,7 +56,7 @@ const std::vector<CurveMetric>& curve_metrics() {
       {"double_points", features, 1},
       {"inflections", features, 2},
   };
-  return kAll;
+  return all;
 }
 
 const CurveMetric* find_curve_metric(std::string_view key) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "problems/crank_sense.hpp"
@@ -215,6 +217,30 @@ std::string_view error_limit_refusal(const PathProblem& problem) {
   return {};
 }
 
+// `solve.atlas`, which whoever solves the problem reads (atlas_name.hpp).
+void check_atlas(TableReader& solve, const std::filesystem::path& folder, bool closed) {
+  constexpr std::string_view kKey = "atlas";
+  const auto name = solve.text(kKey);
+  if (!name) return;
+  if (!closed) {
+    solve.fault(kKey,
+                "is given without a closed curve, which its curves could be compared with; "
+                "leave it out, or give target.curve, svg_path or svg");
+    return;
+  }
+  if (folder.empty()) {
+    solve.fault(kKey, "names a file beside the problem file, but there is none; leave it out");
+    return;
+  }
+  const auto file = folder / *name;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    solve.fault(kKey, fmt::format("is \"{}\", where there is no file; the study file of an atlas, "
+                                  "as cognate sweep writes it, is wanted",
+                                  *name));
+  }
+}
+
 }  // namespace
 
 PathProblem read_path_problem(TableReader& document, const std::filesystem::path& folder) {
@@ -265,6 +291,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   }
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
+  check_atlas(solve, folder, closed);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);

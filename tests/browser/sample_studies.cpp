@@ -185,7 +185,7 @@ SampleStudy crank_rockers() {
     }
   }
   mark_front(sample, 5, 3);
-  sample.document = document(sample, 16 * 14 * 4);
+  sample.document = document(sample, 896);
   return sample;
 }
 

@@ -1,9 +1,10 @@
 // Pictures of a report, whole at desktop and phone width in light and dark, and its head down to the
 // curves, as the documentation shows it: report.png, of an analysis (with its force arrows)
-// analysis.png, of a cam cam.png, of a study study.png. node screenshots.mjs REPORT.html OUTDIR [DRIVE], DRIVE in degrees
-// or length. In docs/pictures, report.png is of path/ten-point-ellipse.toml, analysis.png of
-// analysis/shaper.toml, cam.png of cam/smallest-cam.toml, synthesis.png of motion/four-poses.toml
-// with DRIVE 100 and under its new name.
+// analysis.png, of a cam cam.png, of a study study.png. node screenshots.mjs REPORT.html OUTDIR
+// [DRIVE], DRIVE in degrees or length. In docs/pictures, report.png is of path/ten-point-ellipse.toml,
+// analysis.png of analysis/shaper.toml, cam.png of cam/smallest-cam.toml, study.png of
+// study/crank-rocker-map.toml, synthesis.png of motion/four-poses.toml with DRIVE 100 and under its
+// new name.
 import { mkdirSync } from "node:fs";
 import path from "node:path";
 import { SIZES, launch, open } from "./browser.mjs";

@@ -34,16 +34,17 @@ function evaluated(names, result) {
   return vm.runInNewContext(`${text}\n${result}`);
 }
 
-// Of lengths of a few units; beside a change point the places lose digits as the root of 1e-16.
+// Of lengths of a few units. Every tenth linkage all but folds flat, where places lose digits.
 test("the page's closure is the kernel's", () => {
   const Closure = evaluated(["study/closure.js"], "Closure");
   let open = 0;
-  for (const { linkage, angles, points } of JSON.parse(readFileSync(path.join(process.env.REPORTS, "poses.json"), "utf8"))) {
+  for (const [n, { linkage, angles, points }] of JSON.parse(readFileSync(path.join(process.env.REPORTS, "poses.json"), "utf8")).entries()) {
+    const tolerance = n % 10 === 0 ? 1e-9 : 1e-12;
     const closure = new Closure(linkage);
     angles.forEach((angle, i) => {
       const pose = closure.at(angle - closure.frameAngle);
       if (points[i] === null || pose === null) return assert.equal(pose, points[i]);
-      [...pose.b, ...pose.c, ...pose.p].forEach((x, k) => assert.ok(Math.abs(x - points[i][k]) < 2e-9, `${x} for ${points[i][k]}`));
+      [...pose.b, ...pose.c, ...pose.p].forEach((x, k) => assert.ok(Math.abs(x - points[i][k]) < tolerance, `${x} for ${points[i][k]}`));
       open += 1;
     });
   }

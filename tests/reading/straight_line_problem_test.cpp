@@ -2,9 +2,12 @@
 /// and what the reader refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
 #include "problems/mechanism_metrics.hpp"
@@ -230,10 +233,10 @@ void expect_fault(const std::string& text, const std::string& message) {
 TEST(StraightLine, ReaderRefusesWhatCannotBe) {
   const std::string exact = "[target]\nmethod = \"exact\"\ncontact = 4\n[mechanism]\n";
   const std::string links = "crank = 1\ncoupler = 3\nrocker = 2.5\n";
-  expect_fault("[target]\nlength = 3\n[mechanism]\n" + links + "frame = 4\ncrank_deg = 3",
-               "not available in this version");
-  expect_fault("[target]\nlength = 3\n[mechanism]\n" + links + "frame = 4\ncrank_deg = 3",
-               "target.method is missing");
+  expect_fault(exact + links + "frame = 4\ncrank_deg = 3\n[bounds]\nlength = [1, 2]", "bounds");
+  expect_fault("[target]\nmethod = \"exact\"\nlength = 3\n[mechanism]\n" + links +
+                   "frame = 4\ncrank_deg = 3",
+               "knows curvature alone");
   expect_fault(exact + links + "frame = 4", "crank_deg is missing");
   expect_fault(exact + links + "crank_deg = 4", "only for contact = 5");
   expect_fault(exact + links + "frame = 4\ncrank_deg = 3\ncoupler_point = [1, 2]", "sought");
@@ -245,6 +248,37 @@ TEST(StraightLine, ReaderRefusesWhatCannotBe) {
   expect_fault("[target]\nmethod = \"exact\"\ncontact = 6\n[mechanism]\n" + links, "contact");
   expect_fault("[target]\nmethod = \"exact\"\ncontact = 5\n[mechanism]\ncrank = 1\nframe = 3",
                "all but one");
+}
+
+TEST(StraightLine, ReaderOfSearchesSaysWhereAFaultIs) {
+  const auto problem = parse_problem(
+      "kind = \"straight-line\"\n[target]\ndeviation = 0.1\ndeviation_relative = 0.5\n"
+      "[constraints]\n  crank_range_deg = [0, 400]\nsize_over_length_max = -1\n"
+      "speed_variation_max = 0\n[mechanism]\ncrank_deg = 5\n");
+  ASSERT_FALSE(problem.has_value());
+  std::vector<std::pair<int, int>> places;
+  for (const auto& fault : problem.error()) {
+    places.emplace_back(static_cast<int>(fault.line), static_cast<int>(fault.column));
+  }
+  for (const std::pair<int, int>& place :
+       {std::pair{3, 13}, {4, 22}, {6, 22}, {7, 24}, {8, 23}, {10, 1}}) {
+    EXPECT_NE(std::ranges::find(places, place), places.end()) << place.first << ':' << place.second;
+  }
+}
+
+TEST(StraightLine, ReaderOfSearchesRefusesWhatCannotBe) {
+  expect_fault("[target]\ndeviation = 0.01\n", "nothing in the file fixes the linkage's size");
+  expect_fault("[target]\nlength = 1\ndeviation = 0.5\n", "such a stretch is no line");
+  expect_fault("[target]\ndeviation = 0.01\ndeviation_relative = 0.01\nlength = 1\n",
+               "given beside deviation");
+  expect_fault("[target]\nlength = 1\ncontact = 4\n", "method = \"exact\"");
+  expect_fault("[target]\nlength = 1\nmethod = \"best\"\n", "target.method");
+  expect_fault(
+      "[target]\nlength = 1\n[mechanism]\ntype = \"slider-crank\"\n[bounds]\nrocker = "
+      "[1, 2]\n",
+      "does not have");
+  expect_fault("[target]\nlength = 1\n[mechanism]\ncrank = 9\n[bounds]\nlength = [1, 2]\n",
+               "outside its bounds");
 }
 
 }  // namespace

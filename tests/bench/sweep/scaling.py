@@ -56,7 +56,7 @@ FEW = """
 [output]
 metrics = ["transmission_angle_deg.acute_min", "time_ratio"]
 [filter]
-"transmission_angle_deg.acute_min" = { min = 45 }
+"transmission_angle_deg.acute_min" = { min = 30 }
 [objective]
 maximize = "time_ratio"
 """
@@ -133,7 +133,7 @@ def main():
             rates = list(best.values())
             ratios = "  ".join(f"{figure / rates[0]:.2f}" for figure in rates[1:])
             print(f"{title:28}" + "".join(f"{figure:14,.0f}" for figure in rates) + f"{ratios:>16}")
-    with_mpi = str(pathlib.Path(asked.program).with_name("cognate-mpi"))
+    with_mpi = str(pathlib.Path(asked.program).resolve().with_name("cognate-mpi"))
     print(f"\nstart-up: {1e3 * start_up([asked.program, '--version'], 10):.1f} ms")
     if shutil.which(with_mpi):
         print(f"start-up of cognate-mpi: {1e3 * start_up([with_mpi, '--version'], 5):.1f} ms")

@@ -53,7 +53,7 @@ class Contour extends Plane {
   #note(surface, logarithmic) {
     const others = this.others.length ? ` ${this.others.map((c) => c.label).join(", ")} ${this.others.length > 1 ? "vary" : "varies"} too.` : "";
     const text = {
-      grid: `On the grid of the study, linear between its nodes${surface.missing ? `; ${plural(surface.missing, "node")} without a row that passes` : ""}.`,
+      grid: `On the grid of the study, linear between its nodes${surface.missing ? `; ${plural(surface.missing, "node")} without a row shown that passes` : ""}.`,
       triangles: `Linear within the Delaunay triangles of the rows that pass.${others}`,
       bins: `Each cell shows the mean of the rows in it.${others}`,
     }[this.method];

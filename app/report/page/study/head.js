@@ -36,7 +36,7 @@ function showStudy(columns, study) {
 function showStudyHead(data) {
   const { result } = data;
   const title = data.study.title || data.study.base;
-  const shown = data.ids.length < data.total ? `${data.ids.length.toLocaleString("en")} of ${plural(data.total, "row")} shown, the best among them` : "";
+  const shown = data.ids.length < data.total ? `${data.ids.length.toLocaleString("en")} of ${plural(data.total, "row")} shown${data.best.length ? ", the best among them" : ""}` : "";
   showHead({ ...result, problem: { title } }, "Design study", [...countsLine(result.counts, result.status), shown,
     result.work?.seconds ? duration(result.work.seconds) : ""], data.linkage ? "space plays, ← → turn the crank" : "brushes filter");
   showNotes(result.notes ?? []);

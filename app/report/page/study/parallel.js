@@ -128,21 +128,31 @@ class Parallel {
     this.axes.forEach(({ x, ys }, i) => (i ? brush.lineTo(x, ys[row]) : brush.moveTo(x, ys[row])));
   }
 
-  // What stands behind, all rows in grey, and before it those that pass.
   draw() {
+    this.hasBack = false;
+    this.#drawRows();
+  }
+
+  // What stands behind where rows are left out: all in grey. Each line is stroked by itself, since
+  // one path of thousands of crossing lines takes the browser seconds.
+  #drawBack() {
+    if (this.hasBack) return;
+    this.hasBack = true;
     const brush = sized(this.back, this.width, PARALLEL.height);
     brush.strokeStyle = colour("--line");
     brush.globalAlpha = this.study.count > 1000 ? 0.35 : 0.7;
-    brush.beginPath();
-    for (let row = 0; row < this.study.count; ++row) this.#line(brush, row);
-    brush.stroke();
-    this.#drawRows();
+    for (let row = 0; row < this.study.count; ++row) {
+      brush.beginPath();
+      this.#line(brush, row);
+      brush.stroke();
+    }
   }
 
   // The rows that pass in their colours, the best last.
   #drawRows() {
     const { filters, paint, best } = this.study;
     this.back.toggleAttribute("hidden", !filters.any);
+    if (filters.any) this.#drawBack();
     const brush = sized(this.front, this.width, PARALLEL.height);
     const stroke = (rows, alpha, width) => {
       Object.assign(brush, { globalAlpha: alpha, lineWidth: width, lineJoin: "round" });

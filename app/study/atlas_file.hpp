@@ -1,0 +1,19 @@
+/// @file A study file as an atlas of coupler curves.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "problems/atlas_starts.hpp"
+
+namespace cognate::app {
+
+/// The four-bars of the study in `file` whose cranks turn fully, with the descriptors of their
+/// curves; or what keeps it from being an atlas: no study file, no four-bars with varied dimensions
+/// alone, no columns of descriptors, no curves.
+tl::expected<std::vector<problems::AtlasCurve>, std::string> read_atlas(
+    const std::filesystem::path& file);
+
+}  // namespace cognate::app
