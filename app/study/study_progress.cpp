@@ -24,9 +24,10 @@ std::string duration(double seconds) {
   constexpr double kForever = 1e9;
   const auto whole = static_cast<std::int64_t>(std::min(std::ceil(seconds), kForever));
   const auto minutes = whole / 60;
+  constexpr std::int64_t kDay = 24 * 60;
   if (minutes < 60) return fmt::format("{}:{:02}", minutes, whole % 60);
-  if (minutes < 48 * 60) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
-  return fmt::format("{} days", minutes / (24 * 60));
+  if (minutes < 2 * kDay) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+  return fmt::format("{} days", minutes / kDay);
 }
 
 }  // namespace

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
-#include "app/study/bounded_queue.hpp"
+#include "app/study/block_message.hpp"
 #include "app/study/study_progress.hpp"
 #include "tests/unit/study_samples.hpp"
 
@@ -143,6 +144,21 @@ TEST(StudyRun, EvaluatorsWaitForTheWriter) {
     if (const auto block = crew.wait(1ms)) designs += block->count;
   }
   EXPECT_EQ(designs, 10 * evaluated);
+}
+
+TEST(BlockMessage, ComesBackWhole) {
+  const auto block = sample_block(3, 50);
+  const auto message = block_message(block);
+  const auto back = block_of(message);
+  EXPECT_EQ(back.first, 3);
+  EXPECT_EQ(back.count, 50);
+  EXPECT_EQ(back.filtered, block.filtered);
+  EXPECT_EQ(back.ids, block.ids);
+  EXPECT_EQ(back.statuses, block.statuses);
+  EXPECT_EQ(back.cells, block.cells);
+  for (std::size_t size = 0; size < message.size(); ++size) {
+    EXPECT_THROW(block_of(std::span(message).first(size)), std::out_of_range) << size;
+  }
 }
 
 TEST(WorkList, HandsOutGapsInBlocks) {
