@@ -52,6 +52,7 @@ class Front {
     front.table.name = "straight-line front";
     front.table.columns = {{"size_over_length", {}},
                            {"deviation_relative", {}},
+                           {"log10_deviation_relative", {}},
                            {"straight_length_over_size", {}},
                            {"crank_range_deg", {}}};
     std::erase_if(points_, [&](const Point& p) { return is_dominated(p); });
@@ -61,8 +62,9 @@ class Front {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const FoundStretch& found = points_[i].found;
       const double size = largest_dimension(found.stretch) / found.stretch.length;
-      const double values[] = {size, found.objective, 1 / size, degrees(2 * found.stretch.reach)};
-      for (std::size_t k = 0; k < 4; ++k) front.table.columns[k].values.push_back(values[k]);
+      const double values[] = {size, found.objective, std::log10(std::max(found.objective, 1e-16)),
+                               1 / size, degrees(2 * found.stretch.reach)};
+      for (std::size_t k = 0; k < 5; ++k) front.table.columns[k].values.push_back(values[k]);
       if (double(i) + 0.5 < next) continue;
       front.points.push_back(found);
       next += step;

@@ -1,12 +1,16 @@
 #include "app/report/report_data.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
+#include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/mechanism/zeros.hpp"
 #include "app/report/design_drawing.hpp"
 #include "app/report/drawn_findings.hpp"
 #include "app/report/function_trace.hpp"
@@ -89,6 +93,29 @@ struct TargetJson {
   }
 };
 
+/// The distances of the curve from the line that was sought, and the places along it: finer than
+/// the positions drawn can tell. Null without such a stretch.
+ordered_json deviation_json(const problems::Design& design) {
+  const auto fact = [&](const char* name) {
+    const auto found = std::ranges::find(design.metrics.facts, name, &problems::Fact::name);
+    return found == design.metrics.facts.end() ? std::numeric_limits<double>::quiet_NaN()
+                                               : std::get<double>(found->value);
+  };
+  const double from = fact("crank_from_deg") / kDegrees, to = fact("crank_to_deg") / kDegrees;
+  const auto& points = design.mechanism.points;
+  if (!std::isfinite(from) || !std::isfinite(to) || points.empty()) return nullptr;
+  const Path path = path_of(design.mechanism.mechanism, points.back().at);
+  const Line line = measure(path, from, to).line;
+  const Vec2d start = path(from).at;
+  std::vector<double> along, across;
+  for (const double crank : crowded(from, to, 240)) {
+    const Vec2d at = path(crank).at;
+    along.push_back(dot(line.direction, at - start));
+    across.push_back(cross(line.direction, at - line.through));
+  }
+  return {{"along", along}, {"across", across}};
+}
+
 /// What a design reaches at the targets of its problem, or how it errs.
 struct ReachedJson {
   const problems::Design& design;
@@ -99,6 +126,11 @@ struct ReachedJson {
   }
   ordered_json operator()(const problems::MotionProblem& problem) const {
     return reached_poses(design, problem.poses);
+  }
+  ordered_json operator()(const problems::StraightLineProblem& problem) const {
+    ordered_json entry = reached_points(design);
+    if (problem.goal) entry["deviation"] = deviation_json(design);
+    return entry;
   }
   template <class Other>
   ordered_json operator()(const Other&) const {

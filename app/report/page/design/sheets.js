@@ -55,14 +55,18 @@ function distanceSheet(design) {
     yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: `Largest ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
 }
 
+// Distances from the line and places along it, of the positions drawn.
+function drawnDeviation(points, metrics) {
+  const [x, y] = unitVector(metrics.direction_deg_at_0_001 ?? 0);
+  const [start] = points;
+  return { along: points.map((p) => (p[0] - start[0]) * x + (p[1] - start[1]) * y),
+    across: points.map((p) => (p[1] - start[1]) * x - (p[0] - start[0]) * y) };
+}
+
 // How far the stretch is from its best line, the middle of the narrowest strip around it.
-function deviationSheet({ stretch, entry: { metrics } }) {
-  const points = stretch.filter(Boolean);
-  if (points.length < 2) return null;
-  const [x, y] = unitVector(metrics.direction_deg ?? metrics.direction_deg_at_0_001 ?? 0);
-  const start = points[0];
-  const along = points.map((p) => (p[0] - start[0]) * x + (p[1] - start[1]) * y);
-  const across = points.map((p) => (p[1] - start[1]) * x - (p[0] - start[0]) * y);
+function deviationSheet({ stretch, deviation, entry: { metrics } }) {
+  const { along, across } = deviation ?? drawnDeviation(stretch.filter(Boolean), metrics);
+  if (along.length < 2) return null;
   const middle = (Math.min(...across) + Math.max(...across)) / 2;
   const { values, unit, size } = scaled(across.map((d) => d - middle), "units");
   const order = along.map((_, i) => i).sort((i, j) => along[i] - along[j]);
