@@ -376,7 +376,9 @@ StretchSearchResult search_stretches(const StraightLineProblem& problem,
   std::vector<StretchStart> starts;
   if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
   search.begin(known, starts);
-  search.deepen(effort.deepened);
+  // Few starts are worth few of the dearer refinements.
+  const std::size_t share = 1 + (starts.size() + known.size()) / 8;
+  search.deepen(std::min(effort.deepened, share));
   search.finish(effort.finished);
   return std::move(search).take();
 }

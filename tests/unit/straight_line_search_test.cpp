@@ -134,8 +134,8 @@ TEST(StraightLineSearch, IsTheSameForAnyNumberOfThreads) {
 
 /// A problem a thousand times as large, its line turned, has the same linkage as large and turned.
 TEST(StraightLineSearch, KnowsNeitherScaleNorDirection) {
-  const std::string rest =
-      "[constraints]\nclass = \"crank-rocker\"\nsize_over_length_max = 1.5\n" + std::string(kSmall);
+  const std::string rest = "[constraints]\nclass = \"crank-rocker\"\nsize_over_length_max = 1.5\n" +
+                           std::string("[solve]\nstarts = 60\ndesigns = 1\n");
   const Result own = solve_text("[target]\nlength = 1\n" + rest);
   const Result large = solve_text("[target]\nlength = 1000\ndirection_deg = 35\n" + rest);
   ASSERT_EQ(own.status, Status::solved);
