@@ -18,6 +18,13 @@ void fault_base(TableReader& study_file, const std::string& base, const Fault& f
                                       first.line, first.column, first.message));
 }
 
+/// The path data of a closed curve, from wherever they were read; empty where there are none.
+std::string drawing_of(const Task& task) {
+  const auto* const problem = std::get_if<Problem>(&task);
+  const auto* const path = problem ? std::get_if<PathProblem>(problem) : nullptr;
+  return path && path->curve ? path->curve->svg_path : "";
+}
+
 }  // namespace
 
 std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem::path& folder,
@@ -50,6 +57,7 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
     fault_base(study_file, *base, read.error().front());
     return std::nullopt;
   }
+  study.drawing = drawing_of(read->task);
   BaseFile found{*std::move(document), {}, metrics(read->task)};
   found.number_keys = number_keys(found.document);
   return found;
