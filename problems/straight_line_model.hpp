@@ -108,7 +108,6 @@ class StretchModel final : public synthesis::Model {
   template <class T>
   void add_speeds(const Curve<T>& curve, const All& at, Rows& rows) const;
   void add_pivot(const All& at, Rows& rows) const;
-  bool limits_stretch_transmission() const;
 
   StraightLineProblem problem_;
   StretchObjective objective_;

@@ -126,12 +126,11 @@ class GivenWork {
   std::optional<DesignRange> next() { return queue_.pop(); }
   void close() { queue_.close(); }
 
-  /// Takes in what the first process says; true where it was the last word.
-  bool take(const MpiMessage& message, StudyCrew& crew) {
+  /// Takes in what the first process says.
+  void take(const MpiMessage& message, StudyCrew& crew) {
     if (message.tag == MpiTag::work) queue_.push(range_of(message));
     if (message.tag == MpiTag::no_more) close();
     if (message.tag == MpiTag::stop) crew.stop();
-    return message.tag == MpiTag::farewell;
   }
 
  private:
@@ -156,11 +155,12 @@ void send_blocks(ThreadCrew& crew, GivenWork& work) {
 
 void serve_first(const EvaluatorMaker& maker, int threads) {
   const auto work = std::make_shared<GivenWork>();
-  ThreadCrew crew(
-      maker, [work] { return work->next(); }, threads);
-  send_count(kFirst, std::int64_t{kBlocksAhead} * crew.size());
+  std::optional<ThreadCrew> crew;  // none where the system has no thread to give
   try {
-    send_blocks(crew, *work);
+    crew.emplace(
+        maker, [work] { return work->next(); }, threads);
+    send_count(kFirst, std::int64_t{kBlocksAhead} * crew->size());
+    send_blocks(*crew, *work);
   } catch (const std::exception& error) {
     send_text(kFirst, MpiTag::fault, error.what());
   }
@@ -168,7 +168,7 @@ void serve_first(const EvaluatorMaker& maker, int threads) {
   send_message(kFirst, MpiTag::done);
   for (bool is_last = false; !is_last;) {
     if (const auto message = received_message()) {
-      is_last = work->take(*message, crew);
+      is_last = message->tag == MpiTag::farewell;
     } else {
       std::this_thread::sleep_for(kPollPeriod);
     }

@@ -51,7 +51,9 @@ std::optional<ordered_json> study_linkage(const problems::Study& study) {
       *number = {{"variable", i}};
     }
   }
-  return file["mechanism"];
+  ordered_json& linkage = file["mechanism"];
+  linkage["start"] = base->drive.start;
+  return linkage;
 }
 
 }  // namespace cognate::app

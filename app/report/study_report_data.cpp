@@ -1,19 +1,22 @@
 #include "app/report/study_report_data.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/report/study_linkage.hpp"
 #include "problems/study/design_text.hpp"
+#include "problems/study/study_names.hpp"
 
 namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
 using problems::Cell;
-using problems::RunStatus;
 using problems::Study;
 
 /// What a page bears that is to open at once.
@@ -128,36 +131,6 @@ class Columns {
   const std::vector<std::size_t>& drawn_;
 };
 
-const char* name(RunStatus status) {
-  switch (status) {
-    case RunStatus::solved:
-      return "solved";
-    case RunStatus::infeasible:
-      return "infeasible";
-    case RunStatus::no_solution:
-      return "no-solution";
-    case RunStatus::invalid:
-      return "invalid";
-    case RunStatus::filtered:
-      return "filtered";
-  }
-  return "";
-}
-
-const char* name(problems::Sampling sampling) {
-  switch (sampling) {
-    case problems::Sampling::sobol:
-      return "sobol";
-    case problems::Sampling::halton:
-      return "halton";
-    case problems::Sampling::latin:
-      return "latin";
-    case problems::Sampling::random:
-      return "random";
-  }
-  return "";
-}
-
 /// What the study asked, as far as its columns do not say it.
 ordered_json questions(const Study& study) {
   ordered_json filters = ordered_json::array();
@@ -169,7 +142,7 @@ ordered_json questions(const Study& study) {
   }
   return {{"title", study.title},
           {"base", study.base},
-          {"sampling", name(study.sampling)},
+          {"sampling", problems::to_string(study.sampling)},
           {"samples", study.samples},
           {"filters", filters}};
 }
@@ -205,7 +178,7 @@ ordered_json study_report_data(const Study& study, const StudyRows& rows) {
   std::vector<ordered_json> statuses;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     ids.push_back(rows.ids[drawn[i]]);
-    statuses.emplace_back(name(rows.statuses[drawn[i]]));
+    statuses.emplace_back(problems::to_string(rows.statuses[drawn[i]]));
     if (rows.best[drawn[i]]) best.push_back(i);
   }
   ordered_json data = {{"columns", Columns(study, rows, drawn).all()},

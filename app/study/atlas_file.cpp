@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "analysis/mobility.hpp"
+#include "app/study/read_rows.hpp"
 #include "app/study/sqlite.hpp"
 #include "app/study/study_schema.hpp"
 #include "problems/read.hpp"
@@ -39,11 +40,6 @@ struct Misfit {
   std::string text;
 };
 
-std::vector<std::string> names_in(SqliteDatabase& database, const char* row) {
-  const auto text = database.text(fmt::format("SELECT value FROM study WHERE name = '{}'", row));
-  return nlohmann::json::parse(text).get<std::vector<std::string>>();
-}
-
 FourBar base_of(SqliteDatabase& database) {
   const auto base =
       problems::parse_analysis(database.text("SELECT value FROM study WHERE name = 'base'"));
@@ -69,14 +65,15 @@ class AtlasRows {
  private:
   std::string query(SqliteDatabase& database) {
     std::string columns;
-    for (const auto& key : names_in(database, "variables")) {
+    for (const auto& key : stored_names(database, "variables")) {
       const auto path = problems::reading::parse_key_path(key);
       const auto dimension = path ? problems::four_bar_dimension(*path) : std::nullopt;
       if (!dimension) throw Misfit{fmt::format("{} varies, which is no dimension", key)};
       dimensions_.push_back(*dimension);
       columns += sql_name(key) + ", ";
     }
-    const auto metrics = names_in(database, "metrics");
+    if (dimensions_.empty()) throw Misfit{"nothing varies in it"};
+    const auto metrics = stored_names(database, "metrics");
     const auto add = [&](const std::string& name) {
       if (std::ranges::find(metrics, name) == metrics.end()) {
         throw Misfit{fmt::format("it has no column {}", name)};

@@ -26,20 +26,15 @@ std::string stem_of(const fs::path& file) {
   return stem.extension() == ".study" ? stem.stem().string() : stem.string();
 }
 
-std::vector<std::string> names_in(SqliteDatabase& database, const char* row) {
-  const auto text = database.text(fmt::format("SELECT value FROM study WHERE name = '{}'", row));
-  return nlohmann::json::parse(text).get<std::vector<std::string>>();
-}
-
 /// As much of the study as its file tells, which is all that the text of a design depends on.
 problems::Study stored_study(SqliteDatabase& database) {
   problems::Study study;
   study.base_text = database.text("SELECT value FROM study WHERE name = 'base'");
-  for (const auto& key : names_in(database, "variables")) {
+  for (const auto& key : stored_names(database, "variables")) {
     const auto path = problems::reading::parse_key_path(key);
     study.variables.push_back({.key = key, .path = path.value_or(problems::KeyPath())});
   }
-  study.metrics = names_in(database, "metrics");
+  study.metrics = stored_names(database, "metrics");
   return study;
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
-#include <vector>
 
 #include "problems/study/study_names.hpp"
 
@@ -102,6 +102,11 @@ StudyRows report_rows(SqliteDatabase& database, const problems::Study& study, st
   auto rows = rows_of(database, study, ids);
   for (const auto id : rows.ids) rows.best.push_back(std::ranges::binary_search(best, id));
   return rows;
+}
+
+std::vector<std::string> stored_names(SqliteDatabase& database, std::string_view name) {
+  const auto text = database.text(fmt::format("SELECT value FROM study WHERE name = '{}'", name));
+  return nlohmann::json::parse(text).get<std::vector<std::string>>();
 }
 
 std::optional<StudyRows> row_of(SqliteDatabase& database, const problems::Study& study,

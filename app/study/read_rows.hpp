@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/study/sqlite.hpp"
 #include "app/study/study_rows.hpp"
@@ -20,6 +23,10 @@ StudyRows best_rows(SqliteDatabase& database, const problems::Study& study, std:
 /// What a report shows: all rows, or the best and others spread evenly over the designs, at most
 /// `most` together; by ascending id.
 StudyRows report_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most);
+
+/// The names in the row `name` ("variables", "metrics") of the table `study`. Throws
+/// nlohmann::json::exception where it holds no list of names.
+std::vector<std::string> stored_names(SqliteDatabase& database, std::string_view name);
 
 /// The row of design `id`; empty where that was not kept or there is none.
 std::optional<StudyRows> row_of(SqliteDatabase& database, const problems::Study& study,

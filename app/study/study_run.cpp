@@ -29,8 +29,9 @@ StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering
     }
   }
   database.commit();
-  // The last block may have come after all.
-  return database.missing().empty() ? StudyEnd::done : end;
+  // The last block may have come after all; and one of many processes may have been stopped alone.
+  if (database.missing().empty()) return StudyEnd::done;
+  return end == StudyEnd::done ? StudyEnd::interrupted : end;
 }
 
 }  // namespace cognate::app

@@ -20,7 +20,8 @@ struct StudySteering {
 };
 
 /// Stores the blocks of `crew` until there are no more, or it is interrupted, or the time is over.
-/// What was stored until then is committed. Throws as StudyDatabase and the crew do.
+/// What was stored until then is committed. `done` where all designs of the study are; interrupted,
+/// too, where some of the crew gave up by themselves. Throws as StudyDatabase and the crew do.
 StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering& steering);
 
 }  // namespace cognate::app

@@ -55,6 +55,7 @@ Identity study_identity(const problems::Study& study, const StudyOrigin& origin)
           {"study", origin.text},
           {"base_file", study.base},
           {"base", study.base_text},
+          {"drawing", study.drawing},
           {"variables", variables.dump()},
           {"metrics", nlohmann::json(study.metrics).dump()},
           {"objectives", objectives.dump()},
@@ -95,6 +96,7 @@ std::string study_difference(const Identity& stored, const Identity& wanted) {
     number("the name of the base file", "base_file");
   }
   if (differs("base")) add(fmt::format("the base file (from line {} on)", line("base")));
+  if (differs("drawing")) add("the drawing that the base file names");
   if (differs("seed")) number("the seed", "seed");
   if (differs("version")) number("the version of Cognate", "version");
   if (text.empty() && stored != wanted) add("its columns");

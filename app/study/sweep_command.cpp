@@ -119,7 +119,7 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
   return summary.counts.kept > 0 ? exit_done : exit_no_design;
 }
 
-/// The part of the process that stores the rows. `begin` is called once, with whether it can.
+/// The part of the process that stores the rows.
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
   const auto ready =
       prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".report.html"});
@@ -166,8 +166,8 @@ ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProc
                     .options = options,
                     .folder = options.out.value_or("."),
                     .stem = file.stem().string()};
-  const auto input = fmt::format("{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,
-                                 sweep.origin.text, study->base_text);
+  const auto input = fmt::format("{}\n{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,
+                                 sweep.origin.text, study->base_text, study->drawing);
   if (processes.is_first()) return direct(sweep, processes, input);
   if (!processes.agree(true, input)) return exit_bad_input;
   processes.serve(evaluators(*study, options.seed), options.threads);

@@ -13,6 +13,13 @@ namespace {
 constexpr std::string_view kBase = "base";
 constexpr std::string_view kWanted = "the path of a problem or mechanism file is wanted";
 
+/// The path data of a closed curve, from wherever they were read; empty where there are none.
+std::string drawing_of(const Task& task) {
+  const auto* const problem = std::get_if<Problem>(&task);
+  const auto* const path = problem ? std::get_if<PathProblem>(problem) : nullptr;
+  return path && path->curve ? path->curve->svg_path : "";
+}
+
 void fault_base(TableReader& study_file, const std::string& base, const Fault& first) {
   study_file.fault(kBase, fmt::format("{} has a fault of its own, at {}:{}: {}", in_quotes(base),
                                       first.line, first.column, first.message));
@@ -52,6 +59,7 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   }
   BaseFile found{*std::move(document), {}, metrics(read->task)};
   found.number_keys = number_keys(found.document);
+  study.drawing = drawing_of(read->task);
   return found;
 }
 

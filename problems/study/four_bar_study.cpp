@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "problems/study/design_points.hpp"
 #include "problems/study/four_bar_curves.hpp"
 #include "problems/study/four_bar_designs.hpp"
+#include "problems/study/four_bar_plan.hpp"
 #include "problems/study/four_bar_quantities.hpp"
 #include "problems/study/four_bar_screen.hpp"
 #include "problems/study/study_base.hpp"
@@ -21,79 +21,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-/// What a study of four-bars says, made out once.
-struct FourBarPlan {
-  AnalysisProblem base;
-  std::vector<FourBarDimension> dimensions;  ///< of each variable
-  std::vector<FourBarQuantity> columns;
-  std::vector<FourBarFilter> filters;  ///< by stage
-  bool wants_swing = false;
-
-  const FourBar& linkage() const { return *base.mechanism.four_bar; }
-
-  /// Whether a column or a filter is of one of these stages.
-  bool wants(FourBarStage from, FourBarStage to) const {
-    const auto is_in = [&](const FourBarQuantity& quantity) {
-      return quantity.stage >= from && quantity.stage <= to;
-    };
-    return std::ranges::any_of(columns, is_in) ||
-           std::ranges::any_of(filters, is_in, &FourBarFilter::quantity);
-  }
-};
-
-/// The analysis that the base file asks for, where it is one of a four-bar over a whole turn.
-std::optional<AnalysisProblem> four_bar_base(const Study& study) {
-  auto analysis = parse_analysis(study.base_text);
-  if (!analysis || !analysis->mechanism.four_bar) return std::nullopt;
-  const bool whole = std::abs(analysis->drive.end - analysis->drive.start) >= kTurn * (1 - 1e-12);
-  return whole ? std::optional(*std::move(analysis)) : std::nullopt;
-}
-
-std::optional<FourBarPlan> plan(const Study& study, AnalysisProblem base) {
-  FourBarPlan plan{.base = std::move(base)};
-  const bool has_point = plan.linkage().coupler_point.has_value();
-  const auto add = [&](std::string_view name) {
-    const auto quantity = four_bar_quantity(study, name, has_point);
-    if (quantity && quantity->fact == FourBarFact::output_swing) plan.wants_swing = true;
-    return quantity;
-  };
-  for (const StudyVariable& variable : study.variables) {
-    const auto dimension = four_bar_dimension(variable.path);
-    if (!dimension) return std::nullopt;
-    plan.dimensions.push_back(*dimension);
-  }
-  for (const std::string& column : study_columns(study)) {
-    const auto quantity = add(column);
-    if (!quantity) return std::nullopt;
-    plan.columns.push_back(*quantity);
-  }
-  for (const StudyFilter& filter : study.filters) {
-    const auto quantity = add(filter.name);
-    if (!quantity) return std::nullopt;
-    plan.filters.push_back({*quantity, &filter});
-  }
-  std::ranges::stable_sort(plan.filters, {},
-                           [](const FourBarFilter& filter) { return filter.quantity.stage; });
-  return plan;
-}
-
-/// Whether a row of the drive's table falls where a crank that does not turn fully can be.
-bool has_closed_row(const DriveSweep& drive, const FourBar& linkage) {
-  const double frame = frame_angle(linkage);
-  const double step = (drive.end - drive.start) / drive.steps;
-  for (const CrankRange& range : crank_ranges(lengths(linkage))) {
-    for (double turn = -2; turn <= 2; ++turn) {
-      const double from = (range.from + frame + turn * kTurn - drive.start) / step;
-      const double to = (range.to + frame + turn * kTurn - drive.start) / step;
-      const double first = std::max(std::ceil(std::min(from, to)), 0.0);
-      if (first <= std::max(from, to) && first <= drive.steps) return true;
-    }
-  }
-  return false;
-}
 
 /// Evaluates blocks, for one thread.
 class FourBarBlocks {
@@ -370,14 +297,11 @@ class FourBarBlocks {
 
 std::optional<BlockEvaluator> four_bar_evaluator(const Study& study, std::uint64_t seed,
                                                  const std::atomic<bool>* interrupted) {
-  if (study.variables.empty()) return std::nullopt;
-  auto base = four_bar_base(study);
-  if (!base) return std::nullopt;
-  auto made = plan(study, *std::move(base));
-  if (!made) return std::nullopt;
+  auto plan = four_bar_plan(study);
+  if (!plan) return std::nullopt;
   // A std::function wants to be copied, which the base's text cannot be.
   auto blocks =
-      std::make_shared<FourBarBlocks>(study, seed, interrupted, *std::move(made), StudyBase(study));
+      std::make_shared<FourBarBlocks>(study, seed, interrupted, *std::move(plan), StudyBase(study));
   return [blocks](std::int64_t begin, std::int64_t count) { return (*blocks)(begin, count); };
 }
 

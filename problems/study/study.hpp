@@ -52,6 +52,7 @@ struct Study {
   std::string base;              ///< the base file, as written
   std::string base_text;         ///< what that file holds
   std::filesystem::path folder;  ///< of the base file, where files that it names are
+  std::string drawing;           ///< the path data of the drawing that the base names, if any
   std::vector<StudyVariable> variables;
   Sampling sampling = Sampling::sobol;  ///< of all sampled variables, together one set of points
   std::int64_t samples = 1;

@@ -1,5 +1,6 @@
 #include "problems/study/study_base.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "problems/reading/key_path.hpp"
@@ -17,6 +18,23 @@ struct StudyBase::Document {
   std::vector<Place> places;  ///< of each variable
 };
 
+namespace {
+
+/// Puts the path data in the place of the file that they were read from, so that rows hang on no
+/// file but the base.
+void hold_drawing(reading::Table& document, const std::string& path_data) {
+  const auto found = std::ranges::find(document, "target", &reading::Entry::key);
+  if (found == document.end()) return;
+  auto& target = std::get<reading::Table>(found->node.value);
+  const auto svg = std::ranges::find(target, "svg", &reading::Entry::key);
+  if (svg == target.end()) return;
+  svg->key = "svg_path";
+  svg->node.value = path_data;
+  std::erase_if(target, [](const reading::Entry& entry) { return entry.key == "svg_id"; });
+}
+
+}  // namespace
+
 bool is_whole(double value) {
   return value == std::trunc(value) && std::abs(value) <= 0x1p53;
 }
@@ -25,6 +43,7 @@ StudyBase::StudyBase(const Study& study) : document_(std::make_unique<Document>(
   auto table = reading::read_text(study.base_text);
   if (table) document_->table = *std::move(table);
   document_->folder = study.folder;
+  if (!study.drawing.empty()) hold_drawing(document_->table, study.drawing);
   for (const StudyVariable& variable : study.variables) {
     auto* node = reading::find_node(document_->table, variable.path);
     const bool integer = node && std::holds_alternative<std::int64_t>(node->value);

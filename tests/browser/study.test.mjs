@@ -64,6 +64,18 @@ test("a crank that does not turn fully goes on in the other assembly", () => {
   }
 });
 
+// As circuit_at has it, whose test has the same linkage: the coupler is the shortest link.
+test("of two circuits the one that the drive starts on is drawn, or comes to first", () => {
+  const RowLinkage = evaluated(["sampling.js", "study/closure.js", "study/linkage.js"], "RowLinkage");
+  const links = { fixed_pivots: [[0, 0], [1.6, 0]], crank: 2, coupler: 1, rocker: 1.9, assembly: "open" };
+  const isUpper = (start) => new RowLinkage({ ...links, start }).poses(100).every(({ b }) => b[1] > 0);
+  const upper = new RowLinkage({ ...links, start: 0 });
+  const middle = (upper.from + upper.to) / 2;
+  for (const [start, expected] of [[middle, true], [-middle, false], [2 * Math.PI + middle, true], [0, true], [Math.PI, false]]) {
+    assert.equal(isUpper(start), expected, `from ${start}`);
+  }
+});
+
 for (const { size, scheme } of LOOKS) {
   for (const name of ["grid", "sobol", "atlas", "hostile", "empty"]) {
     test(`${name} fits a ${size} in ${scheme} colours`, () => visit(name, { size, scheme, ...still }, async (page) => {

@@ -173,6 +173,19 @@ TEST(FourBarStudy, RandomDesignsAreAsAnalysisHasThem) {
   }
 }
 
+// Of cranks that do not turn fully the drive's rows may miss the range, or all but one may.
+TEST(FourBarStudy, RowsOfTheDriveAreAsAnalysisHasThem) {
+  for (const char* drive : {"start_deg = 4000", "start_deg = 10\nend_deg = 3790\nsteps = 3",
+                            "start_deg = 90\nend_deg = -3600\nsteps = 4"}) {
+    Study study = random_study(100);
+    study.base_text.replace(study.base_text.find("start_deg = 40"), 14, drive);
+    study.metrics = {"class", "crank_turns_fully"};
+    const auto seen = compare(study, evaluate(study, 0, 100));
+    EXPECT_GT(seen.at("double-rocker"), 2) << drive;
+    EXPECT_GT(seen.at("not assembled"), 2) << drive;
+  }
+}
+
 TEST(FourBarStudy, ChangePointsAreAsAnalysisHasThem) {
   Study study = grid_study();
   study.variables.back().values = {-1};

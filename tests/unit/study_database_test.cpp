@@ -184,6 +184,9 @@ TEST(StudyDatabase, RefusesWhatIsAnothers) {
   other.base_text = "crank = 2\n";
   expect(other, kOrigin, "the base file (from line 1 on)");
   other = study;
+  other.drawing = "M 0 0 L 1 0 L 0 1 Z";
+  expect(other, kOrigin, "the drawing that the base file names differs");
+  other = study;
   other.metrics.pop_back();
   expect(other, kOrigin, "its columns");
 }

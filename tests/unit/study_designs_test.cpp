@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -209,6 +210,28 @@ TEST(StudyBase, RefusesWhatTheFileWouldBeRefusedFor) {
     EXPECT_FALSE(parse_task(design_text(study, std::vector{steps})));
   }
   EXPECT_TRUE(base.with(std::vector{13.0}));
+}
+
+// The study is read where the drawing is, and its designs where there is none.
+TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
+  const auto library = std::filesystem::path(COGNATE_LIBRARY_DIR) / "path";
+  auto study = parse_study(
+      "base = \"bean.toml\"\n[[vary]]\nkey = \"target.samples\"\nvalues = [40, 80]\n"
+      "[output]\nmetrics = [\"error.rms\"]\n",
+      library, [](const Task&) {
+        return MetricNames{{{"error.rms"}}, {}};
+      });
+  ASSERT_TRUE(study) << study.error()[0].message;
+  EXPECT_TRUE(study->drawing.starts_with("M")) << study->drawing;
+  study->folder = "/nowhere";
+  const auto task = StudyBase(*study).with(std::vector{40.0});
+  ASSERT_TRUE(task) << task.error()[0].message;
+  const auto& held = std::get<PathProblem>(std::get<Problem>(*task));
+  const auto direct = read_task(library / "bean.toml");
+  ASSERT_TRUE(direct);
+  const auto& drawn = std::get<PathProblem>(std::get<Problem>(*direct));
+  EXPECT_EQ(held.curve->curve.length(), drawn.curve->curve.length());
+  EXPECT_EQ(held.points.size(), 40U);
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ TEST(StudyLinkage, VariedDimensionsAreNamedOthersKept) {
                                  {"coupler", {{"variable", 1}}},
                                  {"rocker", {{"variable", 2}}},
                                  {"assembly", "open"},
-                                 {"coupler_point", {{{"variable", 3}}, {{"variable", 4}}}}};
+                                 {"coupler_point", {{{"variable", 3}}, {{"variable", 4}}}},
+                                 {"start", 0.0}};
   EXPECT_EQ(*linkage, expected);
   EXPECT_FALSE(study_linkage(sample("hostile").study));
 }

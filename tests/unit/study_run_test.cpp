@@ -96,6 +96,19 @@ TEST(StudyRun, GoesOnWhereItWasInterrupted) {
   EXPECT_EQ(all_rows(folder / "a.db"), all_rows(folder / "whole.db"));
 }
 
+TEST(StudyRun, IsNotDoneWhereAnEvaluatorGaveUp) {
+  const TestFolder folder;
+  const EvaluatorMaker failing = [](const std::atomic<bool>*) {
+    return [](std::int64_t first, std::int64_t count) {
+      return first < 640 ? std::optional(sample_block(first, count)) : std::nullopt;
+    };
+  };
+  const std::atomic<bool> interrupted{false};
+  const auto ran = run_once(folder / "a.db", sample_study(5000), failing, 1, interrupted);
+  EXPECT_EQ(ran.end, StudyEnd::interrupted);
+  EXPECT_EQ(ran.counts.evaluated, 640);
+}
+
 TEST(StudyRun, EndsAtTheTimeLimit) {
   const TestFolder folder;
   const EvaluatorMaker endless = [](const std::atomic<bool>* stopped) {

@@ -30,10 +30,18 @@ class RowLinkage {
     this.fullTurn = this.closes && least <= -1 && greatest >= 1;
     const [inner, outer] = [greatest >= 1 ? 0 : Math.acos(greatest), least <= -1 ? Math.PI : Math.acos(least)];
     // About the frame line where the limits lie on both sides of it.
-    const range = greatest >= 1 ? [-outer, outer] : least <= -1 ? [inner, TURN - inner] : [inner, outer];
+    const range = greatest >= 1 ? [-outer, outer] : least <= -1 ? [inner, TURN - inner] : this.#startsBelow(inner, outer) ? [-outer, -inner] : [inner, outer];
     // A hair within the limits, where rounding cannot open the triangle.
     [this.from, this.to] = [range[0] + HAIR, range[1] - HAIR];
     this.closes = this.closes && this.pose(1) !== null;
+  }
+
+  // Of two ranges, mirror images in the frame line, whether the drive starts in the lower one or, in
+  // none, comes to it first.
+  #startsBelow(inner, outer) {
+    const start = (this.dimensions.start ?? 0) - this.closure.frameAngle;
+    const angle = start - TURN * Math.floor(start / TURN);
+    return angle > outer && angle <= TURN - inner;
   }
 
   // The pose at `phase` of the motion, 0 to 2π. `crank`: the angle from the x axis, in degrees.
