@@ -154,11 +154,7 @@ void CurveValues::find_descriptors() {
 
 double CurveValues::longest_stretch(double relative) {
   sample_circuit(linkage_, circuit_, table(kStretchSteps), stretch_room_);
-  points_.resize(kStretchSteps);
-  for (std::size_t i = 0; i < kStretchSteps; ++i) {
-    points_[i] = {stretch_room_.x[i], stretch_room_.y[i]};
-  }
-  return stretches_.longest(points_, true, relative).length;
+  return stretches_(stretch_room_.samples(), relative);
 }
 
 void CurveValues::find_features() {
