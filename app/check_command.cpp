@@ -10,6 +10,7 @@
 #include "app/messages.hpp"
 #include "app/problem_json.hpp"
 #include "app/result_json.hpp"
+#include "app/study/problem_atlas.hpp"
 #include "app/study/study_metrics.hpp"
 #include "app/table.hpp"
 #include "app/terminal.hpp"
@@ -26,6 +27,17 @@ ordered_json faults_json(const std::vector<problems::Fault>& faults) {
     rows.push_back({{"line", fault.line}, {"column", fault.column}, {"message", fault.message}});
   }
   return rows;
+}
+
+/// The same, or what keeps the file that a problem names from being an atlas.
+tl::expected<problems::TaskOrStudy, std::vector<problems::Fault>> with_sound_atlas(
+    problems::TaskOrStudy read) {
+  const auto* const task = std::get_if<problems::Task>(&read);
+  const auto* const problem = task ? std::get_if<problems::Problem>(task) : nullptr;
+  if (problem) {
+    if (const auto atlas = problem_atlas(*problem); !atlas) return tl::unexpected(atlas.error());
+  }
+  return read;
 }
 
 struct Description {
@@ -59,7 +71,7 @@ struct AsJson {
 }  // namespace
 
 ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
-  const auto read = problems::read_task_or_study(file, study_metrics);
+  const auto read = problems::read_task_or_study(file, study_metrics).and_then(with_sound_atlas);
   if (!read) write_standard_error(fault_lines(file, read.error()));
 
   ExitStatus printed = exit_done;

@@ -164,6 +164,7 @@ ordered_json tables_of(const problems::PathProblem& problem) {
   add_operation(problem.constraints, tables);
   if (problem.curve) tables["constraints"]["no_extra_loop"] = problem.constraints.no_extra_loop;
   tables["solve"] = solve_table(problem.solve);
+  if (problem.atlas) tables["solve"]["atlas"] = problem.atlas->name;
   return tables;
 }
 

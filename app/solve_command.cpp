@@ -9,9 +9,8 @@
 #include "app/computation.hpp"
 #include "app/report/report.hpp"
 #include "app/result_json.hpp"
-#include "app/study/atlas_file.hpp"
+#include "app/study/problem_atlas.hpp"
 #include "app/table.hpp"
-#include "problems/atlas_name.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {
@@ -51,25 +50,13 @@ ExitStatus solve_with(const std::filesystem::path& file, const AnyProblem& probl
 /// How many curves of an atlas a search begins with.
 constexpr std::size_t kAtlasStarts = 48;
 
-/// The starts that the problem in `file` takes from the atlas `name`, or why there are none.
-tl::expected<std::vector<problems::Design>, std::string> atlas_designs(
-    const std::filesystem::path& file, const std::string& name, const problems::Problem& problem) {
-  const auto* const path = std::get_if<problems::PathProblem>(&problem);
-  if (!path || !path->curve) return {};
-  return read_atlas(file.parent_path() / name)
-      .map([&](const auto& curves) { return atlas_starts(*path, curves, kAtlasStarts); })
-      .map_error([&](const std::string& why) {
-        return fmt::format("solve.atlas is \"{}\": {}", name, why);
-      });
-}
-
 ExitStatus solve_linkage(const std::filesystem::path& file, const problems::Problem& problem,
                          const Options& options) {
+  const auto curves = problem_atlas(problem);
+  if (!curves) return refuse(file, curves.error());
   std::vector<problems::Design> known;
-  if (const auto atlas = problems::atlas_name(file)) {
-    auto designs = atlas_designs(file, *atlas, problem);
-    if (!designs) return refuse(file, {problems::Fault{1, 1, designs.error()}});
-    known = *std::move(designs);
+  if (!curves->empty()) {
+    known = atlas_starts(std::get<problems::PathProblem>(problem), *curves, kAtlasStarts);
   }
   const auto solve = [&](problems::Run run) {
     run.known = known;

@@ -24,9 +24,10 @@ using problems::Problem;
 using problems::Result;
 
 std::string description(const PathProblem& problem) {
-  return fmt::format("path generation{}, {} points, {} timing",
+  return fmt::format("path generation{}, {} points, {} timing{}",
                      problem.method == problems::PathMethod::exact ? " exactly" : "",
-                     problem.points.size(), problems::to_string(problem.timing));
+                     problem.points.size(), problems::to_string(problem.timing),
+                     problem.atlas ? ", from the atlas " + problem.atlas->name : "");
 }
 
 std::string description(const FunctionProblem& problem) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "problems/analysis/named_mechanism.hpp"
+#include "problems/atlas_source.hpp"
 #include "problems/linkage_limits.hpp"
 #include "problems/motion_problem.hpp"
 #include "problems/quick_return_problem.hpp"
@@ -51,6 +52,7 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+  std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   bool is_timed(std::size_t point) const {
     return timing == Timing::prescribed || (timing == Timing::mixed && has_crank_angle[point]);

@@ -20,7 +20,9 @@ Vec2d unit_vector(double angle) {
 }
 
 Vec2d normalised(const Vec2d& v) {
-  const double length = std::hypot(v.x, v.y);
+  constexpr double kSmall = 1e-280;  // below it the square loses digits
+  const double square = squared_norm(v);
+  const double length = square > kSmall ? std::sqrt(square) : std::hypot(v.x, v.y);
   return length > 0 ? (1 / length) * v : Vec2d{1, 0};
 }
 
@@ -54,6 +56,10 @@ Circuits::Circuits(const Lengths<double>& links)
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     add_range(ranges[i].from, ranges[i].to, static_cast<int>(i));
   }
+}
+
+void Circuits::keep(int circuit) {
+  std::erase_if(arcs_, [circuit](const CircuitArc& arc) { return arc.circuit != circuit; });
 }
 
 void Circuits::add_range(double from, double to, int circuit) {

@@ -42,6 +42,9 @@ class Circuits {
 
   const std::vector<CircuitArc>& arcs() const { return arcs_; }
 
+  /// Leaves out the arcs of all circuits but one.
+  void keep(int circuit);
+
   LinkPose at(const CircuitArc& arc, double place) const;
 
  private:

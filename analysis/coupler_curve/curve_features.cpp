@@ -53,8 +53,8 @@ class FociCircle {
 /// Finds features and places them in the plane of the pivots.
 class Search {
  public:
-  explicit Search(const FourBar& linkage)
-      : linkage_(linkage), curve_(linkage), frame_angle_(frame_angle(linkage)) {
+  Search(const FourBar& linkage, std::optional<int> circuit)
+      : linkage_(linkage), curve_(linkage, circuit), frame_angle_(frame_angle(linkage)) {
     const Vec2d frame = linkage.pivot_d - linkage.pivot_a;
     frame_direction_ = (1 / norm(frame)) * frame;
   }
@@ -145,12 +145,26 @@ bool traces_a_circle(const FourBar& linkage) {
   return std::min(norm(from_b), norm(from_c)) <= kRounding * linkage.coupler;
 }
 
+/// As `CurvePoint::circuit` counts.
+int number_of(const CircuitChoice& circuit, const Lengths<double>& links) {
+  if (crank_rotates(links)) return circuit.assembly == Assembly::open ? 0 : 1;
+  return crank_ranges(links).size() > 1 && circuit.half < 0 ? 1 : 0;
+}
+
+bool has_features(const FourBar& linkage) {
+  return linkage.coupler_point && !traces_a_circle(linkage) && can_assemble(lengths(linkage));
+}
+
 }  // namespace
 
 std::optional<CurveFeatures> curve_features(const FourBar& linkage) {
-  if (!linkage.coupler_point || traces_a_circle(linkage)) return std::nullopt;
-  if (!can_assemble(lengths(linkage))) return std::nullopt;
-  return Search(linkage).run();
+  if (!has_features(linkage)) return std::nullopt;
+  return Search(linkage, std::nullopt).run();
+}
+
+std::optional<CurveFeatures> curve_features(const FourBar& linkage, const CircuitChoice& circuit) {
+  if (!has_features(linkage)) return std::nullopt;
+  return Search(linkage, number_of(circuit, lengths(linkage))).run();
 }
 
 }  // namespace cognate

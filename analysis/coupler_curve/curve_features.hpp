@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/coupler_curve/circuit_samples.hpp"
 #include "analysis/defects.hpp"
 #include "analysis/four_bar.hpp"
 #include "analysis/vec2.hpp"
@@ -51,5 +52,8 @@ struct CurveFeatures {
 /// Empty without a coupler point, where the linkage cannot be assembled, and where the point is on
 /// B or C, whose path is a circle.
 std::optional<CurveFeatures> curve_features(const FourBar& linkage);
+
+/// Those on one circuit; of double points those whose both passages are on it.
+std::optional<CurveFeatures> curve_features(const FourBar& linkage, const CircuitChoice& circuit);
 
 }  // namespace cognate

@@ -32,7 +32,7 @@ struct FourierDescriptors {
 
  private:
   static constexpr std::size_t place(int harmonic) {
-    return static_cast<std::size_t>(harmonic) + std::size_t{kHarmonics};  // of a ring of numbers
+    return static_cast<std::size_t>(std::ptrdiff_t{harmonic} + kHarmonics);
   }
 };
 

@@ -16,11 +16,13 @@ Lengths<double> divided(const Lengths<double>& links, double unit) {
 
 }  // namespace
 
-TracedCurve::TracedCurve(const FourBar& linkage)
+TracedCurve::TracedCurve(const FourBar& linkage, std::optional<int> circuit)
     : unit_(unit_of(lengths(linkage))),
       links_(divided(lengths(linkage), unit_)),
       point_((1 / unit_) * *linkage.coupler_point),
+      arm_(norm(point_)),
       circuits_(links_) {
+  if (circuit) circuits_.keep(*circuit);
   samples_.reserve(circuits_.arcs().size() * (kCells + 1));
   for (const CircuitArc& arc : circuits_.arcs()) {
     for (int k = 0; k <= kCells; ++k) samples_.push_back(at({&arc, place_of(arc, k)}));
@@ -31,7 +33,7 @@ TracedPoint TracedCurve::at(const ArcPlace& where) const {
   const LinkPose pose = circuits_.at(*where.arc, where.place);
   const BodyMotion<double, 3> coupler = coupler_motion(links_, pose);
   return {pose, point_motion(coupler, point_),
-          norm(coupler.origin[1]) + std::abs(coupler.turn[0]) * norm(point_)};
+          std::sqrt(squared_norm(coupler.origin[1])) + std::abs(coupler.turn[0]) * arm_};
 }
 
 bool TracedCurve::moves(const ArcPlace& where) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "analysis/coupler_curve/circuits.hpp"
@@ -28,7 +29,8 @@ struct TracedPoint {
 /// point.
 class TracedCurve {
  public:
-  explicit TracedCurve(const FourBar& linkage);
+  /// The curve on all circuits, or on one alone.
+  explicit TracedCurve(const FourBar& linkage, std::optional<int> circuit = std::nullopt);
 
   const Circuits& circuits() const { return circuits_; }
   double unit() const { return unit_; }
@@ -89,6 +91,7 @@ class TracedCurve {
   double unit_ = 1;
   Lengths<double> links_;
   Vec2d point_;
+  double arm_ = 0;  ///< of the point about B
   Circuits circuits_;
   std::vector<TracedPoint> samples_;  ///< the ends of the cells of each arc
 };

@@ -13,12 +13,6 @@ namespace {
 constexpr std::array<int, 8> kMagnitudes{-4, -3, -2, -1, 1, 2, 3, 4};
 constexpr std::array<int, 6> kPhases{-4, -3, -2, 2, 3, 4};
 
-/// Whether what is found at a place of the curve is on the circuit.
-bool is_on(const CurvePoint& point, const CircuitChoice& circuit, std::size_t ranges, bool turns) {
-  if (turns) return point.position.side == circuit.assembly;
-  return ranges < 2 || point.circuit == (circuit.half > 0 ? 0 : 1);
-}
-
 double longest(const Lengths<double>& links) {
   return std::max({links.crank, links.coupler, links.rocker, links.frame});
 }
@@ -160,25 +154,16 @@ void CurveValues::find_descriptors() {
 
 double CurveValues::longest_stretch(double relative) {
   sample_circuit(linkage_, circuit_, table(kStretchSteps), stretch_room_);
-  points_.resize(kStretchSteps);
-  for (std::size_t i = 0; i < kStretchSteps; ++i) {
-    points_[i] = {stretch_room_.x[i], stretch_room_.y[i]};
-  }
-  return stretches_.longest(points_, true, relative).length;
+  return stretches_(stretch_room_.samples(), relative);
 }
 
 void CurveValues::find_features() {
-  const auto found = curve_features(linkage_);
+  const auto found = curve_features(linkage_, circuit_);
   if (!found) return;
-  const Lengths<double> links = lengths(linkage_);
-  const std::size_t ranges = crank_ranges(links).size();
-  const bool turns = crank_rotates(links);
-  const auto on = [&](const CurvePoint& point) { return is_on(point, circuit_, ranges, turns); };
-  const auto both = [&](const DoublePoint& point) { return on(point.first) && on(point.second); };
   auto& all = values(CurveGroup::features);
-  all[0] = static_cast<double>(std::ranges::count_if(found->cusps, on));
-  all[1] = static_cast<double>(std::ranges::count_if(found->double_points, both));
-  all[2] = static_cast<double>(std::ranges::count_if(found->inflections, on));
+  all[0] = static_cast<double>(found->cusps.size());
+  all[1] = static_cast<double>(found->double_points.size());
+  all[2] = static_cast<double>(found->inflections.size());
 }
 
 std::vector<Fact> curve_facts(const AnalysisProblem& problem) {

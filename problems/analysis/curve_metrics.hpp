@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/coupler_curve/closed_stretch.hpp"
 #include "analysis/coupler_curve/curve_measures.hpp"
 #include "analysis/coupler_curve/fourier_descriptors.hpp"
-#include "analysis/coupler_curve/sampled_stretch.hpp"
 #include "problems/analysis/analysis_result.hpp"
 
 namespace cognate::problems {
@@ -77,11 +77,10 @@ class CurveValues {
   std::array<std::array<std::optional<double>, 14>, kGroups> values_;
   std::vector<TurnTable> tables_;  ///< made once
   CurveRoom room_, stretch_room_;
-  std::vector<Vec2d> points_;
   CurveSums sums_;
   WidthFinder widths_;
   DescriptorFinder descriptors_;
-  SampledStretches stretches_;
+  ClosedStretchFinder stretches_;
 };
 
 /// The facts that `output.curve` asks for.

@@ -217,20 +217,20 @@ std::string_view error_limit_refusal(const PathProblem& problem) {
   return {};
 }
 
-// `solve.atlas`, which whoever solves the problem reads (atlas_name.hpp).
-void check_atlas(TableReader& solve, const std::filesystem::path& folder, bool closed) {
+std::optional<AtlasSource> read_atlas(TableReader& solve, const std::filesystem::path& folder,
+                                      bool closed) {
   constexpr std::string_view kKey = "atlas";
   const auto name = solve.text(kKey);
-  if (!name) return;
+  if (!name) return std::nullopt;
   if (!closed) {
     solve.fault(kKey,
                 "is given without a closed curve, which its curves could be compared with; "
                 "leave it out, or give target.curve, svg_path or svg");
-    return;
+    return std::nullopt;
   }
   if (folder.empty()) {
     solve.fault(kKey, "names a file beside the problem file, but there is none; leave it out");
-    return;
+    return std::nullopt;
   }
   const auto file = folder / *name;
   std::error_code error;
@@ -238,7 +238,10 @@ void check_atlas(TableReader& solve, const std::filesystem::path& folder, bool c
     solve.fault(kKey, fmt::format("is \"{}\", where there is no file; the study file of an atlas, "
                                   "as cognate sweep writes it, is wanted",
                                   *name));
+    return std::nullopt;
   }
+  const Where where = solve.where(kKey);
+  return AtlasSource{*name, file, where.line, where.column};
 }
 
 }  // namespace
@@ -291,7 +294,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   }
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
-  check_atlas(solve, folder, closed);
+  problem.atlas = read_atlas(solve, folder, closed);
   read_loss(solve, exact ? "method = \"exact\"" : "", problem.solve);
   if (!exact) check_unknown_count(solve, problem.solve.solver, unknown_count(problem));
   read_certificate(solve, certificate_refusal(problem), problem.solve);

@@ -25,6 +25,12 @@ void fault_base(TableReader& study_file, const std::string& base, const Fault& f
                                       first.line, first.column, first.message));
 }
 
+bool begins_with_atlas(const Task& task) {
+  const auto* const problem = std::get_if<Problem>(&task);
+  const auto* const path = problem ? std::get_if<PathProblem>(problem) : nullptr;
+  return path && path->atlas;
+}
+
 }  // namespace
 
 std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem::path& folder,
@@ -55,6 +61,13 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   const auto read = read_task(*document, study.folder);
   if (!read) {
     fault_base(study_file, *base, read.error().front());
+    return std::nullopt;
+  }
+  if (begins_with_atlas(read->task)) {
+    study_file.fault(
+        kBase, fmt::format("is {}, which has solve.atlas, a file that its rows would hang on; "
+                           "a base without one is wanted",
+                           in_quotes(*base)));
     return std::nullopt;
   }
   BaseFile found{*std::move(document), {}, metrics(read->task)};

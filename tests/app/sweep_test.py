@@ -3,7 +3,9 @@
 Run as: sweep_test.py PROGRAM SCHEMA, the built program and the JSON schema of summaries.
 """
 
+import cmath
 import json
+import math
 import os
 import pathlib
 import pty
@@ -75,6 +77,46 @@ count = 4000000
 metrics = ["output_stroke"]
 """
 
+ATLAS_BASE = """
+kind = "analysis"
+[mechanism]
+type = "four-bar"
+fixed_pivots = [[0, 0], [3, 0]]
+crank = 1
+coupler = 3
+rocker = 2.5
+coupler_point = [1, 1]
+[output]
+curve = true
+"""
+
+HARMONICS = ["m4", "m3", "m2", "m1", "p1", "p2", "p3", "p4"]
+DESCRIPTORS = [f"fourier.{name}" for name in HARMONICS] + [
+    f"fourier_phase_deg.{name}" for name in HARMONICS if name[1] != "1"
+]
+
+ATLAS = """
+base = "four-bar.toml"
+[[vary]]
+key = "mechanism.coupler_point[0]"
+values = [0.5, 1.5, 2.5]
+[[vary]]
+key = "mechanism.coupler_point[1]"
+values = [-1, 0.5, 2]
+[output]
+metrics = {metrics}
+"""
+
+CLOSED = """kind = "path-generation"
+[target]
+curve = {curve}
+[bounds]
+length = [0.1, 50]
+[solve]
+starts = 1
+atlas = "atlas.study.db"
+"""
+
 # MPI keeps some memory to its end, which a sanitized program would count as leaked.
 MPI = dict(
     os.environ,
@@ -86,6 +128,20 @@ MPI = dict(
 
 def refuse_constant(name):
     raise AssertionError(f"{name} is no JSON")
+
+
+def planted_curve():
+    """Of the linkage of ATLAS with its point at (1.5, 2), twice as large and turned by 90 degrees."""
+    points = []
+    for step in range(72):
+        b = cmath.rect(1, step * math.pi / 36)
+        to_d = 3 - b
+        # The triangle B, C, D of coupler 3 and rocker 2.5; C left of B–D is the open assembly.
+        angle = math.acos((9 + abs(to_d) ** 2 - 2.5**2) / (6 * abs(to_d)))
+        coupler = to_d / abs(to_d) * cmath.exp(1j * angle)
+        point = 2j * (b + (1.5 + 2j) * coupler)
+        points.append([point.real, point.imag])
+    return points
 
 
 class Sweeps(unittest.TestCase):
@@ -235,6 +291,45 @@ class SweepTest(Sweeps):
         (self.folder / "small.toml").write_text(SMALL)
         (self.folder / "small.study.db").write_text("no database, but long enough to be looked at")
         self.expect_refusal(self.run_program("sweep", "small.toml"), "is no study file")
+
+    def test_a_search_begins_with_an_atlas(self):
+        (self.folder / "four-bar.toml").write_text(ATLAS_BASE)
+        (self.folder / "atlas.toml").write_text(ATLAS.format(metrics=json.dumps(DESCRIPTORS)))
+        (self.folder / "closed.toml").write_text(CLOSED.format(curve=planted_curve()))
+        place = "closed.toml:8:9: solve.atlas is "
+        for command in ("check", "solve"):
+            done = self.run_program(command, "closed.toml")
+            self.expect_refusal(done, place + '"atlas.study.db", where there is no file')
+        self.assertEqual(self.run_program("sweep", "atlas.toml").returncode, 0)
+
+        self.assertIn("from the atlas atlas.study.db", self.run_program("check", "closed.toml").stdout)
+        done = self.run_program("solve", "closed.toml", "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        document = json.loads(done.stdout, parse_constant=refuse_constant)
+        if jsonschema is not None:
+            schema = SCHEMA.with_name("cognate-result-1.schema.json")
+            jsonschema.validate(document, json.loads(schema.read_text()))
+        self.assertEqual(document["problem"]["solve"]["atlas"], "atlas.study.db")
+        self.assertTrue(any("9 curves of the atlas" in note for note in document["notes"]))
+        self.assertLess(document["designs"][0]["error"]["max"], 5e-3)  # a polygon is wanted
+
+        (self.folder / "of-closed.toml").write_text(
+            'base = "closed.toml"\n[[vary]]\nkey = "bounds.length[1]"\nvalues = [40, 50]\n'
+            '[output]\nmetrics = ["error.rms"]\n'
+        )
+        self.expect_refusal(
+            self.run_program("sweep", "of-closed.toml"), "of-closed.toml:1:8: ", "which has solve.atlas"
+        )
+        for content, why in (("", "it is no study file"), ("x" * 5000, "it cannot be read")):
+            (self.folder / "atlas.study.db").write_text(content)
+            for command in ("check", "solve"):
+                self.expect_refusal(self.run_program(command, "closed.toml"), place, why)
+        (self.folder / "atlas.study.db").unlink()
+        (self.folder / "atlas.toml").write_text(ATLAS.format(metrics=json.dumps(DESCRIPTORS[1:])))
+        self.run_program("sweep", "atlas.toml")
+        for command in ("check", "solve"):
+            done = self.run_program(command, "closed.toml")
+            self.expect_refusal(done, place, "it has no column fourier.m4; an atlas is")
 
     def test_interrupted_and_gone_on_with(self):
         (self.folder / "some.toml").write_text(LONG.replace("4000000", "20000"))

@@ -259,6 +259,39 @@ TEST(CurveFeatures, WattsCurveCrossesItselfHalfWay) {
   EXPECT_EQ(at_centre, 2);
 }
 
+TEST(CurveFeatures, OfOneCircuitAreThoseWithAPositionOnIt) {
+  std::mt19937_64 random(31);
+  std::size_t inflections = 0, double_points = 0, on_two_ranges = 0;
+  for (int k = 0; k < 200; ++k) {
+    const FourBar m = random_linkage(random);
+    if (!is_plain(m)) continue;
+    const auto links = lengths(m);
+    const auto all = curve_features(m);
+    ASSERT_TRUE(all.has_value());
+    const bool two_ranges = crank_ranges(links).size() > 1;
+    for (const CircuitChoice circuit :
+         {CircuitChoice{Assembly::open, 1}, CircuitChoice{Assembly::crossed, -1}}) {
+      const auto is_on = [&](const CurvePoint& point) {
+        if (crank_rotates(links)) return point.position.side == circuit.assembly;
+        const bool left = std::sin(point.position.crank_angle - frame_angle(m)) > 0;
+        return !two_ranges || left == (circuit.half > 0);
+      };
+      const auto are_on = [&](const DoublePoint& p) { return is_on(p.first) && is_on(p.second); };
+      const auto found = curve_features(m, circuit);
+      ASSERT_TRUE(found.has_value());
+      EXPECT_EQ(std::ssize(found->inflections), std::ranges::count_if(all->inflections, is_on));
+      EXPECT_EQ(std::ssize(found->double_points), std::ranges::count_if(all->double_points, are_on))
+          << PrintToString(m);
+      inflections += found->inflections.size();
+      double_points += found->double_points.size();
+      on_two_ranges += two_ranges ? found->inflections.size() : 0;
+    }
+  }
+  EXPECT_GT(inflections, 100U);
+  EXPECT_GT(double_points, 50U);
+  EXPECT_GT(on_two_ranges, 10U);
+}
+
 TEST(CurveFeatures, DoNotDependOnTheUnitOfLength) {
   std::mt19937_64 random(84);
   for (int i = 0; i < 20; ++i) {

@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "analysis/coupler_curve/circuit_samples.hpp"
+#include "analysis/coupler_curve/closed_stretch.hpp"
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/mechanism/joints.hpp"
 
@@ -152,6 +154,42 @@ TEST(SampledStretches, AgreeWithTheCurveItself) {
   const Stretch whole = longest_stretch(path, kPi, *forward, 1e-3);
   EXPECT_LE(found.length, whole.length * (1 + 1e-9));
   EXPECT_GT(found.length, whole.length * (1 - 0.01));
+}
+
+/// A chord over the angle 2x has δ/L = tan(x/2)/4.
+TEST(ClosedStretchFinder, OfCirclesEndsBetweenSamples) {
+  const TurnTable turn(256);
+  ClosedStretchFinder finder;
+  for (const double relative : {3e-4, 1e-3, 3e-3, 1e-2, 3e-2}) {
+    for (const double radius : {1e-3, 7.0}) {
+      CurveRoom circle;
+      circle.resize(256);
+      for (std::size_t i = 0; i < 256; ++i) {
+        circle.x[i] = 5 + radius * turn.cos[i], circle.dx[i] = -radius * turn.sin[i];
+        circle.y[i] = radius * turn.sin[i], circle.dy[i] = radius * turn.cos[i];
+      }
+      const double exact = 2 * radius * std::sin(2 * std::atan(4 * relative));
+      const double found = finder(circle.samples(), relative);
+      EXPECT_GT(found, 0.8 * exact) << relative;
+      EXPECT_LT(found, 1.03 * exact) << relative;
+    }
+  }
+}
+
+TEST(ClosedStretchFinder, AgreesWithTheCurveItself) {
+  const FourBar hoeken{{0, 0}, {2.2, 0}, 1, 2.8, 2.8, Assembly::open, Vec2d{5.6, 0}};
+  const Path path = path_of(as_mechanism(hoeken), {2, *hoeken.coupler_point});
+  const auto forward = forward_interval(path, kPi, {-10, 10});
+  ASSERT_TRUE(forward);
+  CurveRoom curve;
+  sample_circuit(hoeken, {}, TurnTable(256), curve);
+  ClosedStretchFinder finder;
+  for (const double relative : {1e-3, 1e-2}) {
+    const Stretch whole = longest_stretch(path, kPi, *forward, relative);
+    const double found = finder(curve.samples(), relative);
+    EXPECT_LE(found, whole.length * 1.001) << relative;
+    EXPECT_GT(found, whole.length * (1 - 0.01)) << relative;
+  }
 }
 
 }  // namespace

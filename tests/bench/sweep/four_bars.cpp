@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,16 +23,16 @@ using problems::StudyVariable;
 constexpr std::int64_t kBlock = 8192;
 constexpr double kSeconds = 0.4;  ///< of each measurement
 
-/// Nanoseconds for each of the `count` designs of a call: the least of some calls.
+/// Nanoseconds of processor time, which other programs hardly change, for each of the `count`
+/// designs of a call: the least of some calls.
 double nanoseconds(std::int64_t count, const std::function<void(std::int64_t call)>& body) {
-  using Clock = std::chrono::steady_clock;
   double best = INFINITY, spent = 0;
   for (std::int64_t call = 0; call < 3 || spent < kSeconds; ++call) {
-    const auto begin = Clock::now();
+    const std::clock_t begin = std::clock();
     body(call);
-    const std::chrono::duration<double> taken = Clock::now() - begin;
-    spent += taken.count();
-    best = std::min(best, taken.count());
+    const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    spent += taken;
+    best = std::min(best, taken);
   }
   return 1e9 * best / static_cast<double>(count);
 }

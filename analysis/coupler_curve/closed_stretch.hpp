@@ -1,0 +1,29 @@
+/// @file The longest straight stretch of a closed curve that is known by samples and derivatives.
+#pragma once
+
+#include <vector>
+
+#include "analysis/coupler_curve/circuit_samples.hpp"
+#include "analysis/coupler_curve/sampled_stretch.hpp"
+#include "analysis/vec2.hpp"
+
+namespace cognate {
+
+/// Finds stretches; keeps its room from curve to curve. The longest between two of the samples says
+/// where to look; there the curve is taken for the cubics through its points and derivatives, and
+/// ends and deviation are those of some sixty points of them.
+class ClosedStretchFinder {
+ public:
+  /// The length of the longest stretch with δ ≤ `relative`·L.
+  double operator()(const CurveSamples& curve, double relative);
+
+ private:
+  void lay_out(const CurveSamples& curve);
+  /// `pieces` points of each of the `cells` steps from sample `first` on.
+  void refine(const CurveSamples& curve, std::size_t first, std::size_t cells, std::size_t pieces);
+
+  SampledStretches stretches_;
+  std::vector<Vec2d> points_, fine_;
+};
+
+}  // namespace cognate
