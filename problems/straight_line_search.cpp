@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "analysis/mechanism/zeros.hpp"
 #include "analysis/parallel.hpp"
@@ -56,30 +58,50 @@ double difference(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
 }
 
-/// The places between nodes where the curve is farther from the line than at any of them.
-std::vector<double> peaks_beyond(const LineStretch& stretch, const std::vector<double>& nodes) {
-  const CouplerMotion<double> motion(stretch.type, stretch.dimensions, sign(stretch.assembly));
-  const Vec2d along{std::cos(stretch.line), std::sin(stretch.line)};
-  const auto height = [&](double node) {
-    const auto point = motion.at(stretch.centre + node * stretch.reach);
-    return point.closes ? std::abs(cross(along, point.at) - stretch.height) : 0.0;
-  };
-  double most = 0;
-  for (const double node : nodes) most = std::max(most, height(node));
+/// Adds the places between nodes where `value` is greater by `more` than at any node.
+template <class Value>
+void add_peaks(const Value& value, const std::vector<double>& nodes, double more,
+               std::vector<double>& peaks) {
+  double most = value(nodes.front());
+  for (const double node : nodes) most = std::max(most, value(node));
   constexpr int kCells = 400;
-  std::vector<double> peaks;
   const std::vector<double> places = crowded(-1, 1, kCells);
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-    const double here = height(places[i]);
-    if (here < height(places[i - 1]) || here <= height(places[i + 1])) continue;
+    const double here = value(places[i]);
+    if (here < value(places[i - 1]) || here <= value(places[i + 1])) continue;
     double low = places[i - 1], high = places[i + 1];
     constexpr double kGolden = 0.6180339887498949;
     for (int step = 0; step < 40; ++step) {
       const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      (height(a) < height(b) ? low : high) = height(a) < height(b) ? a : b;
+      (value(a) < value(b) ? low : high) = value(a) < value(b) ? a : b;
     }
     const double peak = 0.5 * (low + high);
-    if (height(peak) > most * (1 + 1e-9)) peaks.push_back(peak);
+    if (value(peak) > most + more + 1e-9 * std::abs(most)) peaks.push_back(peak);
+  }
+}
+
+/// The places between nodes where the curve is farther from the line than at any of them, or,
+/// where the change of speed is limited, faster or slower by more than a little of that.
+std::vector<double> peaks_beyond(const LineStretch& stretch, const std::vector<double>& nodes,
+                                 const std::optional<double>& variation) {
+  const CouplerMotion<double> motion(stretch.type, stretch.dimensions, sign(stretch.assembly));
+  const Vec2d along{std::cos(stretch.line), std::sin(stretch.line)};
+  const auto at = [&](double node) { return motion.at(stretch.centre + node * stretch.reach); };
+  const auto height = [&](double node) {
+    const auto point = at(node);
+    return point.closes ? std::abs(cross(along, point.at) - stretch.height) : 0.0;
+  };
+  std::vector<double> peaks;
+  add_peaks(height, nodes, 0, peaks);
+  if (!variation) return peaks;
+  constexpr double kLittle = 3e-4;
+  const double unit = 2 * stretch.reach / stretch.length;
+  for (const double sense : {1.0, -1.0}) {
+    const auto speed = [&](double node) {
+      const auto point = at(node);
+      return point.closes ? sense * unit * dot(along, point.rate) : sense;
+    };
+    add_peaks(speed, nodes, kLittle * *variation, peaks);
   }
   return peaks;
 }
@@ -101,7 +123,11 @@ class Search {
   void begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts);
   void deepen(std::size_t reserve);
   void finish(std::size_t reserve);
-  StretchSearchResult take() && { return {std::move(all_), thoroughness_}; }
+  StretchSearchResult take() && {
+    work_.gradients += gradients_;
+    work_.solver_iterations += iterations_;
+    return {std::move(all_), thoroughness_};
+  }
 
  private:
   void refine(FoundStretch& found, std::vector<double> nodes, Backend backend,
@@ -131,6 +157,7 @@ class Search {
   Backend backend_ = Backend::slsqp;
   SearchThoroughness thoroughness_;
   std::vector<FoundStretch> all_;
+  mutable std::atomic<std::uint64_t> gradients_{0}, iterations_{0};  ///< of all threads
 };
 
 void Search::report(double share) const {
@@ -220,6 +247,8 @@ void Search::refine(const StraightLineProblem& problem, FoundStretch& found,
                                    .seed = run_.seed};
   const auto solution =
       synthesis::solve(backend, model, model.variables_of(found.stretch), options);
+  gradients_ += solution.gradients;
+  iterations_ += static_cast<std::uint64_t>(solution.iterations);
   if (solution.stop == synthesis::Stop::no_value) {
     found.violation = std::numeric_limits<double>::infinity();
     return;
@@ -326,7 +355,8 @@ void Search::exchange(FoundStretch& found) const {
     refine(next, nodes, backend_, kFineIterations);
     if (!std::isfinite(next.violation)) break;
     found = next;
-    const std::vector<double> peaks = peaks_beyond(found.stretch, nodes);
+    const std::vector<double> peaks =
+        peaks_beyond(found.stretch, nodes, problem_.stretch.speed_variation_max);
     if (peaks.empty()) break;
     nodes.insert(nodes.end() - 1, peaks.begin(), peaks.end());
     std::ranges::sort(nodes);

@@ -132,11 +132,20 @@ TEST(StraightLineSearch, BeatsChebyshevs) {
   EXPECT_NEAR(lengths(four_bar(result.designs[0])).frame, 4, 1e-12);
 }
 
-/// Frame 2, coupler 1, arms 1.2: 0.013642 over the stroke of 2.
+/// Hoeken's linkage in Norton's proportions has a size of 1.3394 strokes.
+TEST(StraightLineSearch, BeatsHoekensInHisSize) {
+  const Result result = solve_text(
+      "[target]\nlength = 1\n[constraints]\nclass = \"crank-rocker\"\n"
+      "crank_range_deg = [180, 180]\nsize_over_length_max = 1.3394\n");
+  expect_sound(result);
+  EXPECT_LT(best_width(result), 0.096);
+}
+
+/// Frame 2, coupler 1, arms 1.2, none of which turns fully: 0.013642 over the stroke of 2.
 TEST(StraightLineSearch, BeatsRoberts) {
   const Result result = solve_text(
-      "[target]\nlength = 2\n[mechanism]\nframe = 2\n[bounds]\nlength = [0, 2.4]\n"
-      "[constraints]\nsize_over_length_max = 1.2\n");
+      "[target]\nlength = 2\n[mechanism]\nframe = 2\n[bounds]\nlength = [0, 2]\n"
+      "[constraints]\nclass = \"triple-rocker\"\nsize_over_length_max = 1\n");
   expect_sound(result);
   EXPECT_LT(best_width(result), 100 * 0.013642022867877412 / 2);
 }
