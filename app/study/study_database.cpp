@@ -28,6 +28,8 @@ std::string explained(const SqliteError& error, const std::filesystem::path& fil
       return fmt::format("'{}' is no study file; move it away, or give another folder by --out",
                          name);
     case SQLITE_CORRUPT:
+    case SQLITE_ERROR:       // a table that is not there
+    case SQLITE_CONSTRAINT:  // rows that no block knows of
       return fmt::format(
           "'{}' is damaged ({}); move it away to begin anew ('sqlite3 FILE .recover' may save "
           "rows)",
@@ -160,6 +162,7 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
                       "give another folder by --out",
                       file_.string(), difference));
     }
+    check_blocks();
     load_counts();
     load_front();
     prepare();
@@ -197,6 +200,15 @@ void StudyDatabase::load_counts() {
   if (connection_.integer("SELECT count(*) FROM runs") != counts_.kept) {
     throw SqliteError(SQLITE_CORRUPT, "its rows are not those of its blocks");
   }
+}
+
+void StudyDatabase::check_blocks() {
+  // Those of a list in order that begin before the end of the one before, or leave the study.
+  auto wrong = connection_.prepare(
+      "SELECT 1 FROM (SELECT first, count, lag(first + count, 1, 0) OVER (ORDER BY first) AS free"
+      " FROM blocks) WHERE first < free OR count < 1 OR count > ?1 OR first > ?1 - count");
+  wrong.bind(1, designs_);
+  if (wrong.step()) throw SqliteError(SQLITE_CORRUPT, "its blocks overlap, or are of no design");
 }
 
 void StudyDatabase::load_front() {

@@ -81,6 +81,7 @@ class StudyDatabase {
   void insert_rows(const problems::StudyBlock& block);
   void insert_block(const problems::StudyBlock& block);
   void update_front(const problems::StudyBlock& block);
+  void check_blocks();
   void load_counts();
   void load_front();
 

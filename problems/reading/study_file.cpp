@@ -50,6 +50,9 @@ void read_metrics(TableReader& output, const StudyNames& names, Study& study) {
       refuse(", no metric of the base; " + names.hint(name));
     } else if (holds(study.metrics, name)) {
       refuse(" a second time; each metric is wanted once");
+    } else if (const auto other = names.namesake(name)) {
+      refuse(fmt::format(" beside {}; columns are wanted that differ in more than capitals",
+                         in_quotes(*other)));
     } else {
       study.metrics.push_back(name);
     }
@@ -87,6 +90,9 @@ void read_objectives(TableReader& table, std::string_view key, bool greatest,
     } else if (std::ranges::find(study.objectives, name, &StudyObjective::name) !=
                study.objectives.end()) {
       refuse(" a second time; each is wanted once, least or greatest");
+    } else if (const auto other = names.namesake(name)) {
+      refuse(fmt::format(" beside {}; columns are wanted that differ in more than capitals",
+                         in_quotes(*other)));
     } else {
       study.objectives.push_back({name, greatest});
     }

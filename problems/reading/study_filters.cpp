@@ -31,7 +31,7 @@ class FilterReader {
   void read(const Entry& entry, const std::string& name) {
     const auto* table = std::get_if<Table>(&entry.node.value);
     const auto kind = names_.find(name);
-    const bool inner = table && !is_limits(*table);
+    const bool inner = table && !table->empty() && !is_limits(*table);
     if (inner && (!kind || *kind == NameKind::either)) {
       read(*table, name + '.');
     } else if (!kind) {
@@ -46,7 +46,7 @@ class FilterReader {
   }
 
   static bool is_limits(const Table& table) {
-    return !table.empty() && std::ranges::all_of(table, [](const Entry& entry) {
+    return std::ranges::all_of(table, [](const Entry& entry) {
       return (entry.key == "min" || entry.key == "max") &&
              !std::holds_alternative<Table>(entry.node.value) &&
              !std::holds_alternative<Array>(entry.node.value);
@@ -89,7 +89,8 @@ class FilterReader {
 
   std::optional<StudyFilter> read_limits(const Node& node, const std::string& name) {
     StudyFilter filter;
-    if (const auto* table = std::get_if<Table>(&node.value)) {
+    const auto* table = std::get_if<Table>(&node.value);
+    if (table && !table->empty()) {
       for (const Entry& entry : *table) {
         double* side = entry.key == "min"   ? &filter.min
                        : entry.key == "max" ? &filter.max

@@ -5,9 +5,17 @@
 #include <algorithm>
 #include <vector>
 
+#include "problems/reading/key_path.hpp"
 #include "problems/reading/nearest.hpp"
 
 namespace cognate::problems::reading {
+namespace {
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+}  // namespace
 
 StudyNames::StudyNames(const BaseFile* base, const Study& study) : base_(base), study_(&study) {}
 
@@ -25,7 +33,16 @@ std::optional<NameKind> StudyNames::find(std::string_view name) const {
     return name == opening || (name.starts_with(opening) &&
                                (name[opening.size()] == '.' || name[opening.size()] == '['));
   });
-  return opened ? std::optional(NameKind::either) : std::nullopt;
+  return opened && parse_key_path(name) ? std::optional(NameKind::either) : std::nullopt;
+}
+
+std::optional<std::string> StudyNames::namesake(std::string_view name) const {
+  auto columns = study_columns(*study_);
+  for (const auto& objective : study_->objectives) columns.push_back(objective.name);
+  for (const auto& column : columns) {
+    if (column != name && std::ranges::equal(column, name, {}, lower, lower)) return column;
+  }
+  return std::nullopt;
 }
 
 std::string StudyNames::hint(std::string_view name) const {

@@ -22,6 +22,9 @@ class StudyNames {
   bool is_varied(std::string_view name) const;
   /// Empty where `name` is neither a varied key nor a metric.
   std::optional<NameKind> find(std::string_view name) const;
+  /// The column that is already there and differs from `name` in capitals alone: in SQL they would
+  /// be one.
+  std::optional<std::string> namesake(std::string_view name) const;
   /// "did you mean …?", or where to look.
   std::string hint(std::string_view name) const;
 

@@ -331,6 +331,29 @@ class SweepTest(Sweeps):
             done = self.run_program(command, "closed.toml")
             self.expect_refusal(done, place, "it has no column fourier.m4; an atlas is")
 
+    def test_study_file_changed_by_hand_is_refused(self):
+        self.run_program("sweep", "small.toml", "--json")
+        whole = (self.folder / "small.study.db").read_bytes()
+        for change in (
+            "DELETE FROM runs WHERE id = 20",
+            "DROP TABLE blocks",
+            "DROP TABLE front",
+            "UPDATE blocks SET first = first + 5",
+            "UPDATE blocks SET count = count + 1000",
+            "UPDATE blocks SET count = -count",
+            "UPDATE blocks SET first = -1",
+            "INSERT INTO blocks VALUES (62, 1, 0, 1, 0, 0, 0, 0)",
+        ):
+            with self.subTest(change):
+                for ending in ("-wal", "-shm"):
+                    (self.folder / ("small.study.db" + ending)).unlink(missing_ok=True)
+                (self.folder / "small.study.db").write_bytes(whole)
+                database = sqlite3.connect(self.folder / "small.study.db")
+                database.execute(change)
+                database.commit()
+                database.close()
+                self.expect_refusal(self.run_program("sweep", "small.toml"), "is damaged", "move it away")
+
     def test_interrupted_and_gone_on_with(self):
         (self.folder / "some.toml").write_text(LONG.replace("4000000", "20000"))
         running = self.start("sweep", "some.toml", "--quiet")
