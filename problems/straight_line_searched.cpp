@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -66,11 +67,12 @@ double box_diagonal(const LineStretch& found, const Stretch& straight) {
   return norm(high - low);
 }
 
+/// Infinite where the design has no such fact, so that no limit on it is met.
 double fact_of(const Design& design, std::string_view name) {
   for (const Fact& fact : design.metrics.facts) {
     if (fact.name == name) return std::get<double>(fact.value);
   }
-  return 0;
+  return std::numeric_limits<double>::infinity();
 }
 
 /// Collects the checks of a stretch.
