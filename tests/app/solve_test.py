@@ -65,6 +65,13 @@ SLOW = {
     "ellipse-front",
     "ellipse-with-envelope",
     "ellipse-with-even-torque",
+    "search-chebyshev",
+    "search-constant-velocity",
+    "search-evans",
+    "search-front",
+    "search-hoeken",
+    "search-smallest",
+    "search-watt",
     "six-point-line-transmission",
 }
 
