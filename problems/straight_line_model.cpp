@@ -91,6 +91,11 @@ struct StretchModel::Curve {
   std::vector<CouplerPoint<T>> points;
   std::vector<T> heights, places, speeds;
   T reach{};
+
+  void reserve(std::size_t nodes) {
+    points.reserve(nodes);
+    for (auto* column : {&heights, &places, &speeds}) column->reserve(nodes);
+  }
 };
 
 /// Writes constraints one after the other, with their derivatives by the free variables.
@@ -302,6 +307,7 @@ bool StretchModel::trace(const All& at, Curve<T>& curve) const {
   const CouplerMotion<T> motion(
       type_, {{z[crank], z[coupler], z[rocker], z[frame]}, {z[point_u], z[point_v]}}, assembly_);
   curve.reach = z[reach];
+  curve.reserve(nodes_.size());
   for (const double node : nodes_) {
     curve.points.push_back(motion.at(z[centre] + T(node) * z[reach]));
     const CouplerPoint<T>& point = curve.points.back();

@@ -8,6 +8,7 @@
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/mechanism/zeros.hpp"
 #include "analysis/mobility.hpp"
+#include "problems/counter_random.hpp"
 #include "problems/straight_line_model.hpp"
 #include "synthesis/exact/straight_line/straight_points.hpp"
 
@@ -35,10 +36,10 @@ class Even {
   Even(std::uint64_t seed, std::uint64_t index) {
     constexpr double kRoot = 1.0850702454914508;  // x^9 = x + 1
     double step = 1;
-    std::uint64_t state = seed;
-    for (double& x : x_) {
+    for (std::uint64_t dimension = 0; double& x : x_) {
       step /= kRoot;
-      x = std::fmod(uniform(state) + step * double(index % (1U << 24)), 1.0);
+      const double shift = unit_number(split_mix(seed, dimension++));
+      x = std::fmod(shift + step * double(index % (1U << 24)), 1.0);
     }
   }
 
@@ -47,15 +48,6 @@ class Even {
   double logarithmic(double low, double high) { return low * std::pow(high / low, next()); }
 
  private:
-  /// SplitMix64 (Steele, Lea & Flood 2014).
-  static double uniform(std::uint64_t& state) {
-    state += 0x9e3779b97f4a7c15;
-    std::uint64_t z = state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
   std::array<double, kDimensions> x_{};
   int at_ = 0;
 };
@@ -178,8 +170,8 @@ StretchStarts::StretchStarts(const StraightLineProblem& problem) : problem_(prob
 
 /// Enlarges what was drawn to the lengths given, takes these, and brings the others within their
 /// bounds. Without any the size is left.
-bool StretchStarts::bring_to_scale(LineStretch& drawn) const {
-  if (!has_scale(problem_)) return true;
+void StretchStarts::bring_to_scale(LineStretch& drawn) const {
+  if (!has_scale(problem_)) return;
   const Given& given = problem_.given;
   const Bounds& bounds = problem_.bounds;
   const bool slides = drawn.type == MechanismType::slider_crank;
@@ -211,11 +203,10 @@ bool StretchStarts::bring_to_scale(LineStretch& drawn) const {
              std::clamp(point.y, bounds.coupler_point->min.y, bounds.coupler_point->max.y)};
   }
   if (given.coupler_point) point = *given.coupler_point;
-  return true;
 }
 
 bool StretchStarts::accept(LineStretch& drawn) const {
-  if (!bring_to_scale(drawn)) return false;
+  bring_to_scale(drawn);
   if (drawn.type == MechanismType::slider_crank) return true;
   const Lengths<double> links = lengths_of(drawn);
   if (!can_assemble(links)) return false;

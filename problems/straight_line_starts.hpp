@@ -47,7 +47,7 @@ class StretchStarts {
 
  private:
   bool accept(LineStretch& drawn) const;
-  bool bring_to_scale(LineStretch& drawn) const;
+  void bring_to_scale(LineStretch& drawn) const;
   bool sample(const LineStretch& drawn, bool second_range);
   std::optional<StretchStart> best_stretch(const LineStretch& drawn);
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problems/study/counter_random.hpp"
+#include "problems/counter_random.hpp"
 #include "problems/study/random_permutation.hpp"
 
 namespace cognate::problems {

@@ -13,10 +13,16 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
+inline constexpr std::uint64_t kGoldenStep = 0x9e3779b97f4a7c15U;  ///< 2^64 over the golden ratio
+
+/// Word `index` of SplitMix64 begun with `seed`.
+constexpr std::uint64_t split_mix(std::uint64_t seed, std::uint64_t index) {
+  return mixed(seed + (index + 1) * kGoldenStep);
+}
+
 /// Word `index` of stream `stream` of `seed`. Words of one stream are all different.
 constexpr std::uint64_t random_word(std::uint64_t seed, std::uint64_t stream, std::uint64_t index) {
-  constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15U;  // 2^64 over the golden ratio
-  return mixed(mixed(mixed(seed + kStep) ^ (stream + kStep)) ^ (index + kStep));
+  return mixed(mixed(mixed(seed + kGoldenStep) ^ (stream + kGoldenStep)) ^ (index + kGoldenStep));
 }
 
 /// A word as a number in [0, 1), by its upper 53 bits.
