@@ -1,6 +1,7 @@
 /// @file The longest straight stretch of a closed curve that is known by samples and derivatives.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
@@ -8,6 +9,12 @@
 #include "analysis/vec2.hpp"
 
 namespace cognate {
+
+/// How many samples tell the places of the stretches of δ/L = `relative` apart: the narrower the
+/// strip, the shorter they are.
+constexpr std::size_t samples_for_stretches(double relative) {
+  return relative < 5e-3 ? 1024 : 256;
+}
 
 /// Finds stretches; keeps its room from curve to curve. The longest between two of the samples says
 /// where to look; there the curve is taken for the cubics through its points and derivatives, and

@@ -153,10 +153,7 @@ void CurveValues::find_descriptors() {
 }
 
 double CurveValues::longest_stretch(double relative) {
-  // A narrower strip holds shorter stretches, whose places are told apart by more samples alone.
-  constexpr double kNarrow = 5e-3;
-  const std::size_t steps = relative < kNarrow ? 4 * kStretchSteps : kStretchSteps;
-  sample_circuit(linkage_, circuit_, table(steps), stretch_room_);
+  sample_circuit(linkage_, circuit_, table(samples_for_stretches(relative)), stretch_room_);
   return stretches_(stretch_room_.samples(), relative);
 }
 

@@ -55,7 +55,6 @@ class CurveValues {
   std::optional<double> operator()(const CurveMetric& metric);
 
  private:
-  static constexpr std::size_t kStretchSteps = 256;
   static constexpr std::size_t kGroups = 8;
 
   void compute(CurveGroup group);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "analysis/coupler_curve/closed_stretch.hpp"
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/mobility.hpp"
 
 namespace cognate {
 namespace {
@@ -189,6 +191,43 @@ TEST(ClosedStretchFinder, AgreesWithTheCurveItself) {
     const double found = finder(curve.samples(), relative);
     EXPECT_LE(found, whole.length * 1.001) << relative;
     EXPECT_GT(found, whole.length * (1 - 0.01)) << relative;
+  }
+}
+
+/// Against all pairs of many more samples, of random crank-rockers and double-cranks; theirs end at
+/// a sample, as much as a step short at either end.
+TEST(ClosedStretchFinder, FindsTheLongestOfRandomCurves) {
+  std::mt19937_64 random(3);
+  const auto draw = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  ClosedStretchFinder finder;
+  SampledStretches stretches;
+  for (int drawn = 0; drawn < 25;) {
+    const FourBar linkage{{0, 0},
+                          {draw(1.5, 5.5), 0},
+                          1,
+                          draw(1.5, 5.5),
+                          draw(1.5, 5.5),
+                          Assembly::open,
+                          Vec2d{draw(-2, 5), draw(-3, 3)}};
+    if (!can_assemble(lengths(linkage)) || !crank_rotates(lengths(linkage))) continue;
+    ++drawn;
+    CurveRoom dense, curve;
+    sample_circuit(linkage, {}, TurnTable(2048), dense);
+    std::vector<Vec2d> points;
+    for (std::size_t i = 0; i < dense.x.size(); ++i) points.push_back({dense.x[i], dense.y[i]});
+    double step = norm(points.front() - points.back());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      step = std::max(step, norm(points[i] - points[i - 1]));
+    }
+    for (const double relative : {1e-3, 1e-2}) {
+      sample_circuit(linkage, {}, TurnTable(samples_for_stretches(relative)), curve);
+      const double found = finder(curve.samples(), relative);
+      const double longest = stretches.longest(points, true, relative).length;
+      EXPECT_GT(found, (relative < 5e-3 ? 0.88 : 0.96) * longest) << drawn;
+      EXPECT_LT(found, 1.02 * longest + 2 * step) << drawn;
+    }
   }
 }
 
