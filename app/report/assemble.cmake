@@ -1,6 +1,7 @@
 # Puts the page together from its parts and writes it as a C++ source.
 # OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; STYLES and
-# SCRIPTS in order; LICENCE, LIBRARY and LIBRARY_STYLES: files of the plotting library, or empty.
+# SCRIPTS in order; WORDS: the texts, a file for each language; LICENCE, LIBRARY and LIBRARY_STYLES:
+# files of the plotting library, or empty.
 cmake_minimum_required(VERSION 3.25)
 
 # join(VARIABLE FILES...): the text of all.
@@ -26,9 +27,18 @@ if(LIBRARY)
   set(library "/*\n${licence}*/\n${text}")
 endif()
 
+# One object with a member for each language.
+set(words "")
+foreach(file IN LISTS WORDS)
+  get_filename_component(language ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND words "${language}: ${text},")
+endforeach()
+
 string(REPLACE "@CONTENT@" "${content}" page "${page}")
 string(REPLACE "@STYLE@" "${library_style}\n${style}" page "${page}")
 string(REPLACE "@LIBRARY@" "${library}" page "${page}")
+string(REPLACE "@WORDS@" "{${words}}" page "${page}")
 string(REPLACE "@SCRIPT@" "${script}" page "${page}")
 
 # Compilers need take no literal longer than 65536 bytes: pieces, cut after an ASCII character so

@@ -14,7 +14,7 @@ class Controls {
   play(playing) {
     this.player.toggle(playing);
     const button = byId("play");
-    button.setAttribute("aria-label", playing ? "Pause" : "Play");
+    button.setAttribute("aria-label", say(playing ? "motion.pause" : "motion.play"));
     button.replaceChildren(svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: playing ? ICONS.pause : ICONS.play })));
   }
 
@@ -43,13 +43,6 @@ class Controls {
     this.listen();
     this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
-}
-
-// Paper is white: what is drawn as a bitmap is drawn in light colours for it.
-function followTheme(redraw) {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
-  addEventListener("beforeprint", () => { document.documentElement.dataset.theme = "light"; redraw(); });
-  addEventListener("afterprint", () => { delete document.documentElement.dataset.theme; redraw(); });
 }
 
 // Lets the reader save `text` under the report's title and `ending`.

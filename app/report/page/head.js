@@ -1,42 +1,43 @@
 // The head and the foot of a report: what it is of, how the run ended, what it took.
 
-const STATUS = {
-  solved: ["good", "Solved"], infeasible: ["warn", "No design meets every constraint"], "no-solution": ["bad", "No solution"],
-  done: ["good", "Done"], "time-limit": ["warn", "Stopped at the time limit"], interrupted: ["warn", "Interrupted"],
-};
+const TONES = { solved: "good", done: "good", infeasible: "warn", "time-limit": "warn", interrupted: "warn", "no-solution": "bad" };
 
 // `summary`: the parts of the line below the title; `keys`: what the keyboard does.
 function showHead(result, kind, summary, keys) {
-  const title = result.problem?.title || "Untitled problem";
+  const title = result.problem?.title || say("head.untitled");
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
   byId("kind").textContent = kind;
-  const [tone, text] = STATUS[result.status] ?? ["warn", result.status];
-  byId("status").textContent = text;
-  byId("status").classList.add(tone);
+  byId("status").textContent = say(`status.${result.status}`);
+  byId("status").classList.add(TONES[result.status]);
   byId("summary").textContent = summary.filter(Boolean).join(" · ");
-  byId("version").textContent = ["Cognate", result.version, result.seed === undefined ? "" : `· seed ${result.seed}`, `· ${keys}`]
+  byId("version").textContent = ["Cognate", result.version, result.seed === undefined ? "" : `· ${say("head.seed", { seed: result.seed })}`, `· ${keys}`]
     .filter(Boolean).join(" ");
 }
 
 function showNotes(notes) {
   byId("notes").hidden = notes.length === 0;
-  byId("notes-list").replaceChildren(...notes.map((note) => element("li", {}, note)));
+  byId("notes-list").replaceChildren(...notes.map((note) => noteItem(note)));
+}
+
+// A note in the reader's language where there are words for it, else in the English of the result.
+function noteItem(note) {
+  const said = sentenceOf(note);
+  return element("li", said === note ? { lang: "en" } : {}, said);
 }
 
 // What is proved of the best design, as one of the notes.
 function certificateNote(certificate) {
   if (!certificate) return [];
   const { complete, lower_bound: lower, upper_bound: upper, gap_relative: gap, domain } = certificate;
-  return [complete
-    ? `Certified: the sum of squares ${number(upper)} is within ${number(gap)} of the least possible among ${domain}.`
-    : `Not certified in the time given: the sum of squares is ${number(upper)}, the least possible at least ${number(lower)}, among ${domain}.`];
+  return [say(complete ? "certificate.complete" : "certificate.incomplete",
+    { upper: number(upper), lower: number(lower), gap: number(gap), domain: sentenceOf(domain) })];
 }
 
 // Of the counts of all kinds of work those that there are.
 function showWork(work) {
   const { skipped = [], ...counts } = work ?? {};
   byId("work-list").replaceChildren(...Object.entries(counts).filter(([, count]) => count !== 0).map(([name, value]) =>
-    element("div", {}, ...(name === "seconds" ? fact("Time", duration(value)) : fact(sentence(name.replaceAll("_", " ")), value.toLocaleString("en"))))));
-  byId("skipped").textContent = skipped.length ? `Skipped, since nothing asked for it: ${skipped.join(", ")}.` : "Nothing was skipped.";
+    element("div", {}, ...(name === "seconds" ? fact(say("work.seconds"), duration(value)) : fact(sentence(term(name.replaceAll("_", " "))), value.toLocaleString(language))))));
+  byId("skipped").textContent = skipped.length ? say("work.skipped", { list: skipped.map(term).join(say("list.comma")) }) : say("work.none_skipped");
 }

@@ -1,6 +1,6 @@
 // Colours of rows by a column, and their key.
 
-const isDark = () => document.documentElement.dataset.theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches;
+const isDark = () => document.documentElement.dataset.theme === "dark";
 const SHADES = 48;
 
 // The colour at a share from 0 to 1 that stands out from the page.

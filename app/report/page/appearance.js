@@ -1,0 +1,37 @@
+// How the reader wants the page: light or dark, and in which language.
+
+const darkWanted = matchMedia("(prefers-color-scheme: dark)");
+
+// "light" or "dark": as chosen, else as the system is.
+function wantedTheme() {
+  const chosen = remembered("theme");
+  return chosen === "light" || chosen === "dark" ? chosen : darkWanted.matches ? "dark" : "light";
+}
+
+const applyTheme = (theme = wantedTheme()) => { document.documentElement.dataset.theme = theme; };
+
+// Calls `redraw` whenever colours change, for what is drawn as a bitmap. Paper is white.
+function followTheme(redraw) {
+  const change = (theme) => { applyTheme(theme); redraw(); };
+  darkWanted.addEventListener("change", () => change());
+  byId("theme").addEventListener("change", (event) => { remember("theme", event.target.value); change(); });
+  addEventListener("beforeprint", () => change("light"));
+  addEventListener("afterprint", () => change());
+}
+
+function offerAppearance() {
+  const themes = ["auto", "light", "dark"].map((theme) => element("option", { value: theme }, say(`theme.${theme}`)));
+  byId("theme").append(...themes);
+  byId("theme").value = remembered("theme") || "auto";
+  byId("language").append(...LANGUAGES.map((tag) => element("option", { value: tag, lang: tag }, WORDS[tag].name)));
+  byId("language").value = language;
+  byId("language").addEventListener("change", (event) => {
+    remember("language", event.target.value);
+    location.hash = event.target.value;
+    location.reload();
+  });
+  byId("print").addEventListener("click", () => print());
+}
+
+applyTheme();
+offerAppearance();

@@ -1,0 +1,49 @@
+// The texts of the page in the reader's language. `WORDS` holds those of every language; the build
+// puts it before the scripts, from the files of page/words.
+
+const LANGUAGES = Object.keys(WORDS);
+
+// What the reader chose on this or another report; empty where nothing was chosen or can be kept.
+const remembered = (name) => { try { return localStorage.getItem(`cognate-${name}`) ?? ""; } catch { return ""; } };
+const remember = (name, value) => { try { localStorage.setItem(`cognate-${name}`, value); } catch { /* for this page alone */ } };
+
+// By the end of the address (#zh), the reader's choice, or the languages of the browser.
+const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
+  .find((tag) => LANGUAGES.includes(tag));
+
+// The text named `key`. {name} stands for a value of that name; of "one|many" the part that suits
+// `values.n` is taken.
+function say(key, values = {}) {
+  const text = WORDS[language].words[key];
+  if (text === undefined) throw new Error(`no words for ${key}`);
+  const parts = text.split("|");
+  const part = "n" in values && parts.length > 1 && values.n !== 1 ? parts[1] : parts[0];
+  return part.replace(/\{(\w+)\}/g, (_, name) => (name === "n" && typeof values.n === "number" ? values.n.toLocaleString(language) : String(values[name])));
+}
+
+// A word or a name that the result holds in English, such as the class of a linkage.
+const term = (text) => WORDS[language].terms?.[text] ?? text;
+
+// A sentence that the result holds in English, translated where it has the form of one that is known;
+// {0}, {1}, … stand for its numbers and names.
+function sentenceOf(text) {
+  for (const { form, forms } of SENTENCES) {
+    const found = form.exec(text);
+    if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => term(found[Number(i) + 1]));
+  }
+  return text;
+}
+
+const SENTENCES = Object.entries(WORDS[language].sentences ?? {}).map(([form, forms]) => ({
+  form: new RegExp(`^${form.split(/\{\d+\}/).map((part) => part.replace(/[\\^$.*+?()[\]{}|]/g, "\\$&")).join("(.+?)")}$`), forms }));
+
+// Fills the elements that name their text: data-say what they hold, data-say-label what a screen
+// reader calls them, data-say-title what appears beside the pointer.
+function sayAll(root) {
+  for (const part of root.querySelectorAll("[data-say]")) part.textContent = say(part.dataset.say);
+  for (const part of root.querySelectorAll("[data-say-label]")) part.setAttribute("aria-label", say(part.dataset.sayLabel));
+  for (const part of root.querySelectorAll("[data-say-title]")) part.title = say(part.dataset.sayTitle);
+}
+
+document.documentElement.lang = language === "zh" ? "zh-Hans" : language;
+sayAll(document);
