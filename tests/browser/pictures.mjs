@@ -18,6 +18,7 @@ if (!folder) {
 const PICTURES = [
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
+  { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
   { name: "function", command: "solve", file: "function/log10-refined", drive: 90 },
   { name: "synthesis", command: "solve", file: "motion/four-poses", drive: 100 },
   { name: "straight-line", command: "solve", file: "straight-line/search-hoeken", drive: 180 },
@@ -48,7 +49,11 @@ async function photograph(page, { only, show = "#curves" }, file) {
     const part = page.locator(only).first();
     await part.scrollIntoViewIfNeeded();
     await page.waitForTimeout(300);
-    await part.screenshot({ path: file });
+    const { x, y, width, height } = await part.evaluate((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      return { x: left + scrollX, y: top + scrollY, width, height };
+    });
+    await page.screenshot({ path: file, fullPage: true, clip: { x, y, width, height: Math.min(height, SIZE.height) } });
     return;
   }
   const foot = page.locator(show).first();
@@ -62,10 +67,10 @@ mkdirSync(folder, { recursive: true });
 const browser = await launch();
 let faulty = false;
 for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.includes(name))) {
-  const { name, command, file, scheme = "light", drive = 60 } = picture;
+  const { name, command, file, locale, scheme = "light", drive = 60 } = picture;
   const report = path.join(scratch, `${path.basename(file)}.report.html`);
   if (!existsSync(report)) execFileSync(program, [command, path.join(library, `${file}.toml`), "--out", scratch, "--quiet"]);
-  const { page, faults, close } = await open(browser, report, { scheme, motion: "reduce" });
+  const { page, faults, close } = await open(browser, report, { scheme, locale, motion: "reduce" });
   await page.setViewportSize(SIZE);
   await setDrive(page, drive);
   await showForces(page);
