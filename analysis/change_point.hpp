@@ -67,6 +67,7 @@ class ChangePointMotion {
   /// where the linkage does not close, and at dead points, where the rates are infinite.
   std::optional<ChangePointPose> at(double crank_angle) const;
 
+  /// Which links are equal, and which of the motions through the change points this is.
   ChangePointClass kind() const { return class_; }
   ChangePointPath path() const;
 
@@ -74,6 +75,7 @@ class ChangePointMotion {
   /// goes back and forth within it.)
   double period() const;
 
+  /// Where links fall in line within a period, in order.
   std::vector<ChangeAngle> change_angles() const;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace cognate {
 
+/// Centre and radius, in one unit.
 struct Circle {
   Vec2d centre;
   double radius = 0;

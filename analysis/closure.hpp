@@ -126,6 +126,7 @@ class HalfClosure {
         inverse_coupler_(other.inverse_coupler_),
         inverse_rocker_(other.inverse_rocker_) {}
 
+  /// The triangle B–C–D for a crank direction of this half circle.
   ClosureTriangle<T> triangle(const T& versine) const {
     const T kw = slope_ * versine;
     const T half_kw = T(0.5) * kw;
@@ -169,9 +170,11 @@ template <class T>
 class Closure {
  public:
   Closure() = default;
+  /// `frame_low`: as of HalfClosure.
   explicit Closure(const Lengths<T>& links, const T& frame_low = T(0))
       : near_(links, +1, frame_low), far_(links, -1, frame_low) {}
 
+  /// Where coupler and rocker point; `assembly` is +1 (open) or −1 (crossed).
   LinkDirections<T> at(const CrankDirection<T>& crank, const T& assembly) const {
     return (crank.side > 0 ? near_ : far_).at(crank.sin, crank.versine, assembly);
   }
@@ -188,12 +191,14 @@ struct AngleGradient {
   T crank{}, coupler{}, rocker{}, frame{}, crank_angle{};
 };
 
+/// The gradients of both angles.
 template <class T>
 struct ClosureGradient {
   AngleGradient<T> coupler;
   AngleGradient<T> rocker;
 };
 
+/// The gradients where the links point along `at`, the crank along `crank` (frame axes).
 template <class T>
 ClosureGradient<T> closure_gradient(const Lengths<T>& links, const Vec2<T>& crank,
                                     const LinkDirections<T>& at) {

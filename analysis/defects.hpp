@@ -28,11 +28,13 @@ enum class Sequence {
   timed,      ///< in the order given, the crank turning from each to the next by the shorter way
 };
 
+/// What keeps a linkage from passing through its positions.
 struct Defects {
   bool circuit = false;  ///< not all on one circuit, or one where the linkage does not close
   bool branch = false;   ///< the sign of (D − B) × (C − B) changes
   bool order = false;    ///< judged on one circuit alone: without it there is no motion
 
+  /// Whether both have the same.
   friend bool operator==(const Defects&, const Defects&) = default;
 };
 

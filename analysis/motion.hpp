@@ -27,6 +27,7 @@ Pose pose(const FourBar& linkage, const Vec2d& frame_direction, double crank_ang
 /// dimensions will do, and |D − A| is kept to twice the precision.
 class Motion {
  public:
+  /// Prepares `linkage`, which is copied.
   explicit Motion(const FourBar& linkage);
 
   /// The pose at a crank angle counted from the x axis; empty where the linkage does not close.

@@ -12,6 +12,7 @@ struct Vec2 {
   T x{};
   T y{};
 
+  /// Sums and multiples of vectors, products of complex numbers.
   friend constexpr Vec2 operator+(const Vec2& a, const Vec2& b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
   friend constexpr Vec2 operator-(const Vec2& a) { return {-a.x, -a.y}; }
@@ -21,8 +22,10 @@ struct Vec2 {
   }
 };
 
+/// The plane in double.
 using Vec2d = Vec2<double>;
 
+/// Whether both coordinates are the same.
 constexpr bool operator==(const Vec2d& a, const Vec2d& b) {
   return a.x == b.x && a.y == b.y;
 }

@@ -22,8 +22,11 @@ namespace cognate::problems {
 enum class Timing { free, prescribed, mixed };
 /// What stands in `target.crank_deg` at a point that is not timed.
 inline constexpr const char* kFreeAngle = "free";
+/// From where `target.crank_deg` counts: the first timed point, the line A→D, the x axis.
 enum class CrankReference { first, frame, global };
+/// In which sense the crank turns from point to point.
 enum class CrankSense { either, ccw, cw };
+/// Whether free points are met one after the other along the motion.
 enum class PointOrder { cyclic, any };
 /// `least_squares`: as near to the points as can be. `exact`: through each of them, all solutions.
 enum class PathMethod { least_squares, exact };
@@ -54,6 +57,7 @@ struct PathProblem {
   Solve solve;
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
+  /// Whether the crank's angle at a point is prescribed.
   bool is_timed(std::size_t point) const {
     return timing == Timing::prescribed || (timing == Timing::mixed && has_crank_angle[point]);
   }
@@ -61,6 +65,7 @@ struct PathProblem {
 
 /// Where the start angles of a function generator are taken from.
 enum class FunctionStart { free, outer_dead_centre, inner_dead_centre };
+/// What is least: nothing (exact at precision points), the sum of squares, the largest error.
 enum class FunctionObjective { exact, least_squares, minimax };
 
 /// `target.function` with `domain`, or `target.table`: y as a function of x on [domain.min,
@@ -120,6 +125,7 @@ struct FunctionProblem {
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 
+/// Whatever design of a linkage a file may ask for.
 using Problem = std::variant<PathProblem, FunctionProblem, MotionProblem, QuickReturnProblem,
                              StraightLineProblem>;
 

@@ -39,6 +39,7 @@ struct ConstraintCheck {
   std::optional<double> missing{};
 };
 
+/// See analysis/defects.hpp.
 enum class Defect { circuit, branch, order };
 
 /// What the analysis kernel says of a design.
@@ -61,6 +62,7 @@ struct Metrics {
   std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds
 };
 
+/// A mechanism that was found, what it is like, and what it misses.
 struct Design {
   NamedMechanism mechanism;
   std::vector<double> crank_angles;  ///< at the target points, from the x axis, in [0, 2π)
@@ -98,6 +100,8 @@ struct Family {
   std::vector<FamilyColumn> columns;
 };
 
+/// How a run ended: with a design that meets every constraint, with none that does, with no design
+/// at all, out of time, or stopped.
 enum class Status { solved, infeasible, no_solution, time_limit, interrupted };
 
 /// What was evaluated, and what was skipped because nothing asked for it.
@@ -114,6 +118,7 @@ struct Work {
   std::vector<std::string> skipped;
 };
 
+/// The answer to a design problem.
 struct Result {
   Status status = Status::no_solution;
   std::vector<Design> designs;  ///< best first; feasible ones before others
@@ -139,6 +144,8 @@ struct Run {
   std::function<void(double share, double best)> progress;
 };
 
+/// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
+/// same designs whatever the number of threads.
 Result solve(const PathProblem& problem, const Run& run);
 Result solve(const FunctionProblem& problem, const Run& run);
 Result solve(const MotionProblem& problem, const Run& run);

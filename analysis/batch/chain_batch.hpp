@@ -27,6 +27,8 @@ class DriveTable {
   /// `coordinates` in radians, or displacements of a driving slider.
   DriveTable(const Mechanism<double>& mechanism, std::span<const double> coordinates);
 
+  /// How many positions, and what the kernels read of each: the direction of a crank, or the
+  /// displacement of a driving slider.
   std::size_t size() const { return cos_.size(); }
   std::span<const double> cos() const { return cos_; }
   std::span<const double> sin() const { return sin_; }
@@ -56,6 +58,7 @@ struct DyadColumns {
   std::span<double> sine, cosine;
 };
 
+/// All that is wanted of a chain: of points, of bodies, of dyads.
 struct ChainColumns {
   std::vector<PointColumns> points;
   std::vector<BodyColumns> bodies;

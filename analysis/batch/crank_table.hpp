@@ -27,9 +27,10 @@ class CrankTable {
   /// `count` equal steps of a full turn, from 0.
   static CrankTable full_turn(std::size_t count);
 
+  /// How many positions there are.
   std::size_t size() const { return order_.size(); }
 
-  // What the kernels read; the arrays are padded, and order()[i] is the row of their entry i.
+  /// What the kernels read; the arrays are padded, and order()[i] is the row of their entry i.
   std::span<const Real> sin() const { return sin_; }
   std::span<const Real> versine() const { return versine_; }
   std::span<const std::size_t> order() const { return order_; }

@@ -53,11 +53,13 @@ struct FourBarColumns {
   std::array<std::span<Real>, kDesignVariables> gradient_x{}, gradient_y{};
 };
 
+/// On what a batch runs.
 struct BatchOptions {
   int threads = 1;                                  ///< 0: as many as the machine has
   std::optional<InstructionSet> instruction_set{};  ///< the widest there is, if empty
 };
 
+/// Every way out of a batch.
 enum class BatchStatus {
   done,
   nothing_wanted,    ///< every column is empty

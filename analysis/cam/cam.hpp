@@ -6,6 +6,7 @@
 
 namespace cognate::cam {
 
+/// Follower and dimensions, and the motion over a turn of the cam.
 struct Cam {
   CamSystem<double> system;
   MotionProgramme programme;

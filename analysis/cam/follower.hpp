@@ -3,6 +3,7 @@
 
 namespace cognate::cam {
 
+/// What touches the cam, and how it is guided.
 enum class FollowerType {
   translating_roller,
   translating_flat,  ///< its face square to its travel
@@ -23,10 +24,12 @@ enum class Closure {
   constant_breadth  ///< two parallel faces of one follower touch the cam on both sides
 };
 
+/// Whether the follower swings about a pivot.
 constexpr bool is_oscillating(FollowerType type) {
   return type == FollowerType::oscillating_roller || type == FollowerType::oscillating_flat;
 }
 
+/// Whether a flat face touches the cam.
 constexpr bool is_flat(FollowerType type) {
   return type == FollowerType::translating_flat || type == FollowerType::oscillating_flat;
 }

@@ -8,6 +8,7 @@
 
 namespace cognate::cam {
 
+/// How displacement goes from one end of a segment to the other.
 enum class MotionLaw {
   dwell,
   constant_velocity,
@@ -46,6 +47,7 @@ struct MotionCondition {
   double value = 0;
 };
 
+/// A point that a spline passes through.
 struct SplinePoint {
   double at = 0;            ///< share of the segment, strictly inside
   double displacement = 0;  ///< from the segment's start

@@ -29,12 +29,14 @@ struct StrokePart {
   Stroke stroke = Stroke::dwell;
 };
 
+/// The follower's motion over a turn of the cam, piece by piece.
 class MotionProgramme {
  public:
   MotionProgramme() = default;
   /// Pieces in order from cam angle 0; the first begins at displacement 0.
   explicit MotionProgramme(std::vector<MotionPiece<double>> pieces);
 
+  /// The pieces, in order from cam angle 0.
   const std::vector<MotionPiece<double>>& pieces() const { return pieces_; }
   /// The pieces, cut where the velocity changes its sign.
   const std::vector<StrokePart>& stroke_parts() const { return parts_; }

@@ -25,6 +25,7 @@ struct LinkPose {
 /// A piece of a circuit, by θ or by the signed μ (in (0, π) where the assembly is open), `from` <
 /// `to`.
 struct CircuitArc {
+  /// What the arc is parametrised by.
   enum class By { crank, transmission };
   By by = By::crank;
   double from = 0;
@@ -38,13 +39,16 @@ struct CircuitArc {
 /// cannot be assembled. At a change point circuits meet; each is here as if it had none.
 class Circuits {
  public:
+  /// The circuits of these lengths.
   explicit Circuits(const Lengths<double>& links);
 
+  /// The arcs of all circuits that are kept.
   const std::vector<CircuitArc>& arcs() const { return arcs_; }
 
   /// Leaves out the arcs of all circuits but one.
   void keep(int circuit);
 
+  /// The links' directions at a place of an arc.
   LinkPose at(const CircuitArc& arc, double place) const;
 
  private:

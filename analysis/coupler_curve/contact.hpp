@@ -26,6 +26,7 @@ namespace cognate {
 
 /// The order to which contact is told: one less than the coefficients that a series has.
 inline constexpr int kContactOrder = 8;
+/// The coupler's motion about a position, to that order.
 using ContactSeries = CouplerSeries<double, kContactOrder>;
 
 /// square |z|² + linear · z + constant = 0: a circle, or a straight line where `square` is zero.
@@ -74,6 +75,7 @@ ProjectivePoint pole_point(const ContactSeries& series);
 
 /// What has contact of four points with its tangent, beside the pole.
 struct FourPointContact {
+  /// How much has such contact.
   enum class Kind {
     none,   ///< the body stands, or slides without angular acceleration (to 1e-13)
     point,  ///< one point, perhaps at infinity or (a pole that is its own) the pole itself

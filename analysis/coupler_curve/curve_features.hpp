@@ -33,6 +33,7 @@ struct DoublePoint {
   CurvePoint second;
 };
 
+/// The cusps, inflections and double points of a curve.
 struct CurveFeatures {
   std::vector<CurvePoint> cusps;
   std::vector<CurvePoint> inflections;

@@ -40,6 +40,7 @@ struct CurveWidths {
 /// cubics through its points and derivatives.
 class WidthFinder {
  public:
+  /// The widths of a closed curve.
   CurveWidths operator()(const CurveSamples& curve);
 
  private:

@@ -27,6 +27,7 @@ inline constexpr int kHarmonics = 4;
 struct FourierDescriptors {
   std::array<Vec2d, 2 * kHarmonics + 1> coefficients{};
 
+  /// c of a harmonic from −4 to 4.
   Vec2d& of(int harmonic) { return coefficients[place(harmonic)]; }
   const Vec2d& of(int harmonic) const { return coefficients[place(harmonic)]; }
 

@@ -29,6 +29,7 @@ using Path = std::function<PathPoint(double)>;
 /// The path of a point of a mechanism by its drive, in the assemblies that the mechanism names.
 Path path_of(const Mechanism<double>& mechanism, const Attached<double>& point);
 
+/// A part of a path and its best line: the middle of the narrowest strip that holds it.
 struct Stretch {
   double from = 0;  ///< of the parameter, from < to
   double to = 0;

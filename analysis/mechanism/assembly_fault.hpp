@@ -8,6 +8,7 @@
 
 namespace cognate {
 
+/// Why a dyad cannot be closed.
 enum class AssemblyFaultKind {
   too_far_apart,     ///< RRR: distance > first + second, the lengths of the links
   too_near,          ///< RRR: distance < first − second, the longer less the shorter

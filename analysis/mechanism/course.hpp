@@ -10,6 +10,7 @@
 
 namespace cognate {
 
+/// What happens at a special position of the drive.
 enum class CoursePointKind {
   /// A range of the drive ends: the links of a dyad are in line, or a slide stands across.
   dead_point,
@@ -23,6 +24,7 @@ enum class CoursePointKind {
   parallel_guides
 };
 
+/// A special position: what happens there, and to which dyad.
 struct CoursePoint {
   CoursePointKind kind = CoursePointKind::dead_point;
   int dyad = 0;

@@ -21,6 +21,7 @@ namespace cognate {
 template <int Order>
 class FollowedMotion {
  public:
+  /// To be moved along `course`, which is one of `mechanism`.
   FollowedMotion(const Mechanism<double>& mechanism, Course course)
       : motion_(mechanism),
         course_(std::move(course)),
@@ -63,6 +64,7 @@ class FollowedMotion {
     return true;
   }
 
+  /// What is followed, and where bodies and dyads stand after `move_to`.
   const Course& course() const { return course_; }
   const Mechanism<double>& mechanism() const { return motion_.mechanism(); }
   std::span<const BodyMotion<double, Order>> bodies() const { return bodies_; }

@@ -35,6 +35,7 @@ struct Reaction {
   double moment = 0;
 };
 
+/// What joints and drive bear at one position.
 struct Forces {
   std::vector<Reaction> reactions;  ///< one for each joint of joints(mechanism)
   double drive = 0;  ///< driving torque (N·m, counter-clockwise) or force (N, along the guide)

@@ -7,6 +7,7 @@
 
 namespace cognate {
 
+/// A pin or a slide.
 enum class JointType { revolute, prismatic };
 
 /// A joint between body `first` (nearer to the frame or the drive) and body `second`. A revolute
@@ -30,6 +31,7 @@ struct JointGroup {
   int joints = 0;
 };
 
+/// The joints of a mechanism, and how they belong together.
 struct JointList {
   std::vector<Joint> joints;
   std::vector<JointGroup> groups;  ///< the drive first, then the dyads

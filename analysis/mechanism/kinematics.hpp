@@ -62,6 +62,7 @@ void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_ident
 template <int Order>
 class MechanismMotion {
  public:
+  /// Stands nowhere until `move_to`.
   explicit MechanismMotion(const Mechanism<double>& mechanism)
       : mechanism_(mechanism),
         sides_(cognate::sides(mechanism)),
@@ -79,6 +80,7 @@ class MechanismMotion {
     });
   }
 
+  /// What is moved, and where bodies and dyads stand after `move_to`.
   const Mechanism<double>& mechanism() const { return mechanism_; }
   std::span<const BodyMotion<double, Order>> bodies() const { return bodies_; }
   std::span<const DyadClosure<double>> closures() const { return closures_; }

@@ -72,6 +72,7 @@ struct FloatingLink {
   T length{};
 };
 
+/// What drives: one of these.
 template <class T>
 using Drive = std::variant<Crank<T>, DrivingSlider<T>, FloatingLink<T>>;
 
@@ -118,9 +119,11 @@ struct Rpp {
   Guide<T> guide{};
 };
 
+/// Two bodies that close on what is there before: one of these.
 template <class T>
 using Dyad = std::variant<Rrr<T>, Rrp<T>, Rpr<T>, Prp<T>, Rpp<T>>;
 
+/// A drive and dyads, in the order in which they close.
 template <class T>
 struct Mechanism {
   Drive<T> drive = Crank<T>{};

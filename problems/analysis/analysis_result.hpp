@@ -43,6 +43,7 @@ struct Cognate {
   double crank_angle = 0;  ///< from the x axis, where the drive is at its start
 };
 
+/// What an analysis found, row by row and as a whole.
 struct AnalysisResult {
   Status status = Status::no_solution;  ///< `solved` where a row closes
   std::vector<Column> columns;          ///< the drive first

@@ -90,6 +90,7 @@ struct CamProblem {
   CamObjective objective = CamObjective::size;
   Solve solve;
 
+  /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }
   CamLength& length(CamDimension d) { return lengths[static_cast<int>(d)]; }
 };

@@ -27,6 +27,7 @@ struct SizeProof {
   std::string within;  ///< what of the file it takes for granted: "offset = 3"; empty: nothing
 };
 
+/// A cam that was found, or given, with all that is known of it.
 struct CamDesign {
   cam::Cam cam;                    ///< counter-clockwise; of a clockwise one the mirror image
   std::optional<cam::Cam> second;  ///< of conjugate cams the other, in its own upright position
@@ -44,6 +45,7 @@ struct SegmentFacts {
   std::optional<cam::PeakFactors> handbook;
 };
 
+/// The cams found, and what holds of the motion whichever is taken.
 struct CamResult {
   Status status = Status::no_solution;
   std::vector<CamDesign> designs;  ///< best first

@@ -58,6 +58,7 @@ struct FreudensteinLinkage {
   double output_turn = 0;      ///< 0 or π
 };
 
+/// The linkage that has the ratios `p`, or why there is none.
 FreudensteinLinkage freudenstein_linkage(const std::array<double, 3>& p);
 
 }  // namespace cognate::synthesis

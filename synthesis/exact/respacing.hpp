@@ -38,6 +38,7 @@ struct RespacingTask {
   int precision_points() const { return 3 + int(input_start_free) + int(output_start_free); }
 };
 
+/// Every way out of the exchange.
 enum class RespacingOutcome {
   level,            ///< the peaks are equal within 1e-10 of their height
   not_alternating,  ///< the error of the start does not change sign once for each precision point

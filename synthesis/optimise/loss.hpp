@@ -27,6 +27,7 @@ LossValue evaluate(Loss loss, double s);
 /// `model`, whose objective is a sum of squares, must outlive this object; `scale` a is positive.
 class RobustModel final : public Model {
  public:
+  /// `model` with this loss.
   RobustModel(const Model& model, Loss loss, double scale, int block)
       : model_(model), loss_(loss), scale_(scale), block_(block) {}
 

@@ -64,6 +64,7 @@ class Model {
                                   std::span<const double> of_constraints,
                                   std::span<double> out) const;
 
+  /// How many variables are global.
   int global_count() const { return static_cast<int>(variables().size()) - local_count(); }
 };
 

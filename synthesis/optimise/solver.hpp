@@ -23,6 +23,7 @@ enum class Stop {
   failed,           ///< numerical difficulties; `x` is the best point seen
 };
 
+/// When a solver stops.
 struct Options {
   double tolerance = 1e-12;   ///< relative change of the objective at which to stop
   double feasibility = 1e-9;  ///< largest violation of a constraint that counts as met
@@ -39,6 +40,7 @@ struct Options {
   std::span<const double> multipliers = {};
 };
 
+/// Where a solver ended, and why.
 struct Solution {
   std::vector<double> x;
   double objective = 0;  ///< ‖r‖² or max |r|, by the model's objective
@@ -73,6 +75,7 @@ enum class Backend {
   ipopt,
 };
 
+/// As files name it: "gauss-newton".
 std::string_view name(Backend backend);
 
 /// Whether `backend` searches a box for its global minimum. The box is that of the variables'

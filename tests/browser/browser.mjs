@@ -22,8 +22,8 @@ export function launch() {
 }
 
 // Opens `file`; `faults` collects errors of the page and requests that leave it.
-export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference" } = {}) {
-  const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion,
+export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB" } = {}) {
+  const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion, locale,
     hasTouch: size === "phone", deviceScaleFactor: size === "phone" ? 2 : 1 });
   const page = await context.newPage();
   const faults = [];

@@ -15,9 +15,11 @@ struct PressureLimits {
   std::optional<double> rise;   ///< over the rises, on the side to which the cam pushes in them
   std::optional<double> fall;   ///< over the returns, on the other side
 
+  /// Whether anything is limited.
   bool any() const { return whole || rise || fall; }
 };
 
+/// Which of the limits.
 enum class PressureLimit { whole, rise, fall };
 
 /// A position at which one of the limits binds.
@@ -26,6 +28,7 @@ struct BindingLimit {
   PressureLimit limit = PressureLimit::whole;
 };
 
+/// The cam, and why none is smaller.
 struct SmallestCam {
   cam::CamDimensions<double> dimensions;
   /// The one or two positions that force the base radius: no cam that keeps the limit in them is

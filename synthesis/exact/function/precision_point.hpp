@@ -35,6 +35,7 @@ struct GivenStart {
 
 /// Coefficients of a power series in the input's deviation, as many as the multiplicity.
 using RealSeries = std::array<double, kMostConditions>;
+/// As RealSeries, of complex numbers.
 using ComplexSeries = std::array<Vec2d, kMostConditions>;
 
 /// The series of the output: derivatives over factorials.

@@ -46,6 +46,7 @@ struct SliderCrankFunction {
   double condition = 0;
 };
 
+/// All solutions, or word that there are infinitely many.
 struct SliderCrankFunctions {
   bool dependent = false;  ///< the conditions are dependent to within rounding
   Few<SliderCrankFunction, 3> solutions;

@@ -19,6 +19,7 @@ namespace cognate::synthesis {
 /// where the cubic falls apart.
 class BurmesterCurves {
  public:
+  /// The curves of four poses, which are copied.
   explicit BurmesterCurves(std::span<const Pose, 4> poses);
 
   /// `family`: a curve to walk on. Else what is degenerate, and there are no branches.

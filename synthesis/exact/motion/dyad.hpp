@@ -76,6 +76,7 @@ struct DyadSolutions {
   std::array<GuidingDyad, 6> storage{};
   int count = 0;
 
+  /// The dyads found.
   std::span<const GuidingDyad> dyads() const& {
     return std::span(storage).first(static_cast<std::size_t>(count));
   }

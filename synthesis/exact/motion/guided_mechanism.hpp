@@ -44,6 +44,7 @@ struct DriveStation {
   Assembly side = Assembly::open;
 };
 
+/// The mechanism, and where it stands at each pose.
 struct GuidedMechanism {
   PairingFault fault = PairingFault::none;
   GuidedType type;                     ///< in the assembly of the first pose

@@ -39,6 +39,7 @@ struct Displacement {
   Vec2d way(const Vec2d& x) const;
 };
 
+/// How the plane moves from one pose to the other.
 Displacement displacement(const Pose& from, const Pose& to);
 
 /// The point that a displacement leaves where it is: about + i·shift/(2 tan(angle/2)) + shift/2.

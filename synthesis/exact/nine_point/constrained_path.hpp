@@ -20,6 +20,7 @@
 
 namespace cognate::synthesis {
 
+/// On what a solve runs, and who is told of it.
 struct ConstrainedPathOptions {
   int threads = 0;                       ///< as many as the machine has for 0
   std::function<bool()> stop;            ///< asked often, from any thread

@@ -41,6 +41,7 @@ struct PathPose {
 struct PathClass {
   int poses = 1;
   int points = 8;
+  /// Whether both numbers are the same.
   friend bool operator==(const PathClass&, const PathClass&) = default;
 };
 
@@ -80,6 +81,7 @@ enum class ExactPathStatus {
   interrupted,  ///< `stop` returned true: some paths have no end
 };
 
+/// Every solution found, and what became of every path.
 struct ExactPathSolutions {
   ExactPathStatus status = ExactPathStatus::solved;
   std::array<int, 2> coincident{};  ///< the caller's two positions, where they are the reason
@@ -96,6 +98,7 @@ struct ExactPathSolutions {
   int repeated = 0;     ///< paths that had to be followed again, in another chart or precision
 };
 
+/// On what a solve runs, and who is told of it.
 struct ExactPathOptions {
   int threads = 0;                       ///< as many as the machine has for 0
   std::optional<InstructionSet> set;     ///< the widest of the machine if empty

@@ -21,6 +21,7 @@ struct ReturnAngle {
   double half_sine = 0;    ///< sin(θ/2)
   double half_cosine = 1;  ///< cos(θ/2)
 
+  /// tan(θ/2), sin θ and cos θ.
   double half_tangent() const { return half_sine / half_cosine; }
   double sine() const { return 2 * half_sine * half_cosine; }
   double cosine() const { return (half_cosine - half_sine) * (half_cosine + half_sine); }

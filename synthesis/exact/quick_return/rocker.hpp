@@ -77,6 +77,7 @@ enum class RockerDegeneracy {
   line_is_the_arc  ///< K = 1, and the line is that of C₁C₂, on which every pivot may stand
 };
 
+/// All crank-rockers of a task, and what leaves a whole curve of them.
 struct RockerSolutions {
   std::vector<QuickReturnRocker> designs;  ///< near arc before far; each before its mirror image
   RockerDegeneracy degeneracy = RockerDegeneracy::none;

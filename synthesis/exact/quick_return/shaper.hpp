@@ -36,6 +36,7 @@ struct Shaper {
   double pressure = 0;  ///< the steepest pressure angle of the ram, radians
 };
 
+/// Every way out.
 enum class ShaperOutcome {
   solved,
   no_swing,   ///< K = 1: the bar would not swing
@@ -43,11 +44,13 @@ enum class ShaperOutcome {
   overshoot   ///< the rod leans so far that the ram turns back before the bar does
 };
 
+/// The shaper, where `outcome` is `solved`.
 struct ShaperSolution {
   ShaperOutcome outcome = ShaperOutcome::solved;
   Shaper shaper;
 };
 
+/// The shaper of a task, or why there is none.
 ShaperSolution shaper(const ShaperTask& task);
 
 /// The crank (body 1), the block (2) and the bar (3), the rod (4) and the ram (5).

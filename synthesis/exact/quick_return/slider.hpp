@@ -36,6 +36,7 @@ struct QuickReturnSlider {
   double pressure = 0;  ///< steepest pressure angle of the slider, radians
 };
 
+/// What leaves a whole curve of solutions, or none.
 enum class SliderDegeneracy {
   none,
   any_coupler,  ///< K = 1, without offset or with the crank h: the coupler is free
@@ -43,6 +44,7 @@ enum class SliderDegeneracy {
   no_quick      ///< K = 1 with an offset, which makes K > 1
 };
 
+/// All slider-cranks of a task, and what leaves a whole curve of them.
 struct SliderSolutions {
   std::vector<QuickReturnSlider> designs;
   SliderDegeneracy degeneracy = SliderDegeneracy::none;

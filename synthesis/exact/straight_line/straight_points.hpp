@@ -24,6 +24,7 @@ enum class StraightPointKind {
 /// "coupler-line", "inflection-pole", "ball-point" or "five-point-contact".
 std::string_view name(StraightPointKind kind);
 
+/// A coupler point, and how closely its path touches its tangent.
 struct StraightPoint {
   StraightPointKind kind = StraightPointKind::ball;
   Vec2d coupler_point;  ///< in the coupler's axes: origin B, the first from B to C

@@ -1,0 +1,90 @@
+// The pictures of reports in docs/pictures: solves the library problems concerned and photographs the
+// head of each report, down to its curves. cmake --build --preset release --target docs-pictures, or
+//   node pictures.mjs PROGRAM LIBRARY OUTDIR [NAME...]
+// PNGs become a third as large where pngquant is installed.
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { launch, open } from "./browser.mjs";
+
+const [program, library, folder, ...wanted] = process.argv.slice(2);
+if (!folder) {
+  console.error("usage: node pictures.mjs PROGRAM LIBRARY OUTDIR [NAME...]");
+  process.exit(2);
+}
+
+// `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+const PICTURES = [
+  { name: "report", command: "solve", file: "path/ten-point-ellipse" },
+  { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
+  { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
+  { name: "function", command: "solve", file: "function/log10-refined", drive: 90 },
+  { name: "synthesis", command: "solve", file: "motion/four-poses", drive: 100 },
+  { name: "straight-line", command: "solve", file: "straight-line/search-hoeken", drive: 180 },
+  { name: "analysis", command: "analyze", file: "analysis/shaper" },
+  { name: "cam", command: "solve", file: "cam/smallest-cam" },
+  { name: "study", command: "sweep", file: "study/crank-rocker-map", show: "#scatter" },
+  { name: "atlas", command: "sweep", file: "study/atlas", only: "#atlas" },
+];
+const SIZE = { width: 1280, height: 1000 };
+
+async function setDrive(page, value) {
+  const slider = page.locator("#crank, #drive").first();
+  if (!await slider.count() || !await slider.isVisible()) return;
+  await slider.evaluate((input, to) => {
+    input.value = to;
+    input.dispatchEvent(new Event("input"));
+  }, value);
+}
+
+// Draws the arrows of forces where the page has a switch for them.
+async function showForces(page) {
+  const forces = page.locator("[data-layer=reactions]").first();
+  if (await forces.count() && await forces.isVisible()) await forces.click();
+}
+
+async function photograph(page, { only, show = "#curves" }, file) {
+  if (only) {
+    const part = page.locator(only).first();
+    await part.scrollIntoViewIfNeeded();
+    await page.waitForTimeout(300);
+    const { x, y, width, height } = await part.evaluate((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      return { x: left + scrollX, y: top + scrollY, width, height };
+    });
+    await page.screenshot({ path: file, fullPage: true, clip: { x, y, width, height: Math.min(height, SIZE.height) } });
+    return;
+  }
+  const foot = page.locator(show).first();
+  const box = await foot.count() ? await foot.boundingBox() : null;
+  const height = box ? Math.ceil(box.y + box.height + 8) : SIZE.height;
+  await page.screenshot({ path: file, fullPage: true, clip: { x: 0, y: 0, width: SIZE.width, height } });
+}
+
+const scratch = mkdtempSync(path.join(tmpdir(), "cognate-pictures-"));
+mkdirSync(folder, { recursive: true });
+const browser = await launch();
+let faulty = false;
+for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.includes(name))) {
+  const { name, command, file, locale, scheme = "light", drive = 60 } = picture;
+  const report = path.join(scratch, `${path.basename(file)}.report.html`);
+  if (!existsSync(report)) execFileSync(program, [command, path.join(library, `${file}.toml`), "--out", scratch, "--quiet"]);
+  const { page, faults, close } = await open(browser, report, { scheme, locale, motion: "reduce" });
+  await page.setViewportSize(SIZE);
+  await setDrive(page, drive);
+  await showForces(page);
+  await page.waitForTimeout(300);
+  const target = path.join(folder, `${name}.png`);
+  await photograph(page, picture, target);
+  await close();
+  spawnSync("pngquant", ["--force", "--skip-if-larger", "--output", target, "--", target]);
+  console.log(target);
+  for (const fault of faults) {
+    console.error(`${name}: ${fault}`);
+    faulty = true;
+  }
+}
+await browser.close();
+rmSync(scratch, { recursive: true });
+process.exit(faulty ? 1 : 0);
