@@ -109,8 +109,8 @@ function listen() {
 }
 
 byId("drive-name").textContent = sentence(term(driving.name));
-showHead(result, "Analysis of a mechanism", [plural(mechanism.bodies.length - 1, "moving body").replace(/bodys$/, "bodies"),
-  plural(table.rows, "position"), result.work ? duration(result.work.seconds) : ""], "space plays, ← → move the drive (with shift ten times as far)");
+showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
+  say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
 showNotes(result.notes ?? []);
 showWork(result.work);
 showFacts(data.facts, driving, mechanism);
