@@ -19,6 +19,12 @@ function factParts(name) {
   return { key: bare.replace(/_(N_m|N|deg)(?=\.|$)/, ""), unit: where && name.includes("_at_deg") ? "deg" : unit, where };
 }
 
+// The force of a joint on a body, "A_on_crank"; nothing of other names.
+function onBody(name) {
+  const [, first, second] = /^(.+)_on_(.+)$/.exec(name) ?? [];
+  return first && say("fact.on", { first: term(first.replaceAll("_", " ")), second: term(second.replaceAll("_", " ")) });
+}
+
 function factName(key) {
   const [of, what] = key.split(/\.(.*)/);
   const words = (text) => {
@@ -28,14 +34,14 @@ function factName(key) {
   };
   if (!what) return sentence(words(of));
   const largest = /^(.*)_max$/.exec(of);
-  return largest ? say("fact.largest_of", { of: words(largest[1]), what: words(what) })
+  return largest ? say("fact.largest_of", { of: words(largest[1]), what: onBody(what) ?? words(what) })
     : say("fact.of", { of: sentence(words(of)), what: FACT_WORDS[what] ?? words(what) });
 }
 
 function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
-  if (typeof value !== "number") return term(String(value).replaceAll("_", " "));
+  if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
   return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)}${unit ? ` ${FACT_WORDS[unit]}` : ""}`;
 }
 

@@ -8,7 +8,7 @@ const SHEET_TITLES = {
 };
 // The columns of an instant's geometry have one sheet for each thing that they tell of bodies.
 const INSTANTS = ["pole", "moving_centrode", "inflection_diameter", "inflection_centre", "return_centre", "tangential_diameter", "tangential_centre",
-  "acceleration_pole", "ball", "stationary"];
+  "acceleration_pole", "ball", "stationary", "inflection_line", "inflection_line_deg"];
 const POINT_COLOURS = ["--curve", "--crank", "--coupler", "--target", "--rocker", "--link-b", "--link-d", "--velocity", "--link-c"];
 const LANDMARK_COLOURS = { "limit position": "--good", "dead point": "--bad", "change point": "--warn",
   "least transmission angle": "--curve", "greatest transmission angle": "--link-b",

@@ -23,7 +23,7 @@ const STRAIGHT = { name: say("designs.straight"), title: say("designs.straight_t
 const isFourBar = (d) => d.mechanism.type === "four-bar";
 
 // Class of a four-bar; of another mechanism its type.
-const classText = (d) => term(isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
+const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
 
 function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];
