@@ -17,7 +17,7 @@ class Curves {
     this.holder.replaceChildren();
     if (!this.available) {
       this.holder.append(element("p", { class: "muted" },
-        "This report was made without uPlot, so it draws no curves: Cognate was built without npm, or without a network for it. Install npm, run cmake and build again."));
+        say("curves.no_library")));
       return;
     }
     // All boxes first, so that each has its width before a plot fills it.
@@ -26,7 +26,7 @@ class Curves {
   }
 
   #box(sheet) {
-    const box = element("div", { role: "img", "aria-label": `${sheet.title}: ${sheet.summary}` });
+    const box = element("div", { role: "img", "aria-label": say("curves.label", { title: sheet.title, summary: sheet.summary }) });
     this.holder.append(element("div", { class: "plot" }, element("h3", {}, sheet.title), ...this.#notes(sheet), box));
     return box;
   }

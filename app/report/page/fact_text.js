@@ -1,9 +1,9 @@
 // Facts of a motion or of a synthesis in words.
 
-const FACT_WORDS = { min: "least", max: "greatest", acute_min: "least acute", N_m: "N·m", N: "N", deg: "°" };
+const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), acute_min: say("fact.least_acute"), N_m: "N·m", N: "N", deg: "°" };
 
 // Shares of a stretch's length to which it is straight, as names end.
-const STRAIGHTNESS = { _at_0_001: " at 0.1 %", _at_0_01: " at 1 %" };
+const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
 
 // A fact's name without its unit, and whether it says where something is reached: "torque_N_m.max"
 // and "torque_N_m.max_at_deg" are of one "torque.max".
@@ -19,18 +19,29 @@ function factParts(name) {
   return { key: bare.replace(/_(N_m|N|deg)(?=\.|$)/, ""), unit: where && name.includes("_at_deg") ? "deg" : unit, where };
 }
 
+// The force of a joint on a body, "A_on_crank"; nothing of other names.
+function onBody(name) {
+  const [, first, second] = /^(.+)_on_(.+)$/.exec(name) ?? [];
+  return first && say("fact.on", { first: term(first.replaceAll("_", " ")), second: term(second.replaceAll("_", " ")) });
+}
+
 function factName(key) {
   const [of, what] = key.split(/\.(.*)/);
-  const words = (text) => text.replace(/_at_0_0*1$/, (share) => STRAIGHTNESS[share] ?? share).replaceAll("_", " ");
+  const words = (text) => {
+    const [share] = /_at_0_0*1$/.exec(text) ?? [];
+    if (share in STRAIGHTNESS) return say(STRAIGHTNESS[share], { name: words(text.slice(0, -share.length)) });
+    return term(text.replaceAll("_", " "));
+  };
   if (!what) return sentence(words(of));
   const largest = /^(.*)_max$/.exec(of);
-  return largest ? `Largest ${words(largest[1])}, ${words(what)}` : `${sentence(words(of))}, ${FACT_WORDS[what] ?? words(what)}`;
+  return largest ? say("fact.largest_of", { of: words(largest[1]), what: onBody(what) ?? words(what) })
+    : say("fact.of", { of: sentence(words(of)), what: FACT_WORDS[what] ?? words(what) });
 }
 
 function factText(value, unit) {
   if (value === null) return "–";
-  if (typeof value === "boolean") return value ? "yes" : "no";
-  if (typeof value !== "number") return String(value).replaceAll("_", " ");
+  if (typeof value === "boolean") return say(value ? "yes" : "no");
+  if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
   return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)}${unit ? ` ${FACT_WORDS[unit]}` : ""}`;
 }
 

@@ -35,7 +35,6 @@ function duration(seconds) {
 const degrees = (x, decimals = 2) => `${fixed(x, decimals)}°`;
 const degreesShort = (x, digits = 6) => `${number(x, digits)}°`;
 const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
-const plural = (n, word) => `${n.toLocaleString("en")} ${word}${n === 1 ? "" : "s"}`;
 
 // The power of a thousand that brings `size` near one, as an exponent: 0 where none is needed.
 function engineeringExponent(size) {

@@ -2,7 +2,7 @@
 // `move` places the bodies.
 
 const BLOCK = { length: 28, height: 16 };
-const ARROWS = { velocity: "Velocity", acceleration: "Acceleration", reactions: "Force" };
+const ARROWS = { velocity: say("arrows.velocity"), acceleration: say("arrows.acceleration"), reactions: say("arrows.reactions") };
 const MANY_NAMES = 24;
 
 // What a mechanism without a table of values has to draw of one.
@@ -11,7 +11,7 @@ const NO_TABLE = { columns: [], normals: [], centrodes: [], vectorsOf: () => [] 
 class MechanismScene extends Picture {
   // `table`: of an analysis; its vectors can be shown as arrows.
   constructor(frame, mechanism, onDrag, table = NO_TABLE) {
-    super(frame, "The mechanism, its guides and the paths of its points", onDrag);
+    super(frame, say("picture.mechanism"), onDrag);
     Object.assign(this, { mechanism, table, shown: { paths: true, names: mechanism.points.length <= MANY_NAMES } });
     this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity));
     this.many = mechanism.bodies.length > 30;
@@ -34,7 +34,7 @@ class MechanismScene extends Picture {
   }
 
   build() {
-    this.clear(this.box, "The mechanism cannot be assembled anywhere in this range.");
+    this.clear(this.box, say("picture.nowhere_assembled"));
     if (!this.box) return;
     const { mechanism, view } = this;
     this.bars = this.many ? 2.6 : Math.min(7, 0.016 * Math.min(view.width, view.height));
@@ -91,7 +91,7 @@ class MechanismScene extends Picture {
     const reach = 2 * Math.max(this.view.width, this.view.height);
     const shown = path.map((p) => p && this.view.screen(p)).map((p) => (p && Math.abs(p[0]) < reach && Math.abs(p[1]) < reach ? p : null));
     const body = this.mechanism.bodies.findIndex(({ name }) => name === of);
-    this.layers.paths.append(svg("path", { class: "centrode", style: `stroke:var(${this.tint(body)})`, d: pathWithGaps(shown) }, svg("title", {}, `Fixed centrode of ${of}`)));
+    this.layers.paths.append(svg("path", { class: "centrode", style: `stroke:var(${this.tint(body)})`, d: pathWithGaps(shown) }, svg("title", {}, say("picture.fixed_centrode", { of: term(of) }))));
   }
 
   // A body in its own axes, in pixels.
@@ -110,7 +110,7 @@ class MechanismScene extends Picture {
   }
 
   #group(body, index, ...parts) {
-    return svg("g", { class: "body", "data-body": index, style: `--tint:var(${this.tint(index)})` }, svg("title", {}, body.name), ...parts);
+    return svg("g", { class: "body", "data-body": index, style: `--tint:var(${this.tint(index)})` }, svg("title", {}, term(body.name)), ...parts);
   }
 
   // A slot in a moving body, long enough for the block.

@@ -24,7 +24,7 @@ class Picture {
     const { length, pixels } = this.view.scaleBar();
     const [x, y] = [14, this.view.height - 14];
     return svg("g", {}, svg("path", { class: "scale-line", d: `M${x} ${y - 4}v4h${round(pixels)}v-4` }),
-      svg("text", { class: "scale-text", x: x + 2, y: y - 8 }, `${number(length)} ${length === 1 ? "unit" : "units"}`));
+      svg("text", { class: "scale-text", x: x + 2, y: y - 8 }, say("picture.scale", { n: length, length: number(length) })));
   }
 
   // `driveFor` turns a point of the plane into the drive coordinate, or null.

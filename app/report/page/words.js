@@ -22,16 +22,16 @@ function say(key, values = {}) {
 }
 
 // A word or a name that the result holds in English, such as the class of a linkage.
-const term = (text) => WORDS[language].terms?.[text] ?? text;
+const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
 
 // A sentence that the result holds in English, translated where it has the form of one that is known;
-// {0}, {1}, … stand for its numbers and names.
+// {0}, {1}, … stand for its numbers, names and parts that are sentences of their own.
 function sentenceOf(text) {
   for (const { form, forms } of SENTENCES) {
     const found = form.exec(text);
-    if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => term(found[Number(i) + 1]));
+    if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => sentenceOf(found[Number(i) + 1]));
   }
-  return text;
+  return term(text);
 }
 
 const SENTENCES = Object.entries(WORDS[language].sentences ?? {}).map(([form, forms]) => ({

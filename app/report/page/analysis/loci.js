@@ -1,13 +1,13 @@
 // Hodographs: the curves that the tips of vectors draw, seen from their foot, with equal axes.
 
-const LOCUS_TITLES = { velocity: "Velocity hodograph", acceleration: "Acceleration hodograph", reactions: "Joint reactions" };
+const LOCUS_TITLES = { velocity: say("loci.velocity"), acceleration: say("loci.acceleration"), reactions: say("loci.reactions") };
 
 function lociSheets(table, parts, colours) {
   const sheets = Object.entries(LOCUS_TITLES).map(([quantity, title]) => ({ title, quantity,
     vectors: table.vectorsOf(quantity).filter((v) => v.at && parts.has(v.x.of)) }));
-  sheets.push({ title: "Shaking force on the frame", quantity: "reactions", vectors: table.vectorsOf("reactions").filter((v) => !v.at) });
+  sheets.push({ title: say("loci.shaking"), quantity: "reactions", vectors: table.vectorsOf("reactions").filter((v) => !v.at) });
   return sheets.filter((sheet) => sheet.vectors.length > 0).map((sheet) => {
-    const lines = sheet.vectors.map((vector) => ({ vector, label: vector.x.of, colour: colours.get(vector.x.of),
+    const lines = sheet.vectors.map((vector) => ({ vector, label: term(vector.x.of), colour: colours.get(vector.x.of),
       points: vector.x.values.map((x, i) => (x === null || vector.y.values[i] === null ? null : [x, vector.y.values[i]])) }));
     const sizes = lines.flatMap((line) => line.points.filter(Boolean).map((p) => Math.hypot(...p)));
     const exponent = engineeringExponent(Math.max(0, ...sizes));
@@ -40,9 +40,9 @@ class Loci {
 
   #box(sheet) {
     const unit = sheet.exponent ? `${powerOfTen(sheet.exponent)} ${sheet.unit}` : sheet.unit;
-    const root = svg("svg", { role: "img", class: "locus", "aria-label": `${sheet.title} of ${sheet.lines.map((l) => l.label).join(", ")}` });
+    const root = svg("svg", { role: "img", class: "locus", "aria-label": say("loci.label", { title: sheet.title, list: sheet.lines.map((l) => l.label).join(say("list.comma")) }) });
     const legend = element("div", { class: "keys" }, ...sheet.lines.map((line) => element("span", {}, keySign(line), line.label)));
-    this.holder.append(element("div", { class: "plot" }, element("h3", {}, `${sheet.title}, ${unit}`), legend, root));
+    this.holder.append(element("div", { class: "plot" }, element("h3", {}, say("unit.axis", { name: sheet.title, unit })), legend, root));
     return root;
   }
 

@@ -31,7 +31,7 @@ function goTo(drive, byHand = false) {
   values.move(state.drive);
   const slider = byId("drive");
   slider.value = state.drive;
-  slider.setAttribute("aria-valuetext", angular ? `${fixed(state.drive, 0)} degrees` : number(state.drive, 4));
+  slider.setAttribute("aria-valuetext", angular ? say("motion.degrees", { value: fixed(state.drive, 0) }) : number(state.drive, 4));
   byId("drive-value").textContent = driveText(state.drive, 1);
   byId("open").hidden = mechanism.places(state.drive).every(Boolean);
 }
@@ -40,7 +40,7 @@ function choose(parts) {
   state.parts = parts;
   for (const button of document.querySelectorAll("[data-part]")) button.setAttribute("aria-pressed", String(parts.has(button.dataset.part)));
   byId("all-parts").setAttribute("aria-pressed", String(parts.size === table.parts.length));
-  const xLabel = angular ? `${sentence(driving.name)} angle, °` : `${sentence(driving.name)}, units`;
+  const xLabel = say(angular ? "drive.angle_axis" : "drive.way_axis", { name: sentence(term(driving.name)) });
   curves.build(analysisSheets(table, mechanism, parts, landmarks, xLabel, colours));
   const sheets = lociSheets(table, parts, colours);
   byId("loci").hidden = sheets.length === 0;
@@ -61,11 +61,11 @@ function firstParts() {
 }
 
 function showParts() {
-  const all = element("button", { type: "button", id: "all-parts", title: "Show all parts, or the first ones again" }, "All");
+  const all = element("button", { type: "button", id: "all-parts", title: say("curves.all_parts_title") }, say("curves.all_parts"));
   all.addEventListener("click", () => choose(state.parts.size < table.parts.length ? new Set(table.parts) : firstParts()));
   all.hidden = table.parts.length > MANY_PARTS;
   byId("parts").replaceChildren(all, ...table.parts.map((part) => {
-    const button = element("button", { type: "button", "data-part": part }, part);
+    const button = element("button", { type: "button", "data-part": part }, term(part));
     button.addEventListener("click", () => {
       const parts = new Set(state.parts);
       if (!parts.delete(part)) parts.add(part);
@@ -76,13 +76,13 @@ function showParts() {
 }
 
 function showLegend() {
-  const bodies = mechanism.bodies.length > 9 ? [] : mechanism.bodies.slice(1).map((body, i) => legendItem(scene.tint(i + 1).slice(2), "line", sentence(body.name)));
-  const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", "Path")] : [];
-  const centrodes = table.centrodes.map(({ of }) => legendItem(scene.tint(mechanism.bodies.findIndex((b) => b.name === of)).slice(2), "dashed", `Fixed centrode of ${of}`));
+  const bodies = mechanism.bodies.length > 9 ? [] : mechanism.bodies.slice(1).map((body, i) => legendItem(scene.tint(i + 1).slice(2), "line", sentence(term(body.name))));
+  const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", say("legend.path"))] : [];
+  const centrodes = table.centrodes.map(({ of }) => legendItem(scene.tint(mechanism.bodies.findIndex((b) => b.name === of)).slice(2), "dashed", say("picture.fixed_centrode", { of: term(of) })));
   const arrows = Object.keys(ARROWS).filter((kind) => scene.shown[kind]).map((kind) => legendItem(kind === "reactions" ? "error" : kind, "line", ARROWS[kind]));
   byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows);
   const kinds = [...new Set(landmarks.map((l) => l.kind))];
-  byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(kind))));
+  byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(term(kind)))));
 }
 
 // Buttons that show and hide what the picture can have besides the mechanism.
@@ -108,17 +108,17 @@ function listen() {
   new ResizeObserver(() => { scene.build(); goTo(state.drive); }).observe(byId("picture"));
 }
 
-byId("drive-name").textContent = sentence(driving.name);
-showHead(result, "Analysis of a mechanism", [plural(mechanism.bodies.length - 1, "moving body").replace(/bodys$/, "bodies"),
-  plural(table.rows, "position"), result.work ? duration(result.work.seconds) : ""], "space plays, ← → move the drive (with shift ten times as far)");
+byId("drive-name").textContent = sentence(term(driving.name));
+showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
+  say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
 showNotes(result.notes ?? []);
 showWork(result.work);
 showFacts(data.facts, driving, mechanism);
 followTheme(() => curves.redraw());
-if (!result.analysis?.columns) byId("save").textContent = "Save the result without its table as JSON";
+if (!result.analysis?.columns) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));
 byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", table.csv));
-if (table.thinned) byId("save-table").textContent = `Save the ${table.drawn.toLocaleString("en")} rows drawn as CSV`;
+if (table.thinned) byId("save-table").textContent = say("values.save_drawn", { n: table.drawn });
 showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
 showLegend();
 showParts();

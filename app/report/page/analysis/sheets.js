@@ -1,17 +1,14 @@
 // What is plotted of an analysis: one sheet for each quantity and unit.
 
 const SHEET_TITLES = {
-  "position deg": "Angles", "position length": "Positions", "velocity rad/s": "Angular velocities", "velocity length/s": "Velocities",
-  "acceleration rad/s2": "Angular accelerations", "acceleration length/s2": "Accelerations",
-  "curvature 1/length": "Curvature of the paths", "reactions N": "Joint reactions", "reactions N m": "Moments in the joints",
-  "torque N m": "Driving torque", "torque N": "Driving force",
+  "position deg": say("sheet.angles"), "position length": say("sheet.positions"), "velocity rad/s": say("sheet.angular_velocities"), "velocity length/s": say("sheet.velocities"),
+  "acceleration rad/s2": say("sheet.angular_accelerations"), "acceleration length/s2": say("sheet.accelerations"),
+  "curvature 1/length": say("sheet.path_curvature"), "reactions N": say("sheet.reactions"), "reactions N m": say("sheet.moments"),
+  "torque N m": say("sheet.torque"), "torque N": say("sheet.force"),
 };
 // The columns of an instant's geometry have one sheet for each thing that they tell of bodies.
-const INSTANT_TITLES = {
-  pole: "Pole (fixed centrode)", moving_centrode: "Pole in the body's axes (moving centrode)", inflection_diameter: "Diameter of the inflection circle",
-  inflection_centre: "Centre of the inflection circle", return_centre: "Centre of the return circle", tangential_diameter: "Diameter of Bresse's second circle",
-  tangential_centre: "Centre of Bresse's second circle", acceleration_pole: "Acceleration pole", ball: "Ball's point", stationary: "Cubic of stationary curvature",
-};
+const INSTANTS = ["pole", "moving_centrode", "inflection_diameter", "inflection_centre", "return_centre", "tangential_diameter", "tangential_centre",
+  "acceleration_pole", "ball", "stationary", "inflection_line", "inflection_line_deg"];
 const POINT_COLOURS = ["--curve", "--crank", "--coupler", "--target", "--rocker", "--link-b", "--link-d", "--velocity", "--link-c"];
 const LANDMARK_COLOURS = { "limit position": "--good", "dead point": "--bad", "change point": "--warn",
   "least transmission angle": "--curve", "greatest transmission angle": "--link-b",
@@ -30,6 +27,8 @@ function partColours(table, scene) {
 // Of a column of an instant's geometry, what it tells of its body: "pole" of "coupler_pole_x".
 const instantKind = ({ name, of }) => name.slice(of.length + 1).replace(/_[xyuvmn]$/, "");
 
+const instantTitle = (column) => (INSTANTS.includes(instantKind(column)) ? say(`instant.${instantKind(column)}`) : undefined);
+
 function sheetKey(column) {
   return column.quantity === INSTANT_GEOMETRY ? `${column.quantity} ${instantKind(column)}` : `${column.quantity} ${column.unit}`.trim();
 }
@@ -46,7 +45,7 @@ function columnGroups(table, parts) {
 }
 
 function analysisSheets(table, mechanism, parts, landmarks, xLabel, colours) {
-  const angular = xLabel.endsWith("°");
+  const angular = xLabel.includes("°");
   const common = { x: table.drive, xRange: [mechanism.from, mechanism.to], xLabel, xSteps: angular ? TURN_STEPS : undefined,
     xAt: (drive) => drive, driveAt: (x) => x, hover: true, marks: landmarks.map(({ drive, kind }) => ({ at: drive, colour: landmarkColour(kind) })) };
   return [...columnGroups(table, parts)].map(([key, columns]) => ({ ...common, ...sheetOf(key, columns, colours) }));
@@ -60,18 +59,18 @@ function sheetOf(key, columns, colours) {
   const lines = columns.map((column) => {
     const before = counts.get(column.of) ?? 0;
     counts.set(column.of, before + 1);
-    return { label: column.label, colour: colours.get(column.of), dash: [undefined, [7, 4], [2, 3], [9, 3, 2, 3]][before % 4],
+    return { label: column.label, pressure: /_pressure(_deg)?$/.test(column.name), colour: colours.get(column.of), dash: [undefined, [7, 4], [2, 3], [9, 3, 2, 3]][before % 4],
       y: exponent === 0 ? column.values : column.values.map((v) => (v === null ? null : v / perUnit)), show: (v) => number(v, 4) };
   });
   const shownUnit = exponent === 0 ? unit : `${powerOfTen(exponent)} ${unit}`;
   const title = key === "transmission deg" ? transmissionTitle(lines)
-    : SHEET_TITLES[key] ?? INSTANT_TITLES[instantKind(columns[0])] ?? sentence(columns[0].quantity);
-  return { title: shownUnit ? `${title}, ${shownUnit}` : title, lines, ...fittingRange(lines, columns, unit) };
+    : SHEET_TITLES[key] ?? instantTitle(columns[0]) ?? sentence(term(columns[0].quantity));
+  return { title: shownUnit ? say("unit.axis", { name: title, unit: shownUnit }) : title, lines, ...fittingRange(lines, columns, unit) };
 }
 
 function transmissionTitle(lines) {
-  const pressure = lines.filter((line) => line.label.endsWith("pressure")).length;
-  return pressure === 0 ? "Transmission angle" : pressure === lines.length ? "Pressure angle" : "Transmission and pressure angles";
+  const pressure = lines.filter((line) => line.pressure).length;
+  return say(pressure === 0 ? "sheet.transmission_angle" : pressure === lines.length ? "sheet.pressure_angle" : "sheet.both_angles");
 }
 
 // The range of a plot: what the curves take, but where a pole dwarfs all else (beside a dead point)
@@ -82,8 +81,8 @@ function fittingRange(lines, columns, unit) {
   const usual = quantile(values, 0.93);
   const least = Math.min(...columns.map((c) => c.least ?? Infinity));
   const greatest = Math.max(...columns.map((c) => c.greatest ?? -Infinity));
-  const summary = least <= greatest ? `from ${number(least, 4)} to ${number(greatest, 4)} ${unit}` : "no values";
+  const summary = least <= greatest ? say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }) : say("curves.no_values");
   if (!(most > 12 * usual) || usual === 0) return { summary };
   const [low, high] = extremes(values);
-  return { summary, yRange: [Math.max(low, -3 * usual), Math.min(high, 3 * usual)], note: `${sentence(summary)}; peaks are cut` };
+  return { summary, yRange: [Math.max(low, -3 * usual), Math.min(high, 3 * usual)], note: say("curves.peaks_cut", { range: sentence(summary) }) };
 }

@@ -1,14 +1,19 @@
 // The columns of the analysis, and which of them belong together.
 
-const UNIT_TEXTS = { deg: "°", length: "units", "length/s": "units/s", "length/s2": "units/s²", "rad/s2": "rad/s²", "N m": "N·m", "1/length": "1/unit" };
+const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", "N m": "N·m", "1/length": say("unit.curvature") };
 const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
 const UNIT_SUFFIX = /_(deg|per_s2|per_s|rad_s2|rad_s|N_m|N)$/;
 
 const INSTANT_GEOMETRY = "instant-geometry";
 
-// A column's name without its unit: "E vx", "bar ω".
-function columnLabel(name) {
-  return name.replace(UNIT_SUFFIX, "").replace(/_omega$/, " ω").replace(/_alpha$/, " α").replaceAll("_", " ");
+// A column's name in words, without its unit: "E vx", "bar ω", "A on coupler Fx".
+function columnLabel({ name, of }) {
+  const bare = name.replace(UNIT_SUFFIX, "").replace(/_omega$/, "_ω").replace(/_alpha$/, "_α");
+  const words = (text) => term(text.replaceAll("_", " "));
+  const tell = (text) => { const [, what, axis] = /^(.*?)(_F?[xyuvmn])?$/.exec(text); return `${words(what)}${(axis ?? "").replace("_", " ")}`; };
+  const [, first, second, what = ""] = /^(.+)_on_(.+?)((?:_F[xy]|_moment)?)$/.exec(bare) ?? [];
+  if (first) return say("values.on", { first: words(first), second: words(second), what: words(what.slice(1)) }).trim();
+  return bare.startsWith(`${of}_`) ? say("values.of_part", { of: words(of), what: tell(bare.slice(of.length + 1)) }) : tell(bare);
 }
 
 class Table {
@@ -16,7 +21,7 @@ class Table {
     const rising = drive.length < 2 || drive.at(-1) >= drive[0];
     const turned = (list) => (rising ? list : [...list].reverse());
     Object.assign(this, { rows, drawn: drive.length, drive: turned(drive), vectors, normals });
-    this.columns = columns.map((column, index) => ({ ...column, index, label: columnLabel(column.name), written: turned(column.values) }));
+    this.columns = columns.map((column, index) => ({ ...column, index, label: columnLabel(column), written: turned(column.values) }));
     this.#hush();
     for (const column of this.columns) [column.least, column.greatest] = extremes(column.values);
     // Parts in the order of the table; the drive itself is on every plot's axis.

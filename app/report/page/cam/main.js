@@ -23,8 +23,9 @@ function goTo(deg, byHand = false) {
   values.move(state.deg);
   const slider = byId("drive");
   slider.value = state.deg;
-  slider.setAttribute("aria-valuetext", `${fixed(state.deg, 0)} degrees`);
-  byId("drive-value").textContent = [degrees(state.deg, 1), current().strokeAt(state.deg)].filter(Boolean).join(", ");
+  slider.setAttribute("aria-valuetext", say("motion.degrees", { value: fixed(state.deg, 0) }));
+  const [angle, stroke] = [degrees(state.deg, 1), current().strokeAt(state.deg)];
+  byId("drive-value").textContent = stroke ? say(`stroke_now.${stroke}`, { angle }) : angle;
 }
 
 function drawScene() {
@@ -41,13 +42,13 @@ function drawCurves() {
 
 function showLegend() {
   const { kind } = current();
-  const strokes = current().drawn.strokes.length ? [legendItem("rise", "line", "Rise"), legendItem("fall", "line", "Return"), legendItem("dwell", "line", "Dwell")] : [];
-  const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", kind.knife ? "Path of the edge" : "Pitch curve")], base: [legendItem("ground", "dashed", kind.flat || kind.knife ? "Base circle" : "Base circle of the pitch curve")],
-    pressure: [legendItem("error", "line", "Pressure angle and common normal")], velocity: [legendItem("crank", "line", "Velocity of the cam"), legendItem("velocity", "line", "of the follower, at the contact")],
-    comb: [legendItem("link-c", "line", "Curvature, outward where convex")], envelope: [legendItem("link-b", "line", "The follower as the cam sees it")] };
+  const strokes = current().drawn.strokes.length ? [legendItem("rise", "line", say("stroke.rise")), legendItem("fall", "line", say("stroke.return")), legendItem("dwell", "line", say("stroke.dwell"))] : [];
+  const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", say(kind.knife ? "legend.path_of_edge" : "legend.pitch"))], base: [legendItem("ground", "dashed", say(kind.flat || kind.knife ? "legend.base" : "legend.base_pitch"))],
+    pressure: [legendItem("error", "line", say("legend.pressure"))], velocity: [legendItem("crank", "line", say("legend.velocity_cam")), legendItem("velocity", "line", say("legend.velocity_follower"))],
+    comb: [legendItem("link-c", "line", say("legend.comb"))], envelope: [legendItem("link-b", "line", say("legend.envelope"))] };
   byId("legend").replaceChildren(...strokes, ...Object.keys(of).filter((layer) => scene.shown[layer]).flatMap((layer) => of[layer]));
   const orders = new Set(kind.jumps.map((jump) => jump.order));
-  byId("marks").replaceChildren(legendItem("dwell", "dashed", "Border of segments"), ...[...orders].sort().map((order) => legendItem(JUMP_COLOURS[order].slice(2), "dashed", `Jump of ${JUMPS[order]}`)));
+  byId("marks").replaceChildren(legendItem("dwell", "dashed", say("legend.border")), ...[...orders].sort().map((order) => legendItem(JUMP_COLOURS[order].slice(2), "dashed", say(`legend.jump_${JUMPS[order]}`))));
 }
 
 function choose(index) {
@@ -69,7 +70,7 @@ function showChoice() {
   byId("choice").hidden = designs.length < 2;
   byId("designs").replaceChildren(...designs.map(({ drawn }, i) => {
     const missed = drawn.constraints.some((check) => !check.satisfied);
-    const button = element("button", { type: "button", title: drawn.origin }, `${i + 1}: base radius ${number(drawn.dimensions.base_radius, 4)} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
+    const button = element("button", { type: "button", title: sentenceOf(drawn.origin) }, `${say("cam.design", { n: i + 1, value: number(drawn.dimensions.base_radius, 4) })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
     button.addEventListener("click", () => choose(i));
     return button;
   }));
@@ -106,17 +107,17 @@ function listen() {
   new ResizeObserver(drawScene).observe(byId("picture"));
 }
 
-showHead(result, `Cam with ${data.oscillating ? "an" : "a"} ${FOLLOWERS[data.follower]}`,
-  [plural(designs.length, "design"), designs.length ? `base radius ${number(designs[0].drawn.dimensions.base_radius, 6)}` : "", result.work ? duration(result.work.seconds) : ""],
-  "space plays, ← → turn the cam (with shift by 10°)");
+showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) }),
+  [say("count.designs", { n: designs.length }), designs.length ? say("head.base_radius", { value: number(designs[0].drawn.dimensions.base_radius, 6) }) : "", result.work ? duration(result.work.seconds) : ""],
+  say("head.keys_cam"));
 showNotes(result.notes ?? []);
 showWork(result.work);
 followTheme(() => curves.redraw());
-if (result.problem && !result.problem.motion) byId("save").textContent = "Save the result without its motion as JSON";
+if (result.problem && !result.problem.motion) byId("save").textContent = say("save.without_motion");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
   for (const id of ["stage", "dimensions", "facts", "curves", "segments", "constraints", "table"]) byId(id).hidden = true;
-  if (!result.notes?.length) showNotes(["No cam was found."]);
+  if (!result.notes?.length) showNotes([say("cam.none")]);
 } else {
   showChoice();
   listenToLayers();

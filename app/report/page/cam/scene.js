@@ -3,7 +3,7 @@
 
 class CamScene extends Picture {
   constructor(frame, onDrag) {
-    super(frame, "The cam turning, and its follower", onDrag);
+    super(frame, say("picture.cam"), onDrag);
     this.shown = { pressure: true, pitch: true, base: true };
     this.held = "frame";
   }
@@ -32,7 +32,7 @@ class CamScene extends Picture {
 
   build(design) {
     this.design = design;
-    this.clear(design.sound ? this.#box() : null, "The dimensions of this cam cannot be put together.");
+    this.clear(design.sound ? this.#box() : null, say("picture.cam_impossible"));
     if (!design.sound) return;
     const { view: { scale } } = this;
     this.world = svg("g", { class: "world" });

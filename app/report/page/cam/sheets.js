@@ -8,23 +8,23 @@ const MANY_MARKS = 40;
 // The plots in order: the column, what it is called, its sign in the key, and its unit, which for
 // derivatives is that of the displacement by the cam angle or by time.
 const CAM_SHEETS = [
-  { column: "displacement", title: "Displacement", sign: "s", colour: "--rocker", order: 0 },
-  { column: "velocity", title: "Velocity", sign: "v", colour: "--velocity", order: 1 },
-  { column: "acceleration", title: "Acceleration", sign: "a", colour: "--acceleration", order: 2 },
-  { column: "jerk", title: "Jerk", sign: "j", colour: "--link-d", order: 3 },
-  { column: "pressure_deg", title: "Pressure angle", sign: "α", colour: "--error", unit: "°" },
-  { column: "radius", title: "Radius of curvature of the profile", sign: "ρ", colour: "--crank", unit: "units" },
-  { column: "reach", title: "Contact along the face", sign: "reach", colour: "--coupler", unit: "units" },
-  { column: "roller_speed", title: "Speed of the roller over the cam's", sign: "ratio", colour: "--link-b", unit: "" },
-  { column: "force", title: "Contact force", sign: "F", colour: "--curve", unit: "", limit: "force" },
-  { column: "torque", title: "Torque of the cam", sign: "T", colour: "--target", unit: "", limit: "torque", sides: true },
-  { column: "stress", title: "Contact stress", sign: "p", colour: "--link-c", unit: "", limit: "stress" },
+  { column: "displacement", title: say("sheet.displacement"), sign: "s", colour: "--rocker", order: 0 },
+  { column: "velocity", title: say("sheet.velocity"), sign: "v", colour: "--velocity", order: 1 },
+  { column: "acceleration", title: say("sheet.acceleration"), sign: "a", colour: "--acceleration", order: 2 },
+  { column: "jerk", title: say("sheet.jerk"), sign: "j", colour: "--link-d", order: 3 },
+  { column: "pressure_deg", title: say("sheet.pressure_angle"), sign: "α", colour: "--error", unit: "°" },
+  { column: "radius", title: say("sheet.radius"), sign: "ρ", colour: "--crank", unit: say("unit.length") },
+  { column: "reach", title: say("sheet.reach"), sign: say("sheet.reach_sign"), colour: "--coupler", unit: say("unit.length") },
+  { column: "roller_speed", title: say("sheet.roller_speed"), sign: say("sheet.ratio_sign"), colour: "--link-b", unit: "" },
+  { column: "force", title: say("sheet.contact_force"), sign: "F", colour: "--curve", unit: "", limit: "force" },
+  { column: "torque", title: say("sheet.cam_torque"), sign: "T", colour: "--target", unit: "", limit: "torque", sides: true },
+  { column: "stress", title: say("sheet.stress"), sign: "p", colour: "--link-c", unit: "", limit: "stress" },
 ];
 
 const POWERS = ["", "", "²", "³"];
 
 function motionUnit(order, kind, byTime) {
-  const length = kind.oscillating ? (order === 0 ? "°" : "rad") : "units";
+  const length = kind.oscillating ? (order === 0 ? "°" : "rad") : say("unit.length");
   return order === 0 ? length : `${length}/${byTime ? "s" : "rad"}${POWERS[order]}`;
 }
 
@@ -37,7 +37,7 @@ function camSheets(design, byTime) {
     const lines = [line(spec, values)];
     const other = design.second?.table[spec.column];
     if (other && spec.order === undefined && !["force", "torque", "stress"].includes(spec.column)) {
-      lines.push({ ...line(spec, plotted(resampled(design.second.table, spec.column, table.deg), 1, spec.column === "radius" ? design.radius : Infinity)), label: `${spec.sign}, other cam`, dash: [6, 4] });
+      lines.push({ ...line(spec, plotted(resampled(design.second.table, spec.column, table.deg), 1, spec.column === "radius" ? design.radius : Infinity)), label: say("sheet.other_cam", { sign: spec.sign }), dash: [6, 4] });
     }
     return fitted({ ...overTurn(design), ...limitsOf(spec, design, rate), title: spec.title, unit, spec, lines, x: table.deg });
   });
@@ -67,7 +67,7 @@ function overTurn({ drawn, kind }) {
   const borders = drawn.segments.length <= MANY_MARKS ? drawn.segments.slice(1).map((s) => ({ at: s.from_deg, colour: "--dwell" })) : [];
   const jumps = kind.jumps.length <= MANY_MARKS ? kind.jumps.map(({ deg, order }) => ({ at: deg, colour: JUMP_COLOURS[order] })) : [];
   const taken = new Set(jumps.map(({ at }) => at.toFixed(4)));
-  return { xRange: [0, 360], xLabel: "Cam angle, °", xSteps: TURN_STEPS, xAt: (deg) => deg, driveAt: (x) => Math.min(360, Math.max(0, x)),
+  return { xRange: [0, 360], xLabel: say("sheet.cam_angle"), xSteps: TURN_STEPS, xAt: (deg) => deg, driveAt: (x) => Math.min(360, Math.max(0, x)),
     marks: [...borders.filter(({ at }) => !taken.has(at.toFixed(4))), ...jumps] };
 }
 
@@ -112,7 +112,7 @@ function missesPressure(design, deg) {
 function fitted(sheet) {
   const values = sheet.lines.flatMap((l) => l.y);
   const [least, greatest] = extremes(values);
-  const range = least === null ? "no values" : `from ${number(least, 4)} to ${number(greatest, 4)} ${sheet.unit}`.trim();
+  const range = least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit: sheet.unit }).trim();
   const usual = quantile(values, 0.8);
   const cut = sheet.spec.column === "radius" && quantile(values, 1) > 6 * usual;
   const exponent = engineeringExponent(cut ? usual : quantile(values, 1));
@@ -125,6 +125,6 @@ function fitted(sheet) {
   const near = shades.filter((s) => s.axis === "y").flatMap((s) => [s.from, s.to]).filter((v) => Math.abs(v) < 3 * Math.max(Math.abs(low), Math.abs(high)) && Math.abs(v) < 89);
   if (cut) [low, high] = [Math.max(low, (-2.5 * usual) / per), Math.min(high, (2.5 * usual) / per)];
   const unit = exponent ? `${powerOfTen(exponent)} ${sheet.unit}`.trim() : sheet.unit;
-  return { ...sheet, shades, title: unit ? `${sheet.title}, ${unit}` : sheet.title, summary: range, note: cut ? `${sentence(range)}; peaks are cut` : sentence(range),
+  return { ...sheet, shades, title: unit ? say("unit.axis", { name: sheet.title, unit }) : sheet.title, summary: range, note: cut ? say("curves.peaks_cut", { range: sentence(range) }) : sentence(range),
     yRange: low <= high ? padded(Math.min(low, ...near), Math.max(high, ...near)) : undefined };
 }

@@ -11,7 +11,7 @@ function locusShapes(view, loci, shown) {
   const near = (p) => Math.abs(p[0]) < reach && Math.abs(p[1]) < reach;
   return loci.flatMap(({ name, branches }, i) => {
     if (!shown.has(i)) return [];
-    const group = svg("g", { class: "synthesis-locus", "data-locus": i, style: `--tint:var(${locusColour(i)})` }, svg("title", {}, name));
+    const group = svg("g", { class: "synthesis-locus", "data-locus": i, style: `--tint:var(${locusColour(i)})` }, svg("title", {}, sentenceOf(name)));
     for (const branch of branches) {
       const points = branch.map((p) => p && view.screen(p)).map((p) => (p && (near(p) || branch.length < 3) ? p : null));
       if (points.length === 1 && points[0]) group.append(svg("path", { class: "locus-point", d: diamondPath(points[0], 6) }));

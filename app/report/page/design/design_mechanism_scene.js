@@ -20,14 +20,14 @@ class DesignMechanismScene extends MechanismScene {
   }
 
   legend() {
-    return this.mechanism.bodies.slice(1).map((body, i) => legendItem(this.tint(i + 1).slice(2), "line", sentence(body.name)));
+    return this.mechanism.bodies.slice(1).map((body, i) => legendItem(this.tint(i + 1).slice(2), "line", sentence(term(body.name))));
   }
 }
 
 // In the place of a design whose links cannot be assembled.
 class EmptyScene extends Picture {
-  constructor(frame) { super(frame, "No picture"); }
-  build() { this.clear(null, "The links of this design cannot be assembled."); }
+  constructor(frame) { super(frame, say("picture.none")); }
+  build() { this.clear(null, say("picture.links_not_assembled")); }
   move() {}
   legend() { return []; }
 }

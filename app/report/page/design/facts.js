@@ -5,36 +5,36 @@ const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
 
 function showDimensions({ entry: { mechanism } }) {
   const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
-  byId("dimensions-list").replaceChildren(...rows, ...fact("Lengths in", "units of the problem"));
+  byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), say("dimensions.units")));
 }
 
 function linkageRows(m) {
   const [a, d] = m.fixed_pivots;
   const [dx, dy] = [d[0] - a[0], d[1] - a[1]];
   return [
-    ...fact("Crank A–B", units(m.crank)), ...fact("Coupler B–C", units(m.coupler)), ...fact("Rocker C–D", units(m.rocker)),
-    ...fact("Frame A–D", units(Math.hypot(dx, dy))), ...fact("Frame angle", degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
-    ...fact("Pivot A", pointText(a), a.join(", ")), ...fact("Pivot D", pointText(d), d.join(", ")),
-    ...(m.coupler_point ? fact("Coupler point u, v", pointText(m.coupler_point), m.coupler_point.join(", ")) : []),
-    ...fact("Assembly", m.assembly)];
+    ...fact(say("dimensions.crank"), units(m.crank)), ...fact(say("dimensions.coupler"), units(m.coupler)), ...fact(say("dimensions.rocker"), units(m.rocker)),
+    ...fact(say("dimensions.frame"), units(Math.hypot(dx, dy))), ...fact(say("dimensions.frame_angle"), degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
+    ...fact(say("dimensions.pivot", { name: "A" }), pointText(a), a.join(", ")), ...fact(say("dimensions.pivot", { name: "D" }), pointText(d), d.join(", ")),
+    ...(m.coupler_point ? fact(say("dimensions.coupler_point"), pointText(m.coupler_point), m.coupler_point.join(", ")) : []),
+    ...fact(say("dimensions.assembly"), term(m.assembly))];
 }
 
 // The table of any other mechanism, key by key; the parts of a chain each in a row.
 function mechanismRows({ type, ...table }) {
   const rows = Object.entries(table).flatMap(([key, value]) => {
-    if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(`Pivot ${"AD"[i]}`, pointText(pivot), pivot.join(", ")));
+    if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(say("dimensions.pivot", { name: "AD"[i] }), pointText(pivot), pivot.join(", ")));
     const parts = Array.isArray(value) && value.every((part) => typeof part === "object" && !Array.isArray(part)) ? value : [value];
     return parts.flatMap((part) => fact(factName(key.replace(/_deg$/, "")), partText(part, key), JSON.stringify(part)));
   });
-  return [...fact("Mechanism", sentence(type)), ...rows];
+  return [...fact(say("dimensions.mechanism"), sentence(term(type))), ...rows];
 }
 
 // A value of a mechanism's table in words.
 function partText(value, key) {
   if (typeof value === "number") return key.endsWith("_deg") ? degreesShort(value, 7) : number(value, 7);
   if (Array.isArray(value)) return value.map((part) => partText(part, "")).join(", ");
-  if (typeof value !== "object" || value === null) return String(value);
-  return Object.entries(value).map(([name, part]) => `${name.replace(/_deg$/, "").replaceAll("_", " ")} ${partText(part, name)}`).join("; ");
+  if (typeof value !== "object" || value === null) return term(String(value));
+  return Object.entries(value).map(([name, part]) => `${term(name.replace(/_deg$/, "").replaceAll("_", " "))} ${partText(part, name)}`).join(say("list.semicolon"));
 }
 
 // Metrics with their levels joined by dots, as `cognate list --metrics` names them.
@@ -52,15 +52,15 @@ function otherMetrics(metrics) {
 }
 
 const factPairs = (facts) => [...factRows(facts)].flatMap(([key, { text = "", place, exact }]) =>
-  fact(factName(key), place ? `${text} at ${place}`.trim() : text, typeof exact === "number" ? String(exact) : undefined));
+  fact(factName(key), place ? say("fact.at", { value: text, place }).trim() : text, typeof exact === "number" ? String(exact) : undefined));
 
 function errorRows(error, kind) {
   if (!ERRORS[kind]) return [];
   const angular = error.max_deg !== undefined;
   return [
-    ...fact("Sum of squares", `${number(error.sum_of_squares, 10)}${angular ? " rad²" : ""}`, String(error.sum_of_squares)),
-    ...fact("Root mean square", angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(error.rms)),
-    ...fact("Largest", angular ? degreesShort(error.max_deg) : number(error.max, 6), String(error.max))];
+    ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 10)}${angular ? " rad²" : ""}`, String(error.sum_of_squares)),
+    ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(error.rms)),
+    ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : number(error.max, 6), String(error.max))];
 }
 
 function showQualities({ entry }, kind) {
@@ -69,16 +69,16 @@ function showQualities({ entry }, kind) {
   const optional = (name, value, text) => (value === undefined || value === null ? [] : fact(name, text(value)));
   byId("qualities-list").replaceChildren(
     ...errorRows(error, kind),
-    ...optional("Class", metrics.class, (name) => name + (metrics.change_point ? " (change point)" : "")),
-    ...(t ? [...fact("Transmission angle", `${degrees(t.min)} to ${degrees(t.max)}`), ...fact("Least acute", degrees(t.acute_min))] : []),
-    ...optional("Time ratio", metrics.time_ratio, (v) => number(v, 6)),
-    ...fact("Defects", metrics.defects?.length ? metrics.defects.join(", ") : "none"),
-    ...optional("Input start", metrics.input_start_deg, (v) => degreesShort(v, 8)),
-    ...optional("Output start", metrics.output_start_deg, (v) => degreesShort(v, 8)),
-    ...optional("Residual of the exact synthesis", metrics.precision_residual, (v) => number(v, 3)),
-    ...optional("Condition number", metrics.condition, (v) => number(v, 3)),
+    ...optional(say("designs.class"), metrics.class, (name) => (metrics.change_point ? say("qualities.change_point", { name: term(name) }) : term(name))),
+    ...(t ? [...fact(say("qualities.transmission"), say("range.to", { from: degrees(t.min), to: degrees(t.max) })), ...fact(say("qualities.least_acute"), degrees(t.acute_min))] : []),
+    ...optional(say("designs.time_ratio"), metrics.time_ratio, (v) => number(v, 6)),
+    ...fact(say("qualities.defects"), metrics.defects?.length ? metrics.defects.map(term).join(say("list.comma")) : say("qualities.no_defects")),
+    ...optional(say("qualities.input_start"), metrics.input_start_deg, (v) => degreesShort(v, 8)),
+    ...optional(say("qualities.output_start"), metrics.output_start_deg, (v) => degreesShort(v, 8)),
+    ...optional(say("qualities.residual"), metrics.precision_residual, (v) => number(v, 3)),
+    ...optional(say("qualities.condition"), metrics.condition, (v) => number(v, 3)),
     ...otherMetrics(metrics),
-    ...fact("Found by", originText(entry)));
+    ...fact(say("qualities.found_by"), originText(entry)));
 }
 
 // What the synthesis tells of itself as a whole.
@@ -91,40 +91,39 @@ function showFindings(facts) {
 function boundText(bound) {
   if (bound === null || bound === undefined) return "–";
   if (typeof bound === "number") return number(bound, 7);
-  if (Array.isArray(bound)) return bound.map((b) => number(b, 7)).join(" to ");
-  if (typeof bound === "object") return "min" in bound ? `at least ${number(bound.min, 7)}` : `at most ${number(bound.max, 7)}`;
-  return String(bound);
+  if (Array.isArray(bound)) return say("range.to", { from: number(bound[0], 7), to: number(bound[1], 7) });
+  if (typeof bound === "object") return "min" in bound ? say("range.at_least", { value: number(bound.min, 7) }) : say("range.at_most", { value: number(bound.max, 7) });
+  return term(String(bound));
 }
 
 function showConstraints({ entry }) {
   const checks = entry.constraints ?? [];
-  const head = ["Constraint", "Value", "Bound", "Met"].map((name, i) => element("th", { scope: "col", class: i === 1 || i === 2 ? "number" : "" }, name));
+  const head = ["constraint", "value", "bound", "met"].map((name, i) => element("th", { scope: "col", class: i === 1 || i === 2 ? "number" : "" }, say(`constraints.${name}`)));
   document.querySelector(".checks thead").replaceChildren(element("tr", {}, ...head));
   byId("checks").replaceChildren(...[...checks].sort((a, b) => a.satisfied - b.satisfied).map((check) =>
     element("tr", { class: check.satisfied ? "met" : "missed" }, element("td", {}, element("code", {}, ...breakable(check.name))),
       element("td", { class: "number" }, boundText(check.value)), element("td", { class: "number" }, boundText(check.bound)),
-      element("td", {}, element("span", { class: `mark ${check.satisfied ? "yes" : "no"}` }, check.satisfied ? "✓ yes" : "✗ no")))));
+      element("td", {}, element("span", { class: `mark ${check.satisfied ? "yes" : "no"}` }, check.satisfied ? `✓ ${say("yes")}` : `✗ ${say("no")}`)))));
   const count = missed(entry).length;
-  byId("constraints-count").textContent = checks.length === 0 ? "none asked for"
-    : count ? `${count} of ${checks.length} missed` : `all ${checks.length} met`;
+  byId("constraints-count").textContent = checks.length === 0 ? say("constraints.none")
+    : say(count ? "constraints.missed" : "constraints.all_met", { missed: count, count: checks.length });
 }
 
-const KINDS = { "path-generation": "Path generation", "function-generation": "Function generation", "motion-generation": "Motion generation",
-  "quick-return": "Quick return", "straight-line": "Straight line" };
+const KINDS = ["path-generation", "function-generation", "motion-generation", "quick-return", "straight-line"];
 
 // What is to be known first of the best design.
 function bestText(best, kind) {
   if (!best) return "";
   if (kind === "straight-line" && isSearched(best)) {
-    return `deviation ${number(best.metrics.deviation_relative, 3)} of the length ${number(best.metrics.straight_length, 4)}`;
+    return say("best.straight_searched", { deviation: number(best.metrics.deviation_relative, 3), length: number(best.metrics.straight_length, 4) });
   }
-  if (kind === "straight-line") return `straight to 0.1 % over ${straightLength(best)}`;
-  return ERRORS[kind] ? `${ERRORS[kind].best} ${ERRORS[kind].text(best)}` : "";
+  if (kind === "straight-line") return say("best.straight", { length: straightLength(best) });
+  return ERRORS[kind] ? say(`best.${kind}`, { value: ERRORS[kind].text(best) }) : "";
 }
 
 function showDesignHead(result, kind) {
   const { problem, designs, work } = result;
-  showHead(result, KINDS[problem?.kind] ?? problem?.kind ?? "",
-    [plural(designs.length, "design"), bestText(designs[0], kind), work ? duration(work.seconds) : ""],
-    "space plays, ← → turn the crank (with shift by 10°)");
+  showHead(result, KINDS.includes(problem?.kind) ? say(`kind.${problem.kind}`) : problem?.kind ?? "",
+    [say("count.designs", { n: designs.length }), bestText(designs[0], kind), work ? duration(work.seconds) : ""],
+    say("head.keys_crank"));
 }

@@ -5,8 +5,8 @@ const FAMILY_UNITS = { deg: "°", rad: "rad" };
 // "least_transmission_deg", or "transmission_angle_deg.acute_min": its words and its unit.
 function familyLabel(name) {
   const [, unit] = /_(deg|rad)(?=$|\.)/.exec(name) ?? [];
-  const words = sentence(name.replace(/_(deg|rad)(?=$|\.)/, "").replaceAll(/[_.]/g, " "));
-  return unit ? `${words}, ${FAMILY_UNITS[unit]}` : words;
+  const words = factName(name.replace(/_(deg|rad)(?=$|\.)/, ""));
+  return unit ? say("unit.axis", { name: words, unit: FAMILY_UNITS[unit] }) : words;
 }
 
 // Every number that is known of a design, by its key: metrics with their levels, dimensions.
@@ -37,7 +37,7 @@ function familySheets(family) {
   return columns.map((column, i) => {
     const y = order.map((k) => column.values[k]);
     const known = y.filter((v) => v !== null);
-    const summary = known.length ? `from ${number(Math.min(...known), 5)} to ${number(Math.max(...known), 5)}` : "no values";
+    const summary = known.length ? say("curves.range", { least: number(Math.min(...known), 5), greatest: number(Math.max(...known), 5) }) : say("curves.no_values");
     return { ...common, title: familyLabel(column.name), summary, note: sentence(summary), lines: [{ y, colour: locusColour(i), dots: !monotonic }] };
   });
 }
@@ -50,13 +50,13 @@ class Families {
     if (this.families.length === 0) return;
     this.curves = new Curves(byId("families-plots"), (at) => this.#pick(at));
     this.buttons = this.families.map((family, i) => {
-      const button = element("button", { type: "button" }, sentence(family.name));
+      const button = element("button", { type: "button" }, sentence(sentenceOf(family.name)));
       button.addEventListener("click", () => this.show(i));
       return button;
     });
     byId("families-names").replaceChildren(...this.buttons);
     byId("families-names").hidden = this.families.length < 2;
-    if (this.families.length === 1) byId("families-title").textContent = `Family: ${this.families[0].name}`;
+    if (this.families.length === 1) byId("families-title").textContent = say("families.one", { name: sentenceOf(this.families[0].name) });
     this.show(0);
   }
 

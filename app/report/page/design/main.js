@@ -35,7 +35,7 @@ function turnTo(crank, byHand = false) {
   curves.move(state.crank);
   const slider = byId("crank");
   slider.value = state.crank;
-  slider.setAttribute("aria-valuetext", design.angular ? `${fixed(state.crank, 0)} degrees` : number(state.crank, 4));
+  slider.setAttribute("aria-valuetext", design.angular ? say("motion.degrees", { value: fixed(state.crank, 0) }) : number(state.crank, 4));
   byId("crank-value").textContent = design.angular ? degrees(state.crank, 1) : number(state.crank, 4);
   byId("readout").textContent = design.readout(state.crank);
 }
@@ -49,14 +49,14 @@ function setFraming(framing) {
   state.framing = framing;
   for (const button of document.querySelectorAll("[data-framing]")) {
     button.setAttribute("aria-pressed", String(button.dataset.framing === framing));
-    if (isFunction && button.dataset.framing === "moving") button.textContent = "Range used";
+    if (isFunction && button.dataset.framing === "moving") button.textContent = say("stage.range_used");
     button.hidden = button.dataset.framing === "curve" && !current().boxes.curve;
   }
 }
 
 function setMagnification(step) {
   state.magnify = step;
-  const text = `×${MAGNIFICATIONS[step].toLocaleString("en")}`;
+  const text = `×${MAGNIFICATIONS[step].toLocaleString(language)}`;
   byId("magnify").value = step;
   byId("magnify").setAttribute("aria-valuetext", text);
   byId("magnify-value").textContent = text;
@@ -65,13 +65,13 @@ function setMagnification(step) {
 
 function showLegend(magnification) {
   const design = current();
-  const own = isFunction && design.trace ? [legendItem("target", "dashed", `Wanted output, error ${magnification}`)] : [];
-  if (design.boxes.curve) own.push(legendItem("curve", "line", "Coupler curve"));
-  if (design.poses.length) own.push(legendItem("target", "line", "Pose wanted"), legendItem("coupler", "line", "Body reached"));
-  else if (design.outline.length) own.push(legendItem("target", "line", "Target"));
-  else if (design.targets.length) own.push(legendItem("target", "dot", "Target"));
-  if (design.targets.length) own.push(legendItem("error", "line", `Error ${magnification}`));
-  if (design.stretch.length) own.push(legendItem("error", "line", "Straight stretch"));
+  const own = isFunction && design.trace ? [legendItem("target", "dashed", say("legend.wanted_output", { scale: magnification }))] : [];
+  if (design.boxes.curve) own.push(legendItem("curve", "line", say("legend.coupler_curve")));
+  if (design.poses.length) own.push(legendItem("target", "line", say("legend.pose_wanted")), legendItem("coupler", "line", say("legend.body_reached")));
+  else if (design.outline.length) own.push(legendItem("target", "line", say("legend.target")));
+  else if (design.targets.length) own.push(legendItem("target", "dot", say("legend.target")));
+  if (design.targets.length) own.push(legendItem("error", "line", say("legend.error", { scale: magnification })));
+  if (design.stretch.length) own.push(legendItem("error", "line", say("legend.straight")));
   byId("legend").replaceChildren(...scene.legend(), ...own);
 }
 
@@ -79,7 +79,7 @@ function showLegend(magnification) {
 function showLoci() {
   byId("loci").hidden = loci.length === 0;
   byId("loci").replaceChildren(...loci.map(({ name }, i) => {
-    const button = element("button", { type: "button", "aria-pressed": "true" }, keySign({ colour: locusColour(i) }), sentence(name));
+    const button = element("button", { type: "button", "aria-pressed": "true" }, keySign({ colour: locusColour(i) }), sentence(sentenceOf(name)));
     button.addEventListener("click", () => {
       if (!state.shownLoci.delete(i)) state.shownLoci.add(i);
       button.setAttribute("aria-pressed", String(state.shownLoci.has(i)));
@@ -91,7 +91,7 @@ function showLoci() {
 
 // What the drive of a design is called and how far it goes.
 function setDrive(design) {
-  set(byId("crank"), { min: design.from, max: design.to, "aria-label": `${design.driveName}${design.angular ? " angle" : ""}` });
+  set(byId("crank"), { min: design.from, max: design.to, "aria-label": design.angular ? say("drive.angle", { name: design.driveName }) : design.driveName });
   byId("drive-name").textContent = design.driveName;
   controls.player.pace = design.angular ? 60 : (design.to - design.from) / 4;
 }
@@ -110,7 +110,7 @@ function choose(index) {
   setFraming(design.assembles ? bestFraming(design.boxes) : "whole");
   byId("magnify-label").hidden = !isFunction && design.targets.length === 0;
   setMagnification(fittingMagnification(design, design.boxes[state.framing]));
-  byId("stage-title").textContent = `${isFourBar(design.entry) ? "Linkage" : "Mechanism"} of design ${index + 1}`;
+  byId("stage-title").textContent = say(isFourBar(design.entry) ? "stage.linkage_of" : "stage.mechanism_of", { n: index + 1 });
   curves.build(design.assembles ? design.sheets(data.transmission_limits_deg) : []);
   byId("curves").hidden = !design.assembles;
   state.crank = design.crank;
@@ -134,13 +134,13 @@ showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])]);
 showFindings(result.facts);
 showWork(result.work);
 followTheme(() => { curves.redraw(); families?.redraw(); });
-if (loci.length && !result.loci) byId("save").textContent = "Save the result without its curves as JSON";
+if (loci.length && !result.loci) byId("save").textContent = say("save.without_curves");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
   for (const id of ["stage", "choice", "curves", "dimensions", "qualities", "constraints"]) byId(id).hidden = true;
-  if (!result.notes?.length) showNotes(["No design was found."]);
+  if (!result.notes?.length) showNotes([say("designs.none")]);
 } else {
-  byId("choice-count").textContent = designs.length > 1 ? "choose a row, or use the arrow keys" : "";
+  byId("choice-count").textContent = designs.length > 1 ? say("designs.choose") : "";
   table = new DesignTable(designs, kind, choose);
   families = new Families(data.families ?? [], result.designs, choose);
   showLoci();

@@ -17,7 +17,7 @@ class MechanismDesign {
     takeTargets(this, drawn, target);
     const samples = drawn.mechanism && placedSamples(drawn.mechanism);
     this.angular = drawn.drive?.kind !== "slider";
-    this.driveName = sentence(drawn.drive?.name ?? "drive");
+    this.driveName = drawn.drive ? sentence(term(drawn.drive.name)) : say("part.drive");
     this.stations = drawn.stations ?? [];
     this.assembles = Boolean(samples) && samples.drive.length > 1;
     const ends = this.assembles ? [samples.drive[0], samples.drive.at(-1)] : [0, 1];
@@ -53,7 +53,7 @@ class MechanismDesign {
     return (x - x0) * c + (y - y0) * s;
   }
 
-  get outputName() { return this.mechanism.bodies[this.mechanism.output].name; }
+  get outputName() { return term(this.mechanism.bodies[this.mechanism.output].name); }
 
   #pointAt(drive) {
     return this.point && Mechanism.point(this.mechanism.places(drive)[this.point.body], this.point.at);
@@ -86,9 +86,9 @@ class MechanismDesign {
     const drives = this.mechanism.samples;
     const values = drives.map((drive) => this.outputAt(drive));
     const [least, greatest] = [Math.min(...values), Math.max(...values)];
-    const text = (v) => (turns ? degrees(v, 1) : `${number(v, 5)} units`);
-    const sheet = { ...overDrive(this), x: drives, title: `${turns ? "Angle" : "Displacement"} of the ${this.outputName}, ${turns ? "°" : "units"}`,
-      lines: [{ y: values, colour: "--rocker" }], note: `${turns ? "Swing" : "Stroke"} ${text(greatest - least)}`, summary: `from ${text(least)} to ${text(greatest)}` };
+    const text = (v) => (turns ? degrees(v, 1) : say("sheet.length", { value: number(v, 5) }));
+    const sheet = { ...overDrive(this), x: drives, title: say(turns ? "sheet.angle_of" : "sheet.displacement_of", { name: this.outputName }),
+      lines: [{ y: values, colour: "--rocker" }], note: say(turns ? "sheet.swing" : "sheet.stroke", { value: text(greatest - least) }), summary: say("curves.range", { least: text(least), greatest: text(greatest) }) };
     return [sheet, this.stretch.length ? deviationSheet(this) : distanceSheet(this)].filter(Boolean);
   }
 }

@@ -54,7 +54,7 @@ class Design {
 
   get assembles() { return this.linkage.assembles; }
   get angular() { return true; }
-  get driveName() { return "Crank"; }
+  get driveName() { return say("part.crank"); }
   get from() { return this.linkage.from; }
   get to() { return this.linkage.to; }
   within(crank) { return this.linkage.within(crank); }
@@ -64,8 +64,8 @@ class Design {
   readout(crank) {
     const pose = this.linkage.pose(crank);
     const error = this.errorAt(crank);
-    return `crank ${degrees(crank, 1)} · rocker ${degrees(pose.rocker, 1)} · transmission ${degrees(pose.transmission, 1)}`
-      + (error === null ? "" : ` · error ${degreesShort(error, 3)}`);
+    const text = say("readout.crank", { crank: degrees(crank, 1), rocker: degrees(pose.rocker, 1), transmission: degrees(pose.transmission, 1) });
+    return error === null ? text : `${text} · ${say("readout.error", { error: degreesShort(error, 3) })}`;
   }
 
   sheets(limits) { return curveSheets(this, limits); }

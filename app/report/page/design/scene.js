@@ -2,7 +2,7 @@
 
 class Scene extends Picture {
   constructor(frame, onDrag) {
-    super(frame, "The linkage, its coupler curve and the targets", onDrag);
+    super(frame, say("picture.linkage"), onDrag);
   }
 
   // `design`: linkage, targets, reached, trace (of a function, or null); `options`: framing,
@@ -10,7 +10,7 @@ class Scene extends Picture {
   build(design, options) {
     Object.assign(this, { design, options });
     const { assembles } = design.linkage;
-    this.clear(assembles ? design.boxes[options.framing] : null, "The links of this design cannot be assembled.");
+    this.clear(assembles ? design.boxes[options.framing] : null, say("picture.links_not_assembled"));
     if (!assembles) return;
     const { linkage } = design;
     const [a, d] = [this.view.screen(linkage.a), this.view.screen(linkage.d)];
@@ -21,7 +21,7 @@ class Scene extends Picture {
   }
 
   legend() {
-    return [legendItem("crank", "line", "Crank"), legendItem("coupler", "line", "Coupler"), legendItem("rocker", "line", "Rocker")];
+    return [legendItem("crank", "line", say("part.crank")), legendItem("coupler", "line", say("part.coupler")), legendItem("rocker", "line", say("part.rocker"))];
   }
 
   #paths() {

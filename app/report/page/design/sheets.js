@@ -7,7 +7,7 @@ function curveSheets(design, limits) {
 
 // What the plots over the drive have in common.
 function overDrive(design) {
-  return { xRange: [design.from, design.to], xLabel: design.angular ? `${design.driveName} angle, °` : `${design.driveName}, units`,
+  return { xRange: [design.from, design.to], xLabel: say(design.angular ? "drive.angle_axis" : "drive.way_axis", { name: design.driveName }),
     xSteps: design.angular ? TURN_STEPS : undefined, xAt: (drive) => design.within(drive), driveAt: (x) => x };
 }
 
@@ -28,16 +28,16 @@ function rockerSheet(design) {
   const { linkage } = design;
   const lines = [{ y: linkage.rockers, colour: "--rocker" }];
   const rocker = linkage.rockers;
-  const sheet = { ...overCrank(design), title: "Output angle of the rocker, °", lines, shades: usedShade(design),
-    summary: `from ${degrees(Math.min(...rocker), 1)} to ${degrees(Math.max(...rocker), 1)}` };
+  const sheet = { ...overCrank(design), title: say("sheet.output_angle"), lines, shades: usedShade(design),
+    summary: say("curves.range", { least: degrees(Math.min(...rocker), 1), greatest: degrees(Math.max(...rocker), 1) }) };
   if (design.trace) {
     lines.push({ y: linkage.cranks.map((crank) => {
       const error = design.errorAt(crank);
       return error === null ? null : linkage.pose(crank).rocker - error;
     }), colour: "--target", dash: [6, 4] });
-    sheet.note = "Generated, and wanted (dashed) in the range used (tinted)";
+    sheet.note = say("sheet.wanted_note");
   } else {
-    sheet.note = `Swing ${degrees(Math.max(...rocker) - Math.min(...rocker), 1)}, counted from the x axis`;
+    sheet.note = say("sheet.swing_note", { angle: degrees(Math.max(...rocker) - Math.min(...rocker), 1) });
   }
   return sheet;
 }
@@ -49,10 +49,10 @@ function distanceSheet(design) {
     distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) / enlarged : null }))
     .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
   if (rows.length === 0) return null;
-  const { values, unit, size } = scaled(rows.map((row) => row.distance), "units");
-  return { ...overDrive(design), x: rows.map((row) => row.crank), title: `Distance from each target, ${unit}${enlarged === 1 ? "" : " of its own"}`,
+  const { values, unit, size } = scaled(rows.map((row) => row.distance), say("unit.length"));
+  return { ...overDrive(design), x: rows.map((row) => row.crank), title: say(enlarged === 1 ? "sheet.distance" : "sheet.distance_own", { unit }),
     lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
-    yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: `Largest ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
+    yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: say("sheet.largest", { value: number(size, 4) }), summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.length") }) };
 }
 
 // Distances from the line and places along it, of the positions drawn.
@@ -68,13 +68,13 @@ function deviationSheet({ stretch, deviation, entry: { metrics } }) {
   const { along, across } = deviation ?? drawnDeviation(stretch.filter(Boolean), metrics);
   if (along.length < 2) return null;
   const middle = (Math.min(...across) + Math.max(...across)) / 2;
-  const { values, unit, size } = scaled(across.map((d) => d - middle), "units");
+  const { values, unit, size } = scaled(across.map((d) => d - middle), say("unit.length"));
   const order = along.map((_, i) => i).sort((i, j) => along[i] - along[j]);
   const length = Math.max(...along) - Math.min(...along);
-  return { x: order.map((i) => along[i]), xRange: [Math.min(...along), Math.max(...along)], xLabel: "Along the line, units",
-    title: `Deviation from the straight line, ${unit}`, lines: [{ y: order.map((i) => values[i]), colour: "--error" }], hover: false,
+  return { x: order.map((i) => along[i]), xRange: [Math.min(...along), Math.max(...along)], xLabel: say("sheet.along"),
+    title: say("sheet.deviation", { unit }), lines: [{ y: order.map((i) => values[i]), colour: "--error" }], hover: false,
     yRange: size > 0 ? undefined : [-1, 1], xAt: () => null, driveAt: () => null,
-    note: `Over ${number(length, 5)} units at most ${number(size, 4)} units`, summary: `at most ${number(size, 4)} units` };
+    note: say("sheet.deviation_note", { length: number(length, 5), value: number(size, 4) }), summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.length") }) };
 }
 
 const unitVector = (deg) => [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];
@@ -88,19 +88,21 @@ function structuralErrorSheet(design) {
   const sortedX = order.map((i) => x[i]);
   const cranks = order.map((i) => trace.crank_deg[i]);
   const margin = 0.03 * (sortedX.at(-1) - sortedX[0]) || 1;
-  return { x: sortedX, xRange: [sortedX[0] - margin, sortedX.at(-1) + margin], xLabel: byX ? "x" : "Crank angle, °",
+  return { x: sortedX, xRange: [sortedX[0] - margin, sortedX.at(-1) + margin], xLabel: byX ? "x" : say("drive.angle_axis", { name: say("part.crank") }),
     lines: [{ y: order.map((i) => values[i]), colour: "--error", dots: !byX }], stems: !byX, hover: byX,
     yRange: size > 0 ? undefined : [-1, 1],
-    title: `Structural error, ${unit}`, note: `Generated less wanted; largest ${number(size, 4)}°`, summary: `at most ${number(size, 4)} degrees`,
+    title: say("sheet.structural_error", { unit }), note: say("sheet.structural_note", { value: number(size, 4) }),
+    summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.degrees") }),
     xAt: (crank) => design.between(crank, cranks, sortedX), driveAt: (at) => design.between(at, sortedX, cranks, false) };
 }
 
 function transmissionSheet(design, limits) {
   const values = design.linkage.poses.map((pose) => pose.transmission);
   const [least, greatest] = [Math.min(...values), Math.max(...values)];
-  const sheet = { ...overCrank(design), title: "Transmission angle, °", lines: [{ y: values, colour: "--coupler" }], shades: usedShade(design),
-    yRange: limits ? [0, 180] : padded(least, greatest), summary: `from ${degrees(least, 1)} to ${degrees(greatest, 1)}` };
-  sheet.note = `${sentence(sheet.summary)}; ${limits ? `limits ${number(limits[0])}° and ${number(limits[1])}°` : "no limits asked for"}`;
+  const sheet = { ...overCrank(design), title: say("sheet.transmission"), lines: [{ y: values, colour: "--coupler" }], shades: usedShade(design),
+    yRange: limits ? [0, 180] : padded(least, greatest), summary: say("curves.range", { least: degrees(least, 1), greatest: degrees(greatest, 1) }) };
+  const range = sentence(sheet.summary);
+  sheet.note = limits ? say("sheet.limits", { range, least: number(limits[0]), greatest: number(limits[1]) }) : say("sheet.no_limits", { range });
   if (limits) sheet.shades.push({ axis: "y", from: 0, to: limits[0], colour: "--shade" }, { axis: "y", from: limits[1], to: 180, colour: "--shade" });
   return sheet;
 }

@@ -5,35 +5,35 @@ const largestText = (error, digits) => (error.max_deg === undefined ? number(err
 
 // What errors are called where designs are of one kind of problem; none where it has no targets.
 const ERRORS = {
-  function: { name: "Largest error", best: "largest error", text: ({ error }) => largestText(error, 4) },
-  path: { name: "Sum of squares", best: "best sum of squares", text: ({ error }) => number(error.sum_of_squares, 5) },
-  motion: { name: "Largest error", best: "largest error", text: ({ error }) => number(error.max, 3) },
+  function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
+  path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5) },
+  motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };
 
 const straightLength = ({ metrics }) => number(metrics.straight_length_at_0_001, 5);
 // Searched designs have one stretch, with its own deviation.
 const SEARCHED = [
-  { name: "Straight", title: "Length of the straight stretch", text: ({ metrics }) => number(metrics.straight_length, 5), kind: "number" },
-  { name: "Deviation", title: "Greatest distance from the best line, over the length", text: ({ metrics }) => number(metrics.deviation_relative, 3), kind: "number" },
-  { name: "Size", title: "Largest dimension of a link, coupler point included, over the length", text: ({ metrics }) => number(metrics.size_over_length, 3), kind: "number wide" },
+  { name: say("designs.straight"), title: say("designs.straight_searched_title"), text: ({ metrics }) => number(metrics.straight_length, 5), kind: "number" },
+  { name: say("designs.deviation"), title: say("designs.deviation_title"), text: ({ metrics }) => number(metrics.deviation_relative, 3), kind: "number" },
+  { name: say("designs.size"), title: say("designs.size_title"), text: ({ metrics }) => number(metrics.size_over_length, 3), kind: "number wide" },
 ];
 const isSearched = ({ metrics }) => metrics.straight_length !== undefined;
-const STRAIGHT = { name: "Straight", title: "Length of the stretch that is straight to 0.1 % of it", text: straightLength };
+const STRAIGHT = { name: say("designs.straight"), title: say("designs.straight_title"), text: straightLength };
 
 const isFourBar = (d) => d.mechanism.type === "four-bar";
 
 // Class of a four-bar; of another mechanism its type.
-const classText = (d) => (isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
+const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
 
 function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];
   const searched = kind === "straight-line" && entries.some(isSearched);
   return [
     ...(searched ? SEARCHED : first ? [{ ...first, kind: "number" }] : []),
-    { name: entries.every(isFourBar) ? "Class" : "Type", text: classText },
-    { name: "Transm. angle", text: (d) => transmissionText(d), kind: "number" },
-    { name: "K", title: "Time ratio", text: (d) => number(d.metrics.time_ratio, 4), kind: "number wide" },
-    { name: "OK", title: "Free of defects, and every constraint met", mark: (d) => faults(d), kind: "sound" },
+    { name: say(entries.every(isFourBar) ? "designs.class" : "designs.type"), text: classText },
+    { name: say("designs.transmission"), text: (d) => transmissionText(d), kind: "number" },
+    { name: "K", title: say("designs.time_ratio"), text: (d) => number(d.metrics.time_ratio, 4), kind: "number wide" },
+    { name: say("designs.sound"), title: say("designs.sound_title"), mark: (d) => faults(d), kind: "sound" },
   ];
 }
 
@@ -41,8 +41,8 @@ const transmissionText = ({ metrics: { transmission_angle_deg: t } }) => (t && t
 const missed = (d) => (d.constraints ?? []).filter((c) => !c.satisfied);
 
 function originText(d) {
-  const of = (index, words) => (index === undefined || index === null ? [] : [`${words} ${index + 1}`]);
-  return [d.origin, ...of(d.cognate_of, "cognate of"), ...of(d.mirror_of, "mirror image of")].join("; ");
+  const of = (index, words) => (index === undefined || index === null ? [] : [say(words, { n: index + 1 })]);
+  return [sentenceOf(d.origin), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of")].join(say("list.semicolon"));
 }
 
 // What is wrong with a design: its defects and the count of other constraints missed; empty for a
@@ -50,18 +50,18 @@ function originText(d) {
 function faults(d) {
   const defects = d.metrics.defects ?? [];
   const checks = missed(d).filter((c) => !/^no_.*_defect$/.test(c.name)).length;
-  return [...defects, ...(checks ? [`${checks} missed`] : [])].join(", ");
+  return [...defects.map(term), ...(checks ? [say("designs.missed", { n: checks })] : [])].join(say("list.comma"));
 }
 
 function markOf(text) {
-  return element("span", { class: `mark ${text ? "no" : "yes"}`, title: text || "yes" }, text ? "✗" : "✓",
+  return element("span", { class: `mark ${text ? "no" : "yes"}`, title: text || say("yes") }, text ? "✗" : "✓",
     element("span", { class: "wide" }, text ? ` ${text}` : ""));
 }
 
 class DesignTable {
   constructor(designs, kind, onChoose) {
     const columns = designColumns(kind, designs.map((design) => design.entry));
-    const head = element("tr", {}, element("th", { scope: "col" }, "Design"),
+    const head = element("tr", {}, element("th", { scope: "col" }, say("designs.design")),
       ...columns.map((c) => element("th", { scope: "col", class: c.kind ?? "", ...(c.title ? { title: c.title } : {}) }, c.name)));
     const table = byId("designs");
     table.tHead.replaceChildren(head);

@@ -35,14 +35,15 @@ class Atlas {
   #group(rows) {
     const linkage = this.linkageOf(rows[0]);
     const [crank, ...others] = linkage.lengths;
-    const ratios = others.map((length, i) => `${["coupler", "rocker", "frame"][i]} ${number(length / crank, 4)}`);
+    const [coupler, rocker, frame] = others.map((length) => number(length / crank, 4));
     const curves = rows.map((row) => this.#curve(row));
     if (this.alone) return curves;
     const overview = new Overview(linkage, rows.map((row) => ({ row, linkage: this.linkageOf(row) })), this.study.paint);
     for (const button of curves) {
       for (const [kind, shown] of [["pointerenter", true], ["focus", true], ["pointerleave", false], ["blur", false]]) button.addEventListener(kind, () => overview.lift(Number(button.dataset.row), shown));
     }
-    return [element("h3", {}, `Crank 1 · ${ratios.join(" · ")}`, element("span", { class: "muted" }, ` ${linkage.dimensions.assembly}, ${plural(rows.length, "curve")}`)),
+    return [element("h3", {}, say("atlas.ratios", { coupler, rocker, frame }),
+      element("span", { class: "muted" }, ` ${say("atlas.about", { assembly: term(linkage.dimensions.assembly), curves: say("count.curves", { n: rows.length }) })}`)),
       element("div", { class: "curves-of-one" }, overview.root, ...curves)];
   }
 
@@ -55,8 +56,8 @@ class Atlas {
       svg("path", { d: pathThrough(points.map((p) => view.screen(p))), style: `stroke:${this.study.paint.of(row)}` }),
       ...pivots.map(([x, y]) => svg("circle", { cx: round(x), cy: round(y), r: 2.5 })));
     const [u, v] = linkage.dimensions.coupler_point.map((x) => number(x, 3));
-    const button = element("button", { type: "button", "data-row": row, "aria-label": `Coupler curve of design ${this.study.ids[row]}`, title: `Design ${this.study.ids[row]}: P at ${u}, ${v}` },
-      drawing, element("span", {}, this.alone ? this.study.ids[row].toLocaleString("en") : `${u}, ${v}`));
+    const button = element("button", { type: "button", "data-row": row, "aria-label": say("atlas.curve", { n: this.study.ids[row] }), title: say("atlas.curve_title", { n: this.study.ids[row], u, v }) },
+      drawing, element("span", {}, this.alone ? this.study.ids[row].toLocaleString(language) : `${u}, ${v}`));
     button.addEventListener("click", () => this.tell.select(row));
     return button;
   }
@@ -81,7 +82,7 @@ class Overview {
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
     this.lines = new Map(curves.map(({ row, points }) => [row, svg("path", { d: `${line(points)}Z`, style: `stroke:${paint.of(row)}` })]));
     const at = curves.map(({ points }) => view.screen(points[SHOWN]));
-    this.root = svg("svg", { class: "overview", viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": "The linkage and all its curves" }, ...this.lines.values(),
+    this.root = svg("svg", { class: "overview", viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": say("atlas.overview") }, ...this.lines.values(),
       svg("path", { class: "links", d: line([a, b, c, d]) }), ...at.map(([x, y]) => svg("circle", { class: "place", cx: round(x), cy: round(y), r: 1.8 })),
       ...[a, b, c, d].map((p) => view.screen(p)).map(([x, y]) => svg("circle", { class: "pin", cx: round(x), cy: round(y), r: 3 })));
   }
@@ -116,6 +117,6 @@ class Pager {
   show(page, pages) {
     this.page = page;
     for (const button of this.buttons) button.disabled = !(page + Number(button.dataset.step) in Array(pages).fill(0));
-    this.where.textContent = pages > 1 ? `${page + 1} of ${pages}` : "";
+    this.where.textContent = pages > 1 ? say("pages.where", { page: page + 1, pages }) : "";
   }
 }

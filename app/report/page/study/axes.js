@@ -88,5 +88,5 @@ class Plane {
 const shorten = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
 // The rows' own lines of a tip: number, and the columns named.
-const tipLines = (study, row, columns) => [`Design ${study.ids[row].toLocaleString("en")}${study.best.has(row) ? " ★" : ""}`,
-  ...[...new Set(columns)].filter(Boolean).map((column) => `${column.label}: ${column.text(row)}`)];
+const tipLines = (study, row, columns) => [`${say("row.design", { n: study.ids[row] })}${study.best.has(row) ? " ★" : ""}`,
+  ...[...new Set(columns)].filter(Boolean).map((column) => say("row.value", { name: column.label, value: column.text(row) }))];

@@ -27,7 +27,7 @@ class Column {
 
   // A value as a reader sees it.
   show(value, digits = 5) {
-    return Number.isNaN(value) ? "–" : this.words ? this.words[value].replaceAll("_", " ") : number(value, digits);
+    return Number.isNaN(value) ? "–" : this.words ? term(this.words[value].replaceAll("_", " ")) : number(value, digits);
   }
   text(row, digits) { return this.show(this.values[row], digits); }
 

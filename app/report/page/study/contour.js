@@ -1,12 +1,11 @@
 // The map of a column over two others, filled between its level lines.
 
-const METHODS = { grid: "Grid", triangles: "Triangles", bins: "Means" };
 const LEVELS = 14;
 
 class Contour extends Plane {
   // `tell.select(row)`
   constructor(holder, study, tell) {
-    super(holder, "Map of a column over two others; a click opens the nearest design");
+    super(holder, say("map.label"));
     Object.assign(this, { study, tell, held: new Map(), method: null, slow: true });
     this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) tell.select(row); });
     this.root.addEventListener("pointermove", (event) => this.#hover(this.pointer(event)));
@@ -30,16 +29,16 @@ class Contour extends Plane {
   // Which methods there are, and where the other grid columns are held.
   #choices() {
     byId("methods").replaceChildren(...this.methods.map((method) => {
-      const button = element("button", { type: "button", "data-method": method, "aria-pressed": String(method === this.method) }, METHODS[method]);
+      const button = element("button", { type: "button", "data-method": method, "aria-pressed": String(method === this.method) }, say(`map.${method}`));
       button.addEventListener("click", () => { this.method = method; this.picked = true; this.#choices(); this.draw(); });
       return button;
     }));
     const held = this.method === "grid" ? [...this.held.keys()] : [];
     byId("held").replaceChildren(...held.map((column) => {
-      const select = element("select", { "aria-label": `${column.name} held at` }, ...column.grid.map((v, i) => element("option", { value: i }, number(v, 6))));
+      const select = element("select", { "aria-label": say("map.held_at", { name: column.name }) }, ...column.grid.map((v, i) => element("option", { value: i }, number(v, 6))));
       select.value = column.grid.indexOf(this.held.get(column));
       select.addEventListener("change", () => { this.held.set(column, column.grid[Number(select.value)]); this.draw(); });
-      return element("label", {}, `${column.label} at `, select);
+      return element("label", {}, `${say("map.at", { name: column.label })} `, select);
     }));
   }
 
@@ -51,13 +50,11 @@ class Contour extends Plane {
   }
 
   #note(surface, logarithmic) {
-    const others = this.others.length ? ` ${this.others.map((c) => c.label).join(", ")} ${this.others.length > 1 ? "vary" : "varies"} too.` : "";
-    const text = {
-      grid: `On the grid of the study, linear between its nodes${surface.missing ? `; ${plural(surface.missing, "node")} without a row shown that passes` : ""}.`,
-      triangles: `Linear within the Delaunay triangles of the rows that pass.${others}`,
-      bins: `Each cell shows the mean of the rows in it.${others}`,
-    }[this.method];
-    byId("contour-note").textContent = `${text}${logarithmic ? " Colours by the logarithm." : ""}`;
+    const { method, others } = this;
+    const parts = [say(`map.note_${method}${method === "grid" && surface.missing ? "_missing" : ""}`, { n: surface.missing ?? 0 }),
+      ...(method !== "grid" && others.length ? [say("map.note_others", { n: others.length, list: others.map((c) => c.label).join(say("list.comma")) })] : []),
+      ...(logarithmic ? [say("map.note_log")] : [])];
+    byId("contour-note").textContent = parts.reduce((first, second) => say("map.note_join", { first, second }));
   }
 
   select() { this.draw(); }
@@ -84,7 +81,7 @@ class Contour extends Plane {
     const best = [...study.best].filter((row) => study.filters.passes[row] && visible(row)).map((row) => svg("circle", { class: "best-mark", cx: at(row)[0], cy: at(row)[1], r: 3.5 }));
     const chosen = study.selected !== null && visible(study.selected) ? [svg("circle", { class: "chosen", cx: at(study.selected)[0], cy: at(study.selected)[1], r: 8 })] : [];
     this.axes(x, this.scaleX, y, this.scaleY, ...best.slice(0, 400), ...chosen);
-    byId("contour-key").replaceChildren(...(known.length ? keyBar(z.label, number(least, 4), number(greatest, 4), d3Range(12).map((i) => shadeAt(i / 11))) : [element("span", { class: "muted" }, "No row that passes has these values.")]));
+    byId("contour-key").replaceChildren(...(known.length ? keyBar(z.label, number(least, 4), number(greatest, 4), d3Range(12).map((i) => shadeAt(i / 11))) : [element("span", { class: "muted" }, say("map.none"))]));
     this.#note(surface, logarithmic);
   }
 

@@ -34,7 +34,7 @@ class DesignPanel {
     byId("design-none").hidden = row !== null;
     byId("design-body").hidden = row === null;
     if (row === null) return;
-    byId("design-title").textContent = `Design ${ids[row].toLocaleString("en")}${best.has(row) ? " ★" : ""}`;
+    byId("design-title").textContent = `${say("row.design", { n: ids[row] })}${best.has(row) ? " ★" : ""}`;
     byId("design-values").replaceChildren(...columns.flatMap((column) => {
       const [name, value] = fact("", column.text(row, 7), column.written(row));
       name.append(...breakable(column.name));
@@ -83,8 +83,8 @@ async function copy(button) {
   const source = byId(button.dataset.copy);
   try {
     await navigator.clipboard.writeText(source.textContent);
-    button.textContent = "Copied";
-    setTimeout(() => { button.textContent = "Copy"; }, 1500);
+    button.textContent = say("row.copied");
+    setTimeout(() => { button.textContent = say("row.copy"); }, 1500);
   } catch {
     getSelection().selectAllChildren(source);
   }

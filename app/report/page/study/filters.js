@@ -39,25 +39,25 @@ class ColumnTable {
   }
 
   #row(column, tell) {
-    const shown = element("input", { type: "checkbox", "aria-label": `Show ${column.name}` });
+    const shown = element("input", { type: "checkbox", "aria-label": say("filters.show", { name: column.name }) });
     shown.addEventListener("change", () => tell.show(column, shown.checked));
     const ends = column.words ? this.#words(column) : this.#numbers(column);
     const range = () => ends.map((end, i) => (end.value === "" ? [-Infinity, Infinity][i] : Number(end.value)));
     for (const end of ends) end.addEventListener("change", () => tell.filter(column, ends.every((e) => e.value === "") ? null : range()));
-    const clear = element("button", { type: "button", class: "link", "aria-label": `Clear the filter of ${column.name}` }, "Clear");
+    const clear = element("button", { type: "button", class: "link", "aria-label": say("filters.clear_of", { name: column.name }) }, say("filters.clear"));
     clear.addEventListener("click", () => tell.filter(column, null));
-    const wanted = column.wanted ? element("span", { class: "wanted" }, column.wanted === "least" ? " ↓ least" : " ↑ greatest") : "";
+    const wanted = column.wanted ? element("span", { class: "wanted" }, ` ${say(column.wanted === "least" ? "filters.least" : "filters.greatest")}`) : "";
     const cells = [[element("code", {}, ...breakable(column.name)), wanted], [shown], [ends[0]], [ends[1]], [clear]];
     return { row: element("tr", {}, ...cells.map((parts) => element("td", {}, ...parts))), shown, ends, clear };
   }
 
   #numbers(column) {
-    return ["least", "greatest"].map((end) => element("input", { type: "number", step: "any", placeholder: number(column[end], 4), "aria-label": `${sentence(end)} ${column.name}` }));
+    return ["least", "greatest"].map((end) => element("input", { type: "number", step: "any", placeholder: number(column[end], 4), "aria-label": say(`filters.${end}_of`, { name: column.name }) }));
   }
 
   #words(column) {
-    return ["First", "Last"].map((end) => element("select", { "aria-label": `${end} ${column.name}` },
-      element("option", { value: "" }, "any"), ...column.words.map((word, i) => element("option", { value: i }, word))));
+    return ["first", "last"].map((end) => element("select", { "aria-label": say(`filters.${end}_of`, { name: column.name }) },
+      element("option", { value: "" }, say("filters.any")), ...column.words.map((_, i) => element("option", { value: i }, column.show(i)))));
   }
 
   update(filters, isShown) {

@@ -36,7 +36,7 @@ function showFiltered() {
 
 function showCount() {
   const { filters } = study;
-  byId("count").textContent = filters.any ? `${filters.rows.length.toLocaleString("en")} of ${plural(count, "row")}` : plural(count, "row");
+  byId("count").textContent = filters.any ? say("count.passing", { n: count, passing: filters.rows.length.toLocaleString(language) }) : say("count.rows", { n: count });
   byId("clear").hidden = !filters.any;
   table.update(filters, (column) => !parallel || parallel.shown.includes(column));
 }
@@ -131,7 +131,7 @@ rows.filtered();
 let parallel = null;
 if (canDraw && count) {
   const first = objectives[0] ?? drawn.find((column) => column.role === "metric" && !column.constant) ?? drawn[0];
-  selects("colour", drawn, first, paintBy, "nothing");
+  selects("colour", drawn, first, paintBy, say("parallel.no_colour"));
   study.paint = new Paint(first);
   repaint();
   parallel = startParallel();
@@ -141,12 +141,11 @@ if (canDraw && count) {
 } else {
   byId("main").classList.add("plain");
   for (const part of document.querySelectorAll("#scatter, #contour, #parallel .choices label")) part.hidden = true;
-  byId("axes").replaceChildren(element("p", { class: "muted" }, count ? "This report was made without d3, so it draws no plots: Cognate was built without npm, or without a network for it. Install npm, run cmake and build again."
-    : "No row was kept."));
+  byId("axes").replaceChildren(element("p", { class: "muted" }, say(count ? "rows.no_library" : "rows.none_kept")));
 }
 showCount();
 design.show();
 followTheme(repaint);
 byId("clear").addEventListener("click", () => { study.filters.clear(); showFiltered(); });
 byId("save-rows").addEventListener("click", () => saveText(data.study.title, "csv", "text/csv", rows.csv));
-byId("rows-note").textContent = "Metrics are rounded to nine digits here; the database holds them whole.";
+byId("rows-note").textContent = say("rows.note");

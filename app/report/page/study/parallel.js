@@ -17,7 +17,7 @@ class Parallel {
     Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });
     this.frame = element("div", { class: "parallel" });
     [this.back, this.front] = [element("canvas", { "aria-hidden": "true" }), element("canvas", { "aria-hidden": "true" })];
-    this.root = svg("svg", { role: "group", "aria-label": "Axes; drag along one to filter" });
+    this.root = svg("svg", { role: "group", "aria-label": say("parallel.axes") });
     this.names = element("div", { class: "axis-names" });
     this.frame.append(this.back, this.front, this.root, this.names);
     holder.append(this.frame);
@@ -67,9 +67,9 @@ class Parallel {
   #name({ column, x, room }) {
     const text = `${this.turned.has(column) ? "↓ " : ""}${column.label}`;
     const button = element("button", { type: "button", "data-column": column.index, style: `left:${x}px;width:${room - 6}px`,
-      title: `${column.name}: click turns the axis over, drag or ← → moves it, Delete hides it` }, element("span", {}, ...breakable(text)));
+      title: say("parallel.axis_title", { name: column.name }) }, element("span", {}, ...breakable(text)));
     const mark = { least: " ↓", greatest: " ↑" }[column.wanted];
-    if (mark) button.firstChild.append(element("b", { title: `wanted: ${column.wanted}` }, mark));
+    if (mark) button.firstChild.append(element("b", { title: say(`parallel.wanted_${column.wanted}`) }, mark));
     let start = null;
     button.addEventListener("pointerdown", (event) => { start = event.clientX; button.setPointerCapture(event.pointerId); });
     button.addEventListener("pointermove", (event) => { if (start !== null) button.style.translate = `${event.clientX - start}px 0`; });
@@ -105,7 +105,7 @@ class Parallel {
       const y = round(scale(v));
       group.append(svg("path", { class: "tick", d: `M-4 ${y}H0` }), svg("text", { class: "tick-text", x: -7, y: y + 4, "text-anchor": "end" }, shorten(column.show(v, 4), 12)));
     }
-    if (column.missing) group.append(svg("text", { class: "tick-text", x: 0, y: PARALLEL.height - 4, "text-anchor": "middle" }, "none"));
+    if (column.missing) group.append(svg("text", { class: "tick-text", x: 0, y: PARALLEL.height - 4, "text-anchor": "middle" }, say("parallel.missing")));
     const brush = d3.brushY().extent([[-13, top], [13, bottom]]).on("brush end", (event) => { if (event.sourceEvent) this.#brushed(axis, event.selection); });
     axis.brush = d3.select(svg("g", { class: "brush" }));
     group.append(axis.brush.node());

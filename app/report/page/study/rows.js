@@ -17,7 +17,7 @@ class RowTable {
       const th = element("th", column && !column.words ? { class: "number" } : {}, button);
       return { th, column };
     };
-    this.headers = [header("Design", null), ...this.study.columns.map((column) => header(column.name, column, breakable(column.label)))];
+    this.headers = [header(say("designs.design"), null), ...this.study.columns.map((column) => header(column.name, column, breakable(column.label)))];
     document.querySelector("#rows thead").replaceChildren(element("tr", {}, ...this.headers.map(({ th }) => th)));
   }
 
@@ -49,8 +49,8 @@ class RowTable {
 
   #row(row) {
     const { ids, best, columns } = this.study;
-    const open = element("button", { type: "button", class: "link", "aria-label": `Open design ${ids[row]}` }, ids[row].toLocaleString("en"));
-    const star = best.has(row) ? [element("span", { class: "mark yes", title: "Among the best" }, " ★")] : [];
+    const open = element("button", { type: "button", class: "link", "aria-label": say("row.open", { n: ids[row] }) }, ids[row].toLocaleString(language));
+    const star = best.has(row) ? [element("span", { class: "mark yes", title: say("row.best") }, " ★")] : [];
     const tr = element("tr", { "data-row": row }, element("td", {}, open, ...star),
       ...columns.map((column) => element("td", column.words ? {} : { class: "number" }, column.text(row))));
     tr.addEventListener("click", () => this.tell.select(row));

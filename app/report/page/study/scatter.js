@@ -6,7 +6,7 @@ const NEAR = 14;  // pixels
 class Scatter extends Plane {
   // `tell.select(row)`
   constructor(holder, study, tell) {
-    super(holder, "Scatter plot: ← → step through the rows by x");
+    super(holder, say("scatter.label"));
     Object.assign(this, { study, tell, transform: d3.zoomIdentity });
     this.zoom = d3.zoom().scaleExtent([1, 400]).on("zoom", (event) => { this.transform = event.transform; this.later(); })
       .filter((event) => !event.button && (event.type !== "wheel" || event.ctrlKey || document.activeElement === this.root) && (!event.touches || event.touches.length > 1));

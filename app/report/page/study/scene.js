@@ -2,14 +2,14 @@
 
 class LinkageScene extends Picture {
   // `onDrag(phase)`
-  constructor(frame, onDrag) { super(frame, "The linkage and its coupler curve", onDrag); }
+  constructor(frame, onDrag) { super(frame, say("picture.row_linkage"), onDrag); }
 
   // `linkage`: a RowLinkage, or null.
   build(linkage) {
     this.linkage = linkage;
     this.samples = linkage?.poses(240) ?? [];
     const box = this.samples.length ? boxOf([...this.samples.flatMap(({ b, c, p }) => [b, c, p]), linkage.closure.a, linkage.closure.d]) : null;
-    this.clear(box, "These links cannot be assembled.");
+    this.clear(box, say("picture.row_not_assembled"));
     if (!box) return;
     const { view } = this;
     const [a, d] = [linkage.closure.a, linkage.closure.d].map((p) => view.screen(p));
