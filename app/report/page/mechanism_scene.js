@@ -18,6 +18,16 @@ class MechanismScene extends Picture {
     this.box = mechanism.closes ? mechanism.box : null;
   }
 
+  get drives() { return this.mechanism.samples; }
+
+  // The points that are no joints; of a mechanism without them its moving points.
+  marksAt(drive) {
+    const moving = this.mechanism.points.filter((point) => point.moves);
+    const own = moving.filter((point) => !point.isPin);
+    const places = this.mechanism.places(drive);
+    return (own.length ? own : moving).slice(0, MOST_MARKS).map((point) => Mechanism.point(places[point.body], point.at)).filter(Boolean);
+  }
+
   tint(body) {
     if (body === 1) return "--crank";
     if (body === this.mechanism.output) return "--rocker";

@@ -8,8 +8,11 @@ const table = new Table(data.table, data.vectors, data.normals);
 const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
 const state = { drive: mechanism.start, parts: new Set() };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table);
+scene.fourBarAt = fourBarOf(mechanism, result.problem?.mechanism);
+const extras = new Extras(byId("extras"), [new Trace(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+extras.onToggle = () => showLegend();
 const colours = partColours(table, scene);
-const curves = new Curves(byId("plots"), (drive) => goTo(drive, true));
+const curves = new Curves(byId("plots"), (drive) => goTo(drive, true), (drive) => extras.point(drive));
 const loci = new Loci(byId("loci-plots"), table);
 const values = new Values(table);
 const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
@@ -26,6 +29,7 @@ function goTo(drive, byHand = false) {
   if (byHand) controls.play(false);
   state.drive = mechanism.within(drive);
   scene.move(state.drive);
+  extras.move(state.drive);
   curves.move(state.drive);
   loci.move(state.drive);
   values.move(state.drive);
@@ -80,7 +84,7 @@ function showLegend() {
   const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", say("legend.path"))] : [];
   const centrodes = table.centrodes.map(({ of }) => legendItem(scene.tint(mechanism.bodies.findIndex((b) => b.name === of)).slice(2), "dashed", say("picture.fixed_centrode", { of: term(of) })));
   const arrows = Object.keys(ARROWS).filter((kind) => scene.shown[kind]).map((kind) => legendItem(kind === "reactions" ? "error" : kind, "line", ARROWS[kind]));
-  byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows);
+  byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows, ...extras.legend());
   const kinds = [...new Set(landmarks.map((l) => l.kind))];
   byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(term(kind)))));
 }
@@ -102,10 +106,17 @@ function listenToLayers() {
   }
 }
 
+function drawScene() {
+  scene.build();
+  extras.rebuilt(scene);
+  goTo(state.drive);
+}
+
 function listen() {
   set(byId("drive"), { min: mechanism.from, max: mechanism.to });
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
-  new ResizeObserver(() => { scene.build(); goTo(state.drive); }).observe(byId("picture"));
+  new ResizeObserver(drawScene).observe(byId("picture"));
+  new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
 byId("drive-name").textContent = sentence(term(driving.name));
@@ -123,8 +134,10 @@ showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
 showLegend();
 showParts();
 scene.build();
+extras.rebuilt(scene);
 choose(firstParts());
 byId("parts").scrollTop = (document.querySelector('[data-part][aria-pressed="true"]')?.offsetTop ?? 0) - byId("parts").offsetTop;
 listenToLayers();
 listen();
 controls.start();
+makeSortable();
