@@ -34,7 +34,7 @@ class Extras {
       const on = this.shown.has(layer) && layer.available(scene);
       layer.root.toggleAttribute("hidden", !on);
       if (layer.root instanceof SVGElement && layer.root.parentNode !== scene.front) scene.front.append(layer.root);
-      if (on) layer.build(scene, fresh); else layer.clear?.();
+      if (on) layer.build(scene); else layer.clear?.();
     }
     scene.front.append(this.hint);
     this.hint.replaceChildren();

@@ -50,6 +50,11 @@ function dimensionsOf({ a, b, c, d, p }) {
   return { crank: far(a, b), coupler: far(b, c), rocker: far(c, d), pivots: [a, d], point: p ? [u, v] : null };
 }
 
+function ghostAt(kind, scene, drive) {
+  const pose = scene.fourBarAt(drive);
+  return pose && GHOSTS[kind](pose);
+}
+
 class Ghost {
   // `notes`: a list in which the dimensions are told.
   constructor(kind, notes) {
@@ -63,10 +68,10 @@ class Ghost {
   }
 
   build(scene) {
-    const at = (drive) => GHOSTS[this.kind](scene.fourBarAt(drive));
+    const at = (drive) => ghostAt(this.kind, scene, drive);
     const { view } = scene;
     const start = at(scene.drives[0]);
-    const path = this.kind === "assembly" && start.p ? [svg("path", { class: "ghost-path", d: pathThrough(scene.drives.map((drive) => view.screen(at(drive).p))) })] : [];
+    const path = this.kind === "assembly" && start.p ? [svg("path", { class: "ghost-path", d: pathWithGaps(scene.drives.map((drive) => at(drive)?.p).map((p) => p && view.screen(p))) })] : [];
     this.parts = { plate: svg("path", { class: "ghost-plate" }), links: svg("path", { class: "ghost-links" }), pins: [0, 1, 2, 3].map(() => svg("circle", { class: "pin", r: 3.4 })) };
     this.root.replaceChildren(...path, groundSign(view.screen(start.a)), groundSign(view.screen(start.d)), this.parts.plate, this.parts.links, ...this.parts.pins);
     this.#tell(start);
@@ -81,7 +86,9 @@ class Ghost {
   }
 
   move(scene, drive) {
-    const pose = GHOSTS[this.kind](scene.fourBarAt(drive));
+    const pose = ghostAt(this.kind, scene, drive);
+    this.root.toggleAttribute("hidden", !pose);
+    if (!pose) return;
     const at = Object.fromEntries(["a", "b", "c", "d", "p"].map((key) => [key, pose[key] && scene.view.screen(pose[key])]));
     set(this.parts.plate, { d: at.p ? `${pathThrough([at.b, at.c, at.p])}Z` : "" });
     set(this.parts.links, { d: pathThrough([at.a, at.b, at.c, at.d]) });

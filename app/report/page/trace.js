@@ -9,8 +9,8 @@ class Trace {
 
   available(scene) { return scene.marksAt !== Picture.prototype.marksAt; }
 
-  build(scene, fresh) {
-    if (fresh) this.ways = [];
+  build(scene) {
+    if (this.scene !== scene) Object.assign(this, { scene, ways: [] });
     this.root.replaceChildren();
     this.parts = null;
     this.#draw(scene);

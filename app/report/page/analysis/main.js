@@ -7,9 +7,9 @@ const mechanism = new Mechanism(data.mechanism, driving);
 const table = new Table(data.table, data.vectors, data.normals);
 const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
 const state = { drive: mechanism.start, parts: new Set() };
-const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table);
+const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
 scene.fourBarAt = fourBarOf(mechanism, result.problem?.mechanism);
-const extras = new Extras(byId("extras"), [new Trace(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+const extras = new Extras(byId("extras"), [new Trace(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.onToggle = () => showLegend();
 const colours = partColours(table, scene);
 const curves = new Curves(byId("plots"), (drive) => goTo(drive, true), (drive) => extras.point(drive));
@@ -18,6 +18,12 @@ const values = new Values(table);
 const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
   (sense, large) => goTo(state.drive + sense * (large ? 10 : 1) * (angular ? 1 : (mechanism.to - mechanism.from) / 360), true));
 controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
+
+// Arrows that follow from the motion alone, where the table holds none.
+function missingVectors() {
+  const known = new Set(scene.arrows.map((arrow) => arrow.quantity));
+  return ["velocity", "acceleration"].filter((quantity) => !known.has(quantity)).map((quantity) => new Vectors(quantity, quantity === "velocity" ? "v" : "c"));
+}
 
 // More parts than are shown all at once.
 const MANY_PARTS = 40;

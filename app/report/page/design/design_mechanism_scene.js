@@ -2,7 +2,7 @@
 
 class DesignMechanismScene extends MechanismScene {
   constructor(frame, design, onDrag) {
-    super(frame, design.mechanism, onDrag);
+    super(frame, design.mechanism, onDrag, NO_TABLE, design.angular ? 1 / RADIANS : 1);
     this.design = design;
   }
 
@@ -21,18 +21,6 @@ class DesignMechanismScene extends MechanismScene {
 
   get aims() { return aimsOf(this.design); }
   get wanted() { return this.design.outline; }
-
-  // Of the points followed and the joints, from where they were sampled.
-  ratesAt(drive) {
-    const { mechanism } = this;
-    const unit = this.design.angular ? 1 / RADIANS : 1;
-    const places = mechanism.places(drive);
-    return [...mechanism.points.filter((point) => point.moves)].slice(0, 2 * MOST_MARKS).flatMap((point) => {
-      const rates = pathRates(point.path, mechanism.samples, mechanism.within(drive), mechanism.round, unit);
-      const at = Mechanism.point(places[point.body], point.at);
-      return rates && at ? [{ at, ...rates }] : [];
-    });
-  }
 
   legend() {
     return this.mechanism.bodies.slice(1).map((body, i) => legendItem(this.tint(i + 1).slice(2), "line", sentence(term(body.name))));

@@ -25,6 +25,12 @@ class Scene extends Picture {
   }
 
   get drives() { return this.design.linkage.cranks; }
+  // Places that things of the picture come to.
+  get crowd() {
+    const { linkage } = this.design;
+    return [linkage.a, linkage.d, ...linkage.poses.flatMap(({ b, c, p }) => (p ? [b, c, p] : [b, c]))];
+  }
+
   get aims() { return aimsOf(this.design); }
   get wanted() { return this.design.outline; }
 

@@ -5,6 +5,10 @@
 const ERROR_SHARE = 0.32;
 const LENS_STEP = 2;
 
+// Errors and angles, in degrees, below which what was drawn tells nothing of them.
+const NO_ERROR = 1e-11;
+const NO_TURN = 1e-4;
+
 class Lens {
   constructor(frame) {
     Object.assign(this, { frame, name: "lens", words: "lens.title", key: "m", index: 0, extra: 1 });
@@ -29,9 +33,8 @@ class Lens {
   // curve(count, halfWidth) }`; `scene.wanted`: a closed curve, in part or empty.
   available(scene) { return Boolean(scene.aims?.length); }
 
-  build(scene, fresh) {
-    this.scene = scene;
-    if (fresh) Object.assign(this, { index: this.#worst(scene.aims), extra: 1 });
+  build(scene) {
+    if (this.scene !== scene) Object.assign(this, { scene, index: this.#worst(scene.aims), extra: 1 });
     this.index = Math.min(this.index, scene.aims.length - 1);
     this.#draw();
   }
@@ -77,11 +80,10 @@ class Lens {
   }
 
   // Where the error takes a fair part of the lens; of none, twenty times as near as the picture.
-  #scale(aim, size) {
-    const error = Lens.error(aim);
-    const { scale } = this.scene.view;
-    const wanted = error > 0 ? (ERROR_SHARE * size) / error : Infinity;
-    return this.extra * Math.max(2 * scale, Math.min(wanted, 1e9 * scale));
+  #scale(error, size) {
+    const { scale, width } = this.scene.view;
+    const fit = error > (NO_ERROR * width) / scale ? Math.max(2 * scale, (ERROR_SHARE * size) / error) : 20 * scale;
+    return this.extra * fit;
   }
 
   #draw() {
@@ -90,14 +92,15 @@ class Lens {
     const { width, height } = scene.view;
     const size = Math.round(Math.min(260, Math.max(130, 0.42 * Math.min(width, height))));
     const error = Lens.error(aim);
-    const scale = error > 0 ? this.#scale(aim, size) : this.extra * 20 * scene.view.scale;
+    const scale = this.#scale(error, size);
     const half = size / 2 / scale;
     const middle = [0, 1].map((k) => (aim.target[k] + aim.reached[k]) / 2);
     const view = new View({ x0: middle[0] - half, x1: middle[0] + half, y0: middle[1] - half, y1: middle[1] + half }, size, size + SCALE_ROOM, 0);
     set(this.picture, { viewBox: `0 0 ${size} ${size}`, width: size, height: size });
     this.picture.replaceChildren(...this.#parts(view, aim, half), this.#bar(view, size));
+    const turned = aim.deg === undefined ? 0 : turnInto(aim.reachedDeg - aim.deg, [-180, 180]);
     this.caption.textContent = say("lens.caption", { name: aim.name, error: number(error, 3), scale: number(scale / scene.view.scale, 3) })
-      + (aim.deg === undefined ? "" : say("lens.turned", { angle: degreesShort(aim.reachedDeg - aim.deg - 360 * Math.round((aim.reachedDeg - aim.deg) / 360), 3) }));
+      + (Math.abs(turned) > NO_TURN ? say("lens.turned", { angle: degreesShort(turned, 3) }) : "");
     this.picture.setAttribute("aria-label", this.caption.textContent);
     this.#place(size, aim.target);
   }
@@ -120,15 +123,17 @@ class Lens {
       svg("text", { class: "scale-text", x: 12, y: size - 18 }, say("picture.scale", { n: length, length: number(length) })));
   }
 
-  // In the corner that is farthest from the target, and joined with it.
+  // In the corner where it hides least, and joined with the target.
   #place(size, target) {
     const { width, height } = this.scene.view;
     const [x, y] = this.scene.view.screen(target);
     const room = 8;
     // The buttons of the picture stand in the upper right corner, its scale in the lower left one.
     const corners = [[room, room], [width - size - room - 2, height - this.root.offsetHeight - room], [width - size - room - 2, 44], [room, height - this.root.offsetHeight - 34]];
-    const away = ([left, top]) => Math.hypot(left + size / 2 - x, top + size / 2 - y);
-    const [left, top] = corners.reduce((best, corner) => (away(corner) > 1.05 * away(best) ? corner : best));
+    const crowd = [...this.scene.crowd, target].map((p) => this.scene.view.screen(p));
+    const hidden = ([left, top]) => crowd.filter(([u, v]) => u > left - 14 && u < left + size + 14 && v > top - 14 && v < top + this.root.offsetHeight + 14).length;
+    const covers = ([left, top]) => (Math.abs(left + size / 2 - x) < size / 2 + 14 && Math.abs(top + size / 2 - y) < size / 2 + 40 ? crowd.length : 0);
+    const [left, top] = corners.map((corner) => [corner, hidden(corner) + covers(corner)]).reduce((best, one) => (one[1] < best[1] ? one : best))[0];
     this.root.style.left = `${round(left)}px`;
     this.root.style.top = `${round(top)}px`;
     const end = [left + size / 2, top + size / 2];
