@@ -67,7 +67,10 @@ class Curves {
     }
   }
 
-  redraw() { for (const { plot } of this.plots) plot.redraw(false, true); }
+  redraw() {
+    this.#resize();
+    for (const { plot } of this.plots) plot.redraw(false, true);
+  }
 
   #resize() {
     for (const { plot, box } of this.plots) {
