@@ -15,8 +15,10 @@ function followTheme(redraw) {
   const change = (theme) => { applyTheme(theme); redraw(); };
   darkWanted.addEventListener("change", () => change());
   byId("theme").addEventListener("change", (event) => { remember("theme", event.target.value); change(); });
-  addEventListener("beforeprint", () => change("light"));
-  addEventListener("afterprint", () => change());
+  // What is drawn as a bitmap is drawn as wide as the paper.
+  const paper = (on) => document.documentElement.classList.toggle("printing", on);
+  addEventListener("beforeprint", () => { paper(true); change("light"); });
+  addEventListener("afterprint", () => { paper(false); change(); });
 }
 
 function offerAppearance() {

@@ -1,12 +1,45 @@
 // What every moving report can be told: play, pause, speed, one step on or back, print, save.
 
-const ICONS = { play: "M7 4l13 8-13 8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
+const ICONS = { play: "M7 4l13 8-13 8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z", back: "M5 4h3v16H5zM20 4v16L9 12z", on: "M16 4h3v16h-3zM4 4v16l11-8z" };
+const icon = (name) => svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: ICONS[name] }));
 
 class Controls {
   // `advance(seconds)` moves on while playing; `step(sense, large)` answers an arrow key.
   constructor(advance, step) {
     this.player = new Player(advance);
     this.step = step;
+    this.live = new Live();
+    this.help = new Help();
+    shortcut([" "], say("keys.space"), "motion.play_or_pause");
+    shortcut(["ArrowLeft", "ArrowRight"], "← →", "keys.step");
+    shortcut(["ArrowLeft", "ArrowRight"], "Shift+← Shift+→", "keys.leap");
+    shortcut([",", "<"], ",", "motion.slower", () => this.faster(-1));
+    shortcut([".", ">"], ".", "motion.faster", () => this.faster(1));
+    this.#offerSteps();
+  }
+
+  // Buttons beside that which plays: one step back, one step on.
+  #offerSteps() {
+    const button = (sense, name) => {
+      const made = element("button", { type: "button", class: "step", "data-step-by": sense, "aria-label": say(`motion.${name}`), title: say(`motion.${name}`) }, icon(name));
+      made.addEventListener("click", (event) => this.step(sense, event.shiftKey));
+      return made;
+    };
+    const [play, group] = [byId("play"), element("div", { class: "plays" })];
+    play.replaceWith(group);
+    group.append(button(-1, "back"), play, button(1, "on"));
+  }
+
+  // What a screen reader is told once the picture rests: the drive, by its own slider.
+  describe = () => {
+    const slider = byId("play").closest(".controls").querySelector("input[type=range]");
+    return [slider.getAttribute("aria-label"), slider.getAttribute("aria-valuetext"), byId("readout")?.textContent].filter(Boolean).join(" · ");
+  };
+
+  faster(by) {
+    const slider = byId("speed");
+    slider.value = Number(slider.value) + by;
+    this.setSpeed(Number(slider.value));
   }
 
   get playing() { return this.player.playing; }
@@ -15,7 +48,8 @@ class Controls {
     this.player.toggle(playing);
     const button = byId("play");
     button.setAttribute("aria-label", say(playing ? "motion.pause" : "motion.play"));
-    button.replaceChildren(svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: playing ? ICONS.pause : ICONS.play })));
+    button.replaceChildren(icon(playing ? "pause" : "play"));
+    if (playing) this.live.hush(); else this.live.tell(this.describe);
   }
 
   setSpeed(step) {
@@ -28,8 +62,10 @@ class Controls {
     byId("play").addEventListener("click", () => this.play(!this.playing));
     byId("speed").addEventListener("input", (event) => this.setSpeed(Number(event.target.value)));
     document.addEventListener("keydown", (event) => {
-      if (event.altKey || event.ctrlKey || event.metaKey || event.target.closest("input, button, a, select, summary")) return;
       const sense = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      // Arrows choose in fields, the space bar presses what it is on.
+      const taken = sense ? `${TAKES_KEYS}, input` : "input, button, a, select, summary, textarea";
+      if (event.altKey || event.ctrlKey || event.metaKey || event.target.closest?.(taken) || document.querySelector("dialog[open]")) return;
       if (event.key === " ") this.play(!this.playing);
       else if (sense) this.step(sense, event.shiftKey);
       else return;

@@ -3,10 +3,11 @@
 // Steps of an axis of angles, in degrees.
 const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 
-// Makes the plots in `holder`; `onPick` is called with the drive coordinate pointed at.
+// Makes the plots in `holder`; `onPick` is called with the drive coordinate that is chosen, `onPoint`
+// with the one pointed at, null where none is.
 class Curves {
-  constructor(holder, onPick) {
-    Object.assign(this, { holder, onPick, plots: [] });
+  constructor(holder, onPick, onPoint = () => {}) {
+    Object.assign(this, { holder, onPick, onPoint, plots: [] });
     this.available = typeof uPlot !== "undefined";
     new ResizeObserver(() => this.#resize()).observe(holder);
   }
@@ -27,7 +28,7 @@ class Curves {
 
   #box(sheet) {
     const box = element("div", { role: "img", "aria-label": say("curves.label", { title: sheet.title, summary: sheet.summary }) });
-    this.holder.append(element("div", { class: "plot" }, element("h3", {}, sheet.title), ...this.#notes(sheet), box));
+    this.holder.append(element("div", { class: "plot" }, element("div", { class: "plot-head" }, element("h3", {}, sheet.title), tableButton(sheet, box)), ...this.#notes(sheet), box));
     return box;
   }
 
@@ -43,13 +44,18 @@ class Curves {
 
   #plot(sheet, box) {
     const plot = new uPlot(plotOptions(sheet, box.clientWidth || 320), [sheet.x, ...sheet.lines.map((line) => line.y)], box);
-    const pick = (event) => {
-      const left = event.clientX - plot.over.getBoundingClientRect().left;
-      this.onPick(sheet.driveAt(plot.posToVal(left, "x")));
-    };
+    const driveOf = (event) => sheet.driveAt(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
+    const pick = (event) => { this.point(null); this.onPick(driveOf(event)); };
     plot.over.addEventListener("pointerdown", (event) => { plot.over.setPointerCapture(event.pointerId); pick(event); });
-    plot.over.addEventListener("pointermove", (event) => { if (plot.over.hasPointerCapture(event.pointerId)) pick(event); });
-    return { plot, sheet, box };
+    plot.over.addEventListener("pointermove", (event) => { if (plot.over.hasPointerCapture(event.pointerId)) pick(event); else this.point(driveOf(event)); });
+    plot.over.addEventListener("pointerleave", () => this.point(null));
+    return { plot, sheet, box, cursor: new PlotCursor({ plot, sheet }) };
+  }
+
+  // A cursor on every plot at the drive coordinate that one of them is pointed at.
+  point(drive) {
+    for (const { cursor } of this.plots) cursor.show(drive);
+    this.onPoint(drive);
   }
 
   move(drive) {
@@ -61,7 +67,10 @@ class Curves {
     }
   }
 
-  redraw() { for (const { plot } of this.plots) plot.redraw(false, true); }
+  redraw() {
+    this.#resize();
+    for (const { plot } of this.plots) plot.redraw(false, true);
+  }
 
   #resize() {
     for (const { plot, box } of this.plots) {

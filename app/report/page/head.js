@@ -17,6 +17,8 @@ function showHead(result, kind, summary, keys) {
 
 function showNotes(notes) {
   byId("notes").hidden = notes.length === 0;
+  // What moves comes first, what is told of it next.
+  document.querySelector("#main > .side")?.after(byId("notes"));
   byId("notes-list").replaceChildren(...notes.map((note) => noteItem(note)));
 }
 

@@ -10,12 +10,37 @@ const NO_TABLE = { columns: [], normals: [], centrodes: [], vectorsOf: () => [] 
 
 class MechanismScene extends Picture {
   // `table`: of an analysis; its vectors can be shown as arrows.
-  constructor(frame, mechanism, onDrag, table = NO_TABLE) {
+  // `unit`: what a radian, of a slider a unit of length, is in the drive's coordinate.
+  constructor(frame, mechanism, onDrag, table = NO_TABLE, unit = 1 / RADIANS) {
     super(frame, say("picture.mechanism"), onDrag);
-    Object.assign(this, { mechanism, table, shown: { paths: true, names: mechanism.points.length <= MANY_NAMES } });
+    Object.assign(this, { mechanism, table, unit, shown: { paths: true, names: mechanism.points.length <= MANY_NAMES } });
     this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity));
     this.many = mechanism.bodies.length > 30;
     this.box = mechanism.closes ? mechanism.box : null;
+  }
+
+  get drives() { return this.mechanism.samples; }
+
+  // The points that are no joints; of a mechanism without them its moving points.
+  marksAt(drive) {
+    const moving = this.mechanism.points.filter((point) => point.moves);
+    const own = moving.filter((point) => !point.isPin);
+    const places = this.mechanism.places(drive);
+    return (own.length ? own : moving).slice(0, MOST_MARKS).map((point) => Mechanism.point(places[point.body], point.at)).filter(Boolean);
+  }
+
+  // Places that things of the picture come to.
+  get crowd() { return this.mechanism.points.flatMap((point) => point.path.filter(Boolean)); }
+
+  // Of the points followed and the joints, from where they were sampled.
+  ratesAt(drive) {
+    const { mechanism } = this;
+    const places = mechanism.places(drive);
+    return mechanism.points.filter((point) => point.moves).slice(0, 2 * MOST_MARKS).flatMap((point) => {
+      const rates = pathRates(point.path, mechanism.samples, mechanism.within(drive), mechanism.round, this.unit);
+      const at = Mechanism.point(places[point.body], point.at);
+      return rates && at ? [{ at, ...rates }] : [];
+    });
   }
 
   tint(body) {

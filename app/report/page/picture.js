@@ -5,20 +5,27 @@ class Picture {
   constructor(frame, label, onDrag) {
     this.frame = frame;
     this.root = svg("svg", { role: "img", "aria-label": label });
-    frame.append(this.root);
+    // What lies over the drawing and outlives it when it is drawn anew.
+    this.front = svg("svg", { class: "front", "aria-hidden": "true" });
+    frame.append(this.root, this.front);
     this.onDrag = onDrag;
+    this.camera = { factor: 1, shift: [0, 0] };
   }
+
+  // The points of the plane whose ways are followed, where the drive is at `drive`.
+  marksAt() { return []; }
 
   // An empty picture of the part `box` of the plane; without one it says why there is none.
   clear(box, why) {
     const [width, height] = [this.frame.clientWidth || 600, this.frame.clientHeight || 420];
     this.root.replaceChildren();
-    set(this.root, { viewBox: `0 0 ${width} ${height}` });
+    for (const part of [this.root, this.front]) set(part, { viewBox: `0 0 ${width} ${height}` });
     this.view = box ? new View(box, width, height) : null;
+    this.view?.look(this.camera);
     if (!box) this.root.append(svg("text", { x: width / 2, y: height / 2, class: "joint-name" }, why));
   }
 
-  remove() { this.root.remove(); }
+  remove() { for (const part of [this.root, this.front]) part.remove(); }
 
   scaleBar() {
     const { length, pixels } = this.view.scaleBar();

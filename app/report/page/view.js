@@ -22,6 +22,13 @@ class View {
     const fit = Math.min((width - 2 * margin) / w, (room - 2 * margin) / h);
     Object.assign(this, { width, height, middle: [width / 2, room / 2], scale: Number.isFinite(fit) && fit > 0 ? fit : 1 });
     this.centre = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
+    this.whole = { scale: this.scale, centre: this.centre };
+  }
+
+  // From nearer by `factor`, the middle moved by `shift` in the plane.
+  look({ factor, shift }) {
+    this.scale = this.whole.scale * factor;
+    this.centre = this.whole.centre.map((v, k) => v + shift[k]);
   }
 
   screen([x, y]) {

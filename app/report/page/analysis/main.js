@@ -7,14 +7,23 @@ const mechanism = new Mechanism(data.mechanism, driving);
 const table = new Table(data.table, data.vectors, data.normals);
 const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
 const state = { drive: mechanism.start, parts: new Set() };
-const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table);
+const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
+scene.fourBarAt = fourBarOf(mechanism, result.problem?.mechanism);
+const extras = new Extras(byId("extras"), [new Trace(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+extras.onToggle = () => showLegend();
 const colours = partColours(table, scene);
-const curves = new Curves(byId("plots"), (drive) => goTo(drive, true));
+const curves = new Curves(byId("plots"), (drive) => goTo(drive, true), (drive) => extras.point(drive));
 const loci = new Loci(byId("loci-plots"), table);
 const values = new Values(table);
 const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
   (sense, large) => goTo(state.drive + sense * (large ? 10 : 1) * (angular ? 1 : (mechanism.to - mechanism.from) / 360), true));
 controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
+
+// Arrows that follow from the motion alone, where the table holds none.
+function missingVectors() {
+  const known = new Set(scene.arrows.map((arrow) => arrow.quantity));
+  return ["velocity", "acceleration"].filter((quantity) => !known.has(quantity)).map((quantity) => new Vectors(quantity, quantity === "velocity" ? "v" : "c"));
+}
 
 // More parts than are shown all at once.
 const MANY_PARTS = 40;
@@ -26,6 +35,7 @@ function goTo(drive, byHand = false) {
   if (byHand) controls.play(false);
   state.drive = mechanism.within(drive);
   scene.move(state.drive);
+  extras.move(state.drive);
   curves.move(state.drive);
   loci.move(state.drive);
   values.move(state.drive);
@@ -80,7 +90,7 @@ function showLegend() {
   const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", say("legend.path"))] : [];
   const centrodes = table.centrodes.map(({ of }) => legendItem(scene.tint(mechanism.bodies.findIndex((b) => b.name === of)).slice(2), "dashed", say("picture.fixed_centrode", { of: term(of) })));
   const arrows = Object.keys(ARROWS).filter((kind) => scene.shown[kind]).map((kind) => legendItem(kind === "reactions" ? "error" : kind, "line", ARROWS[kind]));
-  byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows);
+  byId("legend").replaceChildren(...bodies, ...paths, ...centrodes, ...arrows, ...extras.legend());
   const kinds = [...new Set(landmarks.map((l) => l.kind))];
   byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(term(kind)))));
 }
@@ -102,10 +112,17 @@ function listenToLayers() {
   }
 }
 
+function drawScene() {
+  scene.build();
+  extras.rebuilt(scene);
+  goTo(state.drive);
+}
+
 function listen() {
   set(byId("drive"), { min: mechanism.from, max: mechanism.to });
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
-  new ResizeObserver(() => { scene.build(); goTo(state.drive); }).observe(byId("picture"));
+  new ResizeObserver(drawScene).observe(byId("picture"));
+  new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
 byId("drive-name").textContent = sentence(term(driving.name));
@@ -123,8 +140,10 @@ showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
 showLegend();
 showParts();
 scene.build();
+extras.rebuilt(scene);
 choose(firstParts());
 byId("parts").scrollTop = (document.querySelector('[data-part][aria-pressed="true"]')?.offsetTop ?? 0) - byId("parts").offsetTop;
 listenToLayers();
 listen();
 controls.start();
+makeSortable();

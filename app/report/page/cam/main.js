@@ -5,7 +5,9 @@ const { result } = data;
 const designs = data.designs.map((drawn) => new CamDesign(drawn, data));
 const state = { index: 0, deg: 0, turns: 0, byTime: false };
 const scene = new CamScene(byId("picture"), (deg) => goTo(deg, true));
-const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, true); });
+const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, true); }, (deg) => extras.point(deg));
+const extras = new Extras(document.querySelector(".layers"), [new Trace()]);
+extras.onToggle = () => showLegend();
 const values = new CamValues();
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
   (sense, large) => goTo(state.deg + sense * (large ? 10 : 1), true));
@@ -19,6 +21,7 @@ function goTo(deg, byHand = false) {
   state.deg = deg - 360 * whole;
   state.turns = whole === 0 ? state.turns : (state.turns + whole) % 1000;
   scene.move(state.deg, state.turns, missesPressure(current(), state.deg));
+  extras.move(state.deg);
   curves.move(state.deg);
   values.move(state.deg);
   const slider = byId("drive");
@@ -30,6 +33,7 @@ function goTo(deg, byHand = false) {
 
 function drawScene() {
   scene.build(current());
+  extras.rebuilt(scene);
   goTo(state.deg);
 }
 
@@ -46,7 +50,7 @@ function showLegend() {
   const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", say(kind.knife ? "legend.path_of_edge" : "legend.pitch"))], base: [legendItem("ground", "dashed", say(kind.flat || kind.knife ? "legend.base" : "legend.base_pitch"))],
     pressure: [legendItem("error", "line", say("legend.pressure"))], velocity: [legendItem("crank", "line", say("legend.velocity_cam")), legendItem("velocity", "line", say("legend.velocity_follower"))],
     comb: [legendItem("link-c", "line", say("legend.comb"))], envelope: [legendItem("link-b", "line", say("legend.envelope"))] };
-  byId("legend").replaceChildren(...strokes, ...Object.keys(of).filter((layer) => scene.shown[layer]).flatMap((layer) => of[layer]));
+  byId("legend").replaceChildren(...strokes, ...Object.keys(of).filter((layer) => scene.shown[layer]).flatMap((layer) => of[layer]), ...extras.legend());
   const orders = new Set(kind.jumps.map((jump) => jump.order));
   byId("marks").replaceChildren(legendItem("dwell", "dashed", say("legend.border")), ...[...orders].sort().map((order) => legendItem(JUMP_COLOURS[order].slice(2), "dashed", say(`legend.jump_${JUMPS[order]}`))));
 }
@@ -105,6 +109,7 @@ function listen() {
   });
   byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", camCsv(current())));
   new ResizeObserver(drawScene).observe(byId("picture"));
+  new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
 showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) }),
@@ -125,4 +130,5 @@ if (designs.length === 0) {
   hold("frame");
   listen();
   controls.start();
+  makeSortable();
 }

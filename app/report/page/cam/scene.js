@@ -52,6 +52,15 @@ class CamScene extends Picture {
     this.show(this.shown);
   }
 
+  // The centre of the roller, or the contact of a face, as the picture holds it.
+  marksAt(deg) {
+    if (!this.design?.sound) return [];
+    const p = this.design.first.centre(deg) ?? this.design.first.contact(deg);
+    if (!p) return [];
+    const [x, y] = this.held === "cam" ? rotated(p, -deg) : p;
+    return [[this.design.mirror * x, y]];
+  }
+
   local([x, y]) { return [this.view.scale * x, -this.view.scale * y]; }
   closed(points) { return `${pathThrough(points.map((p) => this.local(p)))}Z`; }
 

@@ -2,7 +2,7 @@
 
 class DesignMechanismScene extends MechanismScene {
   constructor(frame, design, onDrag) {
-    super(frame, design.mechanism, onDrag);
+    super(frame, design.mechanism, onDrag, NO_TABLE, design.angular ? 1 / RADIANS : 1);
     this.design = design;
   }
 
@@ -18,6 +18,9 @@ class DesignMechanismScene extends MechanismScene {
     super.move(drive);
     this.axes?.move(this.mechanism.places(drive)[this.design.guided?.body ?? 0]);
   }
+
+  get aims() { return aimsOf(this.design); }
+  get wanted() { return this.design.outline; }
 
   legend() {
     return this.mechanism.bodies.slice(1).map((body, i) => legendItem(this.tint(i + 1).slice(2), "line", sentence(term(body.name))));

@@ -34,6 +34,23 @@ class Linkage {
     return this.#place(deg, interpolate(this.rockers, locate(this.cranks, this.within(deg))));
   }
 
+  // The pose by the lengths alone, not between samples: of the two places where coupler and rocker
+  // meet the one that the motion has. Null where they do not meet.
+  exact(deg) {
+    const { crank, coupler, rocker } = this.mechanism;
+    const b = along(this.a, crank, deg);
+    const [x, y] = [this.d[0] - b[0], this.d[1] - b[1]];
+    const far = Math.hypot(x, y);
+    const foot = (coupler * coupler - rocker * rocker + far * far) / (2 * far);
+    const square = coupler * coupler - foot * foot;
+    if (!(square >= 0)) return null;
+    const near = this.pose(deg).c;
+    const side = Math.sign((near[1] - b[1]) * x - (near[0] - b[0]) * y) || 1;
+    const high = (side * Math.sqrt(square)) / far;
+    const c = [b[0] + (foot / far) * x - high * y, b[1] + (foot / far) * y + high * x];
+    return { b, c, p: this.point ? this.#couplerPoint(b, c) : null };
+  }
+
   // Where the axes of a body stand in a pose, [x, y, cos, sin]: 1 the crank, 2 the coupler, 3 the
   // rocker, each from its first joint to its second.
   placeOf(body, pose) {

@@ -9,7 +9,7 @@ const designs = result.designs.map(makeDesign);
 const loci = data.loci ?? [];
 const state = { index: 0, crank: 0, framing: "whole", magnify: 0, shownLoci: new Set(loci.keys()) };
 let scene = null;
-const curves = new Curves(byId("plots"), (crank) => { if (crank !== null) turnTo(crank, true); });
+const curves = new Curves(byId("plots"), (crank) => { if (crank !== null) turnTo(crank, true); }, (crank) => extras.point(crank));
 const controls = new Controls((seconds) => turnTo(controls.player.next(playedCrank(), current().played, seconds)),
   (sense, large) => turnTo(state.crank + sense * (large ? 10 : 1) * stepOf(current()), true));
 
@@ -32,6 +32,7 @@ function turnTo(crank, byHand = false) {
   state.crank = design.within(crank);
   design.crank = state.crank;
   scene.move(design.moved(state.crank));
+  extras.move(state.crank);
   curves.move(state.crank);
   const slider = byId("crank");
   slider.value = state.crank;
@@ -42,6 +43,7 @@ function turnTo(crank, byHand = false) {
 
 function drawScene() {
   scene.build(current(), { framing: state.framing, magnify: MAGNIFICATIONS[state.magnify], loci, shownLoci: state.shownLoci });
+  extras.rebuilt(scene);
   turnTo(state.crank);
 }
 
@@ -72,7 +74,7 @@ function showLegend(magnification) {
   else if (design.targets.length) own.push(legendItem("target", "dot", say("legend.target")));
   if (design.targets.length) own.push(legendItem("error", "line", say("legend.error", { scale: magnification })));
   if (design.stretch.length) own.push(legendItem("error", "line", say("legend.straight")));
-  byId("legend").replaceChildren(...scene.legend(), ...own);
+  byId("legend").replaceChildren(...scene.legend(), ...own, ...extras.legend());
 }
 
 // A button for each curve of the synthesis, which shows and hides it.
@@ -122,11 +124,16 @@ function listen() {
   byId("magnify").addEventListener("input", (event) => { setMagnification(Number(event.target.value)); drawScene(); });
   byId("framing").addEventListener("click", (event) => {
     const framing = event.target.closest("button")?.dataset.framing;
-    if (framing) { setFraming(framing); drawScene(); }
+    if (framing) { Object.assign(scene.camera, { factor: 1, shift: [0, 0] }); setFraming(framing); drawScene(); }
   });
   new ResizeObserver(drawScene).observe(byId("picture"));
+  new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
+const notes = byId("ghosts");
+const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
+  ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
+extras.onToggle = () => setMagnification(state.magnify);
 let table = null;
 let families = null;
 showDesignHead(result, kind);
@@ -147,4 +154,5 @@ if (designs.length === 0) {
   choose(0);
   listen();
   controls.start();
+  makeSortable();
 }

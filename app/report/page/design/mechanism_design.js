@@ -28,7 +28,7 @@ class MechanismDesign {
     this.mechanism = new Mechanism(samples, { from: this.from, to: this.to, round: this.fullTurn });
     this.point = this.mechanism.points.find((point) => point.name === "P" && point.moves && !point.isPin) ?? null;
     this.boxes = this.#boxes();
-    this.stretch = target.kind === "straight-line" ? stretchOf(entry, (drive) => this.#pointAt(drive)) : [];
+    this.stretch = target.kind === "straight-line" ? stretchOf(entry, (drive) => this.pointAt(drive)) : [];
     this.crank = this.within(this.stations[0] ?? this.from);
   }
 
@@ -55,7 +55,7 @@ class MechanismDesign {
 
   get outputName() { return term(this.mechanism.bodies[this.mechanism.output].name); }
 
-  #pointAt(drive) {
+  pointAt(drive) {
     return this.point && Mechanism.point(this.mechanism.places(drive)[this.point.body], this.point.at);
   }
 

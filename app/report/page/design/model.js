@@ -58,6 +58,7 @@ class Design {
   get from() { return this.linkage.from; }
   get to() { return this.linkage.to; }
   within(crank) { return this.linkage.within(crank); }
+  pointAt(crank) { return this.linkage.exact(this.linkage.within(crank))?.p ?? null; }
   sceneIn(frame, onDrag) { return new Scene(frame, onDrag); }
   moved(crank) { return this.linkage.pose(crank); }
 

@@ -24,6 +24,28 @@ class Scene extends Picture {
     return [legendItem("crank", "line", say("part.crank")), legendItem("coupler", "line", say("part.coupler")), legendItem("rocker", "line", say("part.rocker"))];
   }
 
+  get drives() { return this.design.linkage.cranks; }
+  // Places that things of the picture come to.
+  get crowd() {
+    const { linkage } = this.design;
+    return [linkage.a, linkage.d, ...linkage.poses.flatMap(({ b, c, p }) => (p ? [b, c, p] : [b, c]))];
+  }
+
+  get aims() { return aimsOf(this.design); }
+  get wanted() { return this.design.outline; }
+
+  marksAt(crank) {
+    const { b, c, p } = this.design.linkage.pose(crank);
+    return p ? [p] : [b, c];
+  }
+
+  fourBarAt(crank) {
+    const { linkage } = this.design;
+    return { a: linkage.a, d: linkage.d, ...linkage.pose(crank) };
+  }
+
+  ratesAt(crank) { return fourBarRates(this.fourBarAt(crank)); }
+
   #paths() {
     const { linkage } = this.design;
     const line = (key) => pathThrough(linkage.poses.map((pose) => this.view.screen(pose[key])));

@@ -8,13 +8,24 @@ class DesignPanel {
       (sense, large) => this.turn(this.phase + sense * (large ? 10 : 1) * RADIANS, true));
     this.scene = data.linkage ? new LinkageScene(byId("picture"), (phase) => this.turn(phase, true)) : null;
     byId("linkage").hidden = !this.scene;
+    this.#place();
+    this.extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+    this.extras.onToggle = () => byId("legend").replaceChildren(...this.extras.legend());
     byId("drive").addEventListener("input", (event) => this.turn(Number(event.target.value) * RADIANS, true));
     for (const [id, by] of [["previous", -1], ["next", 1]]) byId(id).addEventListener("click", () => this.#step(by));
     for (const button of document.querySelectorAll("[data-copy]")) button.addEventListener("click", () => copy(button));
     if (this.scene) {
       new ResizeObserver(() => this.#draw()).observe(byId("picture"));
+      new Zoom(byId("linkage"), byId("picture"), () => this.scene, () => this.#draw());
       this.controls.start();
     }
+  }
+
+  // Without a linkage to move, the row stands beside the scatter plot.
+  #place() {
+    if (this.scene) return;
+    byId("scatter").classList.add("stage");
+    byId("scatter").after(document.querySelector("#main > .side"));
   }
 
   #step(by) {
@@ -56,6 +67,7 @@ class DesignPanel {
   #draw() {
     if (!this.scene || this.study.selected === null) return;
     this.scene.build(this.linkageOf(this.study.selected));
+    this.extras.rebuilt(this.scene);
     this.turn(this.phase);
   }
 
@@ -65,6 +77,7 @@ class DesignPanel {
     this.phase = phase - TURN * Math.floor(phase / TURN);
     if (!this.scene?.linkage) return;
     this.scene.move(this.phase);
+    this.extras.move(this.phase);
     byId("drive").value = this.phase / RADIANS;
     const crank = this.scene.linkage.pose(this.phase)?.crank;
     byId("drive-value").textContent = crank === undefined ? "–" : degrees(crank - 360 * Math.floor(crank / 360), 1);

@@ -145,7 +145,7 @@ if (canDraw && count) {
 }
 showCount();
 design.show();
-followTheme(repaint);
+followTheme(() => { repaint(); parallel?.build(); });
 byId("clear").addEventListener("click", () => { study.filters.clear(); showFiltered(); });
 byId("save-rows").addEventListener("click", () => saveText(data.study.title, "csv", "text/csv", rows.csv));
 byId("rows-note").textContent = say("rows.note");

@@ -28,6 +28,21 @@ class LinkageScene extends Picture {
     this.listen(this.handle, (q) => this.#phaseAt(q));
   }
 
+  // The drive of this picture is the phase of the motion.
+  get drives() { return Array.from({ length: 181 }, (_, i) => (TURN * i) / 180); }
+
+  marksAt(phase) {
+    const pose = this.linkage?.pose(phase);
+    return pose ? (pose.p ? [pose.p] : [pose.b, pose.c]) : [];
+  }
+
+  fourBarAt(phase) {
+    const pose = this.linkage?.pose(phase);
+    return pose ? { a: this.linkage.closure.a, d: this.linkage.closure.d, ...pose } : null;
+  }
+
+  ratesAt(phase) { return this.linkage?.closes ? fourBarRates(this.fourBarAt(phase)) : []; }
+
   // The phase at which the point that is held is nearest to q.
   #phaseAt(q) {
     const key = this.samples[0].p ? "p" : "b";

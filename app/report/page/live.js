@@ -1,0 +1,18 @@
+// What a screen reader is told of the picture, once it rests.
+
+const REST = 600;
+
+class Live {
+  constructor() {
+    this.region = element("p", { class: "unseen", id: "live", role: "status", "aria-live": "polite" });
+    document.body.append(this.region);
+  }
+
+  // `text()` is asked when nothing has been told for a while.
+  tell(text) {
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => { this.region.textContent = text(); }, REST);
+  }
+
+  hush() { clearTimeout(this.waiting); }
+}
