@@ -1,0 +1,29 @@
+/// @file The definition of the command line: commands, options and what the help says of them.
+/// Help, completion and manual pages are made from it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace cognate::app {
+
+/// What the command line says, as it was written.
+struct Arguments {
+  std::string file;
+  std::string seed, threads, time_limit, out;
+  std::string format, row, design, curve, cutter_radius, chord_tolerance;
+  bool json = false;
+  bool quiet = false;
+  bool metrics = false;
+};
+
+/// The commands and options, and where parsing puts what was written. It is not to be moved: the
+/// definition points at `arguments`.
+struct CommandLine {
+  CommandLine();
+
+  Arguments arguments;
+  CLI::App app;
+};
+
+}  // namespace cognate::app
