@@ -17,6 +17,13 @@ foreach(room IN ITEMS analysis synthesis problems)
 endforeach()
 if(TARGET cognate)
   install(TARGETS cognate)
+  install(FILES ${PROJECT_BINARY_DIR}/app/cognate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${PROJECT_BINARY_DIR}/app/cognate.bash RENAME cognate
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${PROJECT_BINARY_DIR}/app/cognate.zsh RENAME _cognate
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${PROJECT_BINARY_DIR}/app/cognate.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
 if(TARGET cognate-mpi)
   install(TARGETS cognate-mpi)

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/messages.hpp"
+#include "app/metric_unit.hpp"
 #include "app/paint.hpp"
 #include "app/text_table.hpp"
 #include "problems/analysis/output_travel.hpp"
@@ -24,12 +25,16 @@ bool drive_slides(const AnalysisProblem& problem) {
   return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
 }
 
-/// An angle to a billionth of a degree, so that rounding is not shown as an angle.
-std::string coordinate(double value, bool angle) {
+/// A length, or an angle in degrees to a billionth, so that rounding is not shown as an angle.
+std::string number(double value, bool angle) {
   constexpr double kFinest = 1e-9;
   if (!angle) return fmt::format("{:.6g}", value);
   const double shown = std::round(problems::degrees(value) / kFinest) * kFinest;
-  return fmt::format("{:.6g} deg", shown + 0.0);
+  return fmt::format("{:.6g}", shown + 0.0);
+}
+
+std::string coordinate(double value, bool angle) {
+  return number(value, angle) + (angle ? " deg" : "");
 }
 
 std::string status_line(const AnalysisResult& result) {
@@ -58,42 +63,40 @@ struct Written {
   std::string operator()(const std::string& value) const { return printable(value); }
 };
 
-void append_lines(std::string& text, const std::vector<Column>& columns, bool colour) {
-  const auto lines = set_columns(columns);
-  text += '\n' + paint(lines.front(), Colour::bold, colour) + '\n';
-  for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + '\n';
-}
-
-void append_facts(std::string& text, const AnalysisResult& result, bool colour) {
+void append_facts(std::string& text, const AnalysisResult& result, const Screen& screen) {
   Column names{"metric", Align::left, {}};
   Column values{"value", Align::left, {}};
+  Column units{"unit", Align::left, {}};
   for (const auto& fact : result.facts) {
     names.cells.push_back(printable(fact.name));
     values.cells.push_back(std::visit(Written{}, fact.value));
+    units.cells.push_back(metric_unit(fact.name));
   }
-  if (!names.cells.empty()) append_lines(text, {names, values}, colour);
+  if (!names.cells.empty()) text += table_text({names, values, units}, screen);
 }
 
 void append_landmarks(std::string& text, const AnalysisProblem& problem,
-                      const AnalysisResult& result, bool colour) {
+                      const AnalysisResult& result, const Screen& screen) {
   if (result.landmarks.empty()) return;
   const auto& bodies = problem.mechanism.bodies;
   const auto output = static_cast<std::size_t>(problem.mechanism.output);
   const bool turns = !problems::output_travel(problem.mechanism).slides;
   Column kinds{"landmark", Align::left, {}};
   Column owners{"of", Align::left, {}};
-  Column drives{drive_slides(problem) ? "slide" : "crank", Align::right, {}};
-  Column values{printable(bodies[output]), Align::right, {}};
+  const auto unit = [](bool angle) { return angle ? " [deg]" : " [length]"; };
+  const bool driven_by_angle = !drive_slides(problem);
+  Column drives{
+      std::string(driven_by_angle ? "crank" : "slide") + unit(driven_by_angle), Align::right, {}};
+  Column values{printable(bodies[output]) + unit(turns), Align::right, {}};
   for (const auto& landmark : result.landmarks) {
-    kinds.cells.push_back(landmark.again
-                              ? fmt::format("{}, also at {}", landmark.kind,
-                                            coordinate(*landmark.again, !drive_slides(problem)))
-                              : landmark.kind);
+    kinds.cells.push_back(landmark.again ? fmt::format("{}, also at {}", landmark.kind,
+                                                       coordinate(*landmark.again, driven_by_angle))
+                                         : landmark.kind);
     owners.cells.push_back(printable(landmark.of));
-    drives.cells.push_back(coordinate(landmark.drive, !drive_slides(problem)));
-    values.cells.push_back(std::isfinite(landmark.value) ? coordinate(landmark.value, turns) : "–");
+    drives.cells.push_back(number(landmark.drive, driven_by_angle));
+    values.cells.push_back(std::isfinite(landmark.value) ? number(landmark.value, turns) : "–");
   }
-  append_lines(text, {kinds, owners, drives, values}, colour);
+  text += table_text({kinds, owners, drives, values}, screen);
 }
 
 }  // namespace
@@ -109,11 +112,11 @@ std::string describe(const AnalysisProblem& problem) {
 }
 
 std::string analysis_table(const AnalysisProblem& problem, const AnalysisResult& result,
-                           bool colour) {
+                           const Screen& screen) {
   std::string text = describe(problem) + '\n';
-  text += paint(status_line(result), status_colour(result), colour) + '\n';
-  append_facts(text, result, colour);
-  append_landmarks(text, problem, result, colour);
+  text += paint(status_line(result), status_colour(result), screen.colour) + '\n';
+  append_facts(text, result, screen);
+  append_landmarks(text, problem, result, screen);
   text += '\n';
   for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
   text +=

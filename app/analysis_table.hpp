@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/screen.hpp"
 #include "problems/analysis/analysis_result.hpp"
 
 namespace cognate::app {
@@ -11,8 +12,8 @@ namespace cognate::app {
 std::string describe(const problems::AnalysisProblem& problem);
 
 /// A heading, the status in words, the facts and the landmarks as tables, the notes, and the time.
-/// With `colour`, ANSI colours mark the status.
+/// On a screen with colours these mark the status.
 std::string analysis_table(const problems::AnalysisProblem& problem,
-                           const problems::AnalysisResult& result, bool colour);
+                           const problems::AnalysisResult& result, const Screen& screen);
 
 }  // namespace cognate::app

@@ -26,7 +26,7 @@ ExitStatus analyze_command(const std::filesystem::path& file, const Options& opt
                  {".report.html",
                   [&](const auto& document) { return report_html(document, *problem, result); }}},
        .when_interrupted = "interrupted; what was computed until then is reported",
-       .table = [&](bool colour) { return analysis_table(*problem, result, colour); },
+       .table = [&](const Screen& screen) { return analysis_table(*problem, result, screen); },
        .exit_status = [&] { return result.closed_rows > 0 ? exit_done : exit_no_design; }});
 }
 

@@ -53,7 +53,7 @@ class Columns {
     columns_.push_back(std::move(column));
   }
 
-  std::vector<std::string> lines() const { return set_columns(columns_); }
+  std::string text(const Screen& screen) const { return table_text(columns_, screen); }
 
  private:
   std::span<const CamDesign> designs_;
@@ -75,14 +75,15 @@ void add_lengths(const CamProblem& problem, Columns& columns) {
        {"face offset", &D::face_offset}}};
   for (std::size_t i = 0; i < kLengths.size(); ++i) {
     if (!problem.lengths[i].used) continue;
-    columns.add(kLengths[i].heading, Align::right, [&](const CamDesign& design) {
-      return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*kLengths[i].value);
-    });
+    columns.add(
+        std::string(kLengths[i].heading) + " [length]", Align::right, [&](const CamDesign& design) {
+          return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*kLengths[i].value);
+        });
   }
 }
 
 void append_designs(std::string& text, const CamProblem& problem,
-                    std::span<const CamDesign> designs, bool colour) {
+                    std::span<const CamDesign> designs, const Screen& screen) {
   Columns columns(designs);
   int number = 0;
   columns.add("#", Align::right, [&](const CamDesign&) { return std::to_string(++number); });
@@ -94,15 +95,13 @@ void append_designs(std::string& text, const CamProblem& problem,
     columns.add(heading, Align::right,
                 [&](const CamDesign& design) { return placed(design, name); });
   };
-  add_fact("pressure of rise [deg]", "pressure_angle_deg_max_rise");
-  add_fact("of return [deg]", "pressure_angle_deg_max_return");
-  add_fact("least radius [at deg]", "curvature_radius_min");
-  add_fact("greatest torque [at deg]", "torque_max");
+  add_fact("pressure of rise [deg at deg]", "pressure_angle_deg_max_rise");
+  add_fact("of return [deg at deg]", "pressure_angle_deg_max_return");
+  add_fact("least radius [length at deg]", "curvature_radius_min");
+  add_fact("greatest torque [N m at deg]", "torque_max");
   columns.add("constraints", Align::left, constraints_text);
   columns.add("origin", Align::left, [](const CamDesign& d) { return printable(d.origin); });
-  const auto lines = columns.lines();
-  text += '\n' + paint(lines.front(), Colour::bold, colour) + '\n';
-  for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + '\n';
+  text += columns.text(screen);
 }
 
 /// Why the best design cannot be smaller.
@@ -130,23 +129,23 @@ int feasible_count(const CamResult& result) {
   }));
 }
 
-std::string cam_table(const CamProblem& problem, const CamResult& result, bool colour) {
+std::string cam_table(const CamProblem& problem, const CamResult& result, const Screen& screen) {
   std::string text = describe(problem) + '\n';
   const int feasible = feasible_count(result);
   text += paint(status_line(result.status, result.designs.size(), feasible),
-                status_colour(result.status, feasible), colour) +
+                status_colour(result.status, feasible), screen.colour) +
           '\n';
   const auto shown =
       std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
-  if (!shown.empty()) append_designs(text, problem, shown, colour);
+  if (!shown.empty()) append_designs(text, problem, shown, screen);
   if (shown.size() < result.designs.size()) {
     text += fmt::format("and {} more, which the result file and the report hold\n",
                         result.designs.size() - shown.size());
   }
   text += '\n';
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    append_violations(text, i + 1, shown[i].constraints, colour);
-  }
+  Violations violations;
+  for (std::size_t i = 0; i < shown.size(); ++i) violations.add(i + 1, shown[i].constraints);
+  text += violations.text(screen.colour);
   text += proof_line(result);
   for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
   return text + work_line(result.work);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/screen.hpp"
 #include "problems/cam/cam_result.hpp"
 
 namespace cognate::app {
@@ -13,9 +14,9 @@ int feasible_count(const problems::CamResult& result);
 /// A heading, the status in words, one row for each of the first 20 designs (number, lengths,
 /// greatest pressure angles of rise and return and least convex radius of curvature, each with the
 /// cam angle of its place, constraints, origin), then what a design violates, what proves the size
-/// of the best one, the notes, and the time. Angles are in degrees. With `colour`, ANSI colours
+/// of the best one, the notes, and the time. Angles are in degrees. On a screen with colours these
 /// mark what is met and missed.
 std::string cam_table(const problems::CamProblem& problem, const problems::CamResult& result,
-                      bool colour);
+                      const Screen& screen);
 
 }  // namespace cognate::app

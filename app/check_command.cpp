@@ -83,7 +83,8 @@ ExitStatus check_command(const std::filesystem::path& file, const Options& optio
     printed = print(write_json(document));
   } else if (read && !options.quiet) {
     const std::string what = std::visit(Description{}, *read);
-    printed = print(printable(file.string() + ": " + what + "; no fault found") + '\n');
+    const auto line = printable(file.string() + ": " + what + "; no fault found") + '\n';
+    printed = print(fitted(line, standard_output()));
   }
   return read ? printed : exit_bad_input;
 }

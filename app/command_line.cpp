@@ -14,7 +14,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
     {{"SUBCOMMAND", "COMMAND"}, {"Positionals", "Arguments"}, {"REQUIRED", ""}, {"TEXT", ""}}};
 
 void add_common_options(CLI::App& app, Arguments& arguments) {
-  app.add_flag("--json", arguments.json, "print a JSON document on standard output, nothing else");
+  app.add_flag("--json", arguments.json, "print a JSON document and nothing else");
   app.add_option("--seed", arguments.seed, "start of all random choices (default 1)")
       ->type_name("N");
   app.add_option("--threads", arguments.threads, "threads to use (default: all processors)")
@@ -22,21 +22,6 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--time-limit", arguments.time_limit, "stop then, and report what was found")
       ->type_name("SECONDS");
   app.add_flag("--quiet", arguments.quiet, "print neither progress nor table");
-}
-
-CLI::App& add_command(CLI::App& app, Arguments& arguments, const char* name, const char* purpose,
-                      const char* footer) {
-  CLI::App& command = *app.add_subcommand(name, purpose);
-  command.get_option("--help")->description("print this help");
-  add_common_options(command, arguments);
-  command.group("Commands");
-  command.footer(footer);
-  return command;
-}
-
-void add_file(CLI::App& command, Arguments& arguments,
-              const char* what = "the problem, a TOML file") {
-  command.add_option("FILE", arguments.file, what)->required();
 }
 
 void add_folder(CLI::App& command, Arguments& arguments) {
@@ -52,13 +37,41 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   add("--row", arguments.row, "ID", "of a study file: the design with this id");
   add("--design", arguments.design, "N", "which design, from 1 (default 1, the best)");
   add("--curve", arguments.curve, "profile|pitch|cutter",
-      "the profile (default), the path of the roller's centre or that of a cutter's");
+      "profile (default), path of roller centre or cutter");
   add("--cutter-radius", arguments.cutter_radius, "R", "of the cutter, for --curve cutter");
   add("--chord-tolerance", arguments.chord_tolerance, "T",
-      "greatest distance of polygon and curve (default 1e-4 of the base radius)");
+      "of polygons (default 1e-4 of the base radius)");
 }
 
 }  // namespace
+
+CLI::App& CommandLine::add_command(const char* name, const char* purpose, const char* footer) {
+  CLI::App& command = *app.add_subcommand(name, purpose);
+  command.get_option("--help")->description("print this help");
+  add_common_options(command, arguments);
+  command.group("Commands");
+  command.footer(footer);
+  return command;
+}
+
+CLI::App& CommandLine::add_file_command(const char* name, const char* purpose, const char* footer,
+                                        const char* file, std::vector<std::string> read) {
+  CLI::App& command = add_command(name, purpose, footer);
+  command.add_option("FILE", arguments.file, file)->required();
+  endings[name] = std::move(read);
+  return command;
+}
+
+/// Those that packagers call and a user once.
+void CommandLine::add_hidden_commands() {
+  auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
+  completion.group("");
+  completion.add_option("SHELL", arguments.shell, "bash, zsh or fish")->required();
+  completion.footer(kCompletionFooter);
+  auto& manual = *app.add_subcommand("manual", "Print the manual page, source for man.");
+  manual.group("");
+  manual.footer(kManualFooter);
+}
 
 CommandLine::CommandLine() : app(kDescription, "cognate") {
   app.footer(kFooter);
@@ -67,32 +80,25 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   app.get_option("--help")->description("print this help");
   for (const auto& [label, shown] : kLabels) app.get_formatter()->label(label, shown);
   add_common_options(app, arguments);
-  auto& solve = add_command(app, arguments, "solve", "Find designs for a problem.", kSolveFooter);
-  add_file(solve, arguments);
-  add_folder(solve, arguments);
-  auto& analyze = add_command(app, arguments, "analyze", "Evaluate a mechanism over its drive.",
-                              kAnalyzeFooter);
-  add_file(analyze, arguments);
-  add_folder(analyze, arguments);
-  auto& sweep =
-      add_command(app, arguments, "sweep", "Run a study: vary numbers, keep rows.", kSweepFooter);
-  add_file(sweep, arguments, "the study, a TOML file");
-  add_folder(sweep, arguments);
-  auto& exporting =
-      add_command(app, arguments, "export",
-                  "Write a cam's curves for CAD, as a picture or a table, or a design of a study.",
-                  kExportFooter);
-  add_file(exporting, arguments, "a result, NAME.result.json, or a study file, NAME.study.db");
+  add_folder(add_file_command("solve", "Find designs for a problem.", kSolveFooter,
+                              "the problem, a TOML file", {".toml"}),
+             arguments);
+  add_folder(add_file_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
+                              "the mechanism and its drive, a TOML file", {".toml"}),
+             arguments);
+  add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
+                              "the study, a TOML file", {".toml"}),
+             arguments);
+  auto& exporting = add_file_command("export", "Write a result for CAD, as a picture or a table.",
+                                     kExportFooter, "NAME.result.json, or a study, NAME.study.db",
+                                     {".result.json", ".study.db"});
   add_folder(exporting, arguments);
   add_export_options(exporting, arguments);
-  auto& check =
-      add_command(app, arguments, "check", "Validate a file without solving it.", kCheckFooter);
-  add_file(check, arguments);
-  auto& list =
-      add_command(app, arguments, "list",
-                  "Say what can be asked for: problem kinds, mechanisms, solvers.", kListFooter);
-  list.add_flag("--metrics", arguments.metrics,
-                "every metric of a result and column of a table, with its unit");
+  add_file_command("check", "Validate a file without solving it.", kCheckFooter,
+                   "a problem, mechanism or study, a TOML file", {".toml"});
+  auto& list = add_command("list", "Say what can be asked for, and by which keys.", kListFooter);
+  list.add_flag("--metrics", arguments.metrics, "every number of a result, with its unit");
+  add_hidden_commands();
 }
 
 }  // namespace cognate::app

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace cognate::app {
 
 /// What the command line says, as it was written.
 struct Arguments {
   std::string file;
+  std::string shell;  ///< of `completion`
   std::string seed, threads, time_limit, out;
   std::string format, row, design, curve, cutter_radius, chord_tolerance;
   bool json = false;
@@ -24,6 +27,14 @@ struct CommandLine {
 
   Arguments arguments;
   CLI::App app;
+  std::map<std::string, std::vector<std::string>> endings;  ///< of the files that a command reads
+
+ private:
+  CLI::App& add_command(const char* name, const char* purpose, const char* footer);
+  /// A command that reads a file with one of `read` for its ending.
+  CLI::App& add_file_command(const char* name, const char* purpose, const char* footer,
+                             const char* file, std::vector<std::string> read);
+  void add_hidden_commands();
 };
 
 }  // namespace cognate::app

@@ -35,7 +35,7 @@ std::optional<Outputs> outputs_of(const fs::path& file, const Options& options,
 
 problems::Status run(const Computation& computation, const Options& options) {
   const auto& interrupted = catch_interrupts();
-  Progress progress(options.quiet);
+  Progress progress(options.quiet, interrupted);
   return computation.run(
       {.seed = options.seed,
        .threads = options.threads,
@@ -98,7 +98,8 @@ ExitStatus compute(const fs::path& file, const Options& options, const Computati
   if (options.json) {
     text = write_json(*document);
   } else if (!options.quiet) {
-    text = computation.table(colour_on_standard_output()) + files_line(*outputs);
+    const Screen screen = standard_output();
+    text = fitted(computation.table(screen) + files_line(*outputs), screen);
   }
   const ExitStatus printed = print(text);
   return printed == exit_done ? computation.exit_status() : printed;

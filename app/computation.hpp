@@ -11,6 +11,7 @@
 
 #include "app/exit_status.hpp"
 #include "app/options.hpp"
+#include "app/screen.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 
@@ -29,7 +30,7 @@ struct Computation {
   std::function<tl::expected<nlohmann::ordered_json, std::string>()> document;
   std::vector<OutputFile> files;
   std::string when_interrupted;  ///< said after an interrupt: what is reported nevertheless
-  std::function<std::string(bool colour)> table;
+  std::function<std::string(const Screen& screen)> table;
   std::function<ExitStatus()> exit_status;
 };
 

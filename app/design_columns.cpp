@@ -151,13 +151,13 @@ class Columns {
           [](const Design& d) { return std::string(problems::to_string(d.mechanism.type)); });
     }
     if (!alike) {
-      add("dimensions", Align::left, dimensions_text);
+      add("dimensions [length]", Align::left, dimensions_text);
       return;
     }
     const auto names =
         designs_.empty() ? std::vector<Dimension>{} : dimensions(designs_.front().mechanism);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      add(names[i].name, Align::right,
+      add(names[i].name + " [length]", Align::right,
           [i](const Design& d) { return number(dimensions(d.mechanism)[i].value, 6); });
     }
   }
@@ -183,13 +183,13 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
   columns.add_if_any("transmission [deg]", Align::left, transmission_text);
   columns.add_if_any("time ratio", Align::right,
                      [](const Design& d) { return number(d.metrics.time_ratio, 4); });
-  columns.add_if_any("peak acceleration", Align::right,
+  columns.add_if_any(fmt::format("peak acceleration [{}]", choice.acceleration_unit), Align::right,
                      [](const Design& d) { return number(d.metrics.peak_acceleration, 4); });
-  columns.add_if_any("torque ripple", Align::right,
+  columns.add_if_any("torque ripple [N m]", Align::right,
                      [](const Design& d) { return number(d.metrics.torque_ripple, 4); });
   columns.add_dimensions();
   if (choice.coupler_point) {
-    columns.add_if_any("coupler point", Align::left, coupler_point_text);
+    columns.add_if_any("coupler point [length]", Align::left, coupler_point_text);
   }
   columns.add_if_any("residual", Align::right,
                      [](const Design& d) { return number(d.metrics.precision_residual, 2); });

@@ -19,6 +19,7 @@ struct FactColumn {
 /// What is told of designs besides what all kinds of problem have.
 struct ColumnChoice {
   std::string_view error_unit;  ///< errors are left out where empty, and in degrees where "deg"
+  std::string_view acceleration_unit = "length/s²";  ///< of the output
   bool coupler_point = false;
   std::span<const FactColumn> facts;
 };

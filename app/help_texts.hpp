@@ -4,16 +4,22 @@
 namespace cognate::app {
 
 inline constexpr const char* kDescription =
-    "Cognate finds planar linkages and cams that do what a problem file asks for, analyses "
-    "mechanisms, and maps what is possible.\n";
+    R"(Cognate finds planar linkages and cams that do what a problem file asks for,
+analyses mechanisms, and maps what is possible.
+)";
 
-inline constexpr const char* kFooter = R"(Examples:
-  cognate solve rocker.toml     find designs; then open rocker.report.html
-  cognate analyze press.toml    how a mechanism moves and what it bears
-  cognate sweep sizes.toml      vary the numbers of a file, and keep the best
-  cognate export cam.result.json --format dxf    a cam's profile for CAD
-  cognate check rocker.toml     is the file sound?
-  cognate list --metrics        what a result says of a design, and in which unit
+inline constexpr const char* kFooter = R"(First steps:
+  Take a problem from problems/library, or write one as the README shows. Then
+    cognate check rocker.toml     is the file sound? what would be solved?
+    cognate solve rocker.toml     find designs; then open rocker.report.html
+    cognate list                  every key that a file may have
+
+Examples:
+  cognate analyze press.toml      how a mechanism moves and what it bears
+  cognate sweep sizes.toml        vary the numbers of a file, and keep the best
+  cognate export cam.result.json --format dxf
+  cognate list --metrics          what a result says of a design, in which unit
+  cognate solve --help            all about a command
 
 Exit status:
   0  done; for solve: at least one design meets every constraint
@@ -22,13 +28,18 @@ Exit status:
   2  bad input: options, a file, or a place that cannot be written to
   3  a fault of Cognate's own
 
-'cognate COMMAND --help' says more about a command.)";
+Shell:
+  Commands, options and files complete themselves at the Tab key after
+    source <(cognate completion bash)       in bash; the same for zsh
+    cognate completion fish | source        in fish
+  Colours are used on a terminal alone, and not where NO_COLOR is set.)";
 
 inline constexpr const char* kSolveFooter = R"(Output:
   A table of the designs, best first, on standard output, and two files in DIR,
   NAME being FILE's name without its ending:
     NAME.result.json   every number of the designs, for programs
-    NAME.report.html   the linkages moving, their curves and errors, for a browser
+    NAME.report.html   the linkages moving, their curves and errors, for a
+                       browser
   With --json no files are written unless --out is given.
   Ctrl-C ends the search and reports what was found; a second one ends at once.
   The same file, seed and version give the same designs with any number of
@@ -51,22 +62,22 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
 
 Examples:
   cognate analyze press.toml
-  cognate analyze press.toml --out results
+  cognate analyze press.toml --out results --threads 2
   cognate analyze press.toml --json > press.json)";
 
 inline constexpr const char* kSweepFooter = R"(Output:
   The counts and the best rows on standard output, and two files in DIR, NAME
   being FILE's name without its ending:
-    NAME.study.db      the rows as an SQLite database (table runs, view best); it
-                       can be queried while the study runs
+    NAME.study.db      the rows as an SQLite database (table runs, view best),
+                       which can be queried while the study runs
     NAME.report.html   the rows in plots with filters (not with --json, unless
                        --out is given)
-  Ctrl-C and --time-limit end the run; whatever ended it, the same command goes on
-  where it stopped, and the rows are those of a run that was never stopped.
+  Ctrl-C and --time-limit end the run; whatever ended it, the same command goes
+  on where it stopped, and the rows are those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
   and of processes.
-  mpirun runs a study on many processes and machines that see the same files, each
-  with one thread unless --threads says otherwise.
+  mpirun runs a study on many processes and machines that see the same files,
+  each with one thread unless --threads says otherwise.
 
 Examples:
   cognate sweep sizes.toml
@@ -79,29 +90,46 @@ inline constexpr const char* kExportFooter = R"(Output:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle on BASE_CIRCLE, a cross on CENTRE; no unit of length
     NAME.svg   a picture with the same curves
-    NAME.csv   the points with the cam angle, outward normal, radius of curvature;
-               of a groove or conjugate cams one file for each curve
+    NAME.csv   the points with cam angle, outward normal, curvature radius; of
+               a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
   Polygons are nowhere farther from the curve than the chord tolerance.
   Of results only cams can be exported in this version.
-  With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of the
-  study with the numbers of that design.
+  With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of
+  the study with the numbers of that design.
 
 Examples:
-  cognate export cam.result.json --format dxf
-  cognate export cam.result.json --format csv --curve pitch --chord-tolerance 0.001
+  cognate export cam.result.json --format dxf --chord-tolerance 0.001
+  cognate export cam.result.json --format csv --curve pitch
   cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
   cognate export sizes.study.db --row 1234)";
 
 inline constexpr const char* kCheckFooter =
-    R"(Every fault is reported as FILE:LINE:COLUMN: what is wrong; what is allowed.
+    R"(Output:
+  What the file asks for, on standard output; or every fault in it, on standard
+  error, each as
+    FILE:LINE:COLUMN: what is wrong; what is allowed
+  The exit status is 0 for a sound file and 2 for one with faults.
 
 Examples:
   cognate check rocker.toml
   cognate check rocker.toml --json)";
 
-inline constexpr const char* kListFooter = R"(Examples:
+inline constexpr const char* kListFooter = R"(Output:
+  The kinds of problems, mechanisms, cams, motion laws, solvers and studies with
+  all keys of their files; with --metrics the numbers of results instead.
+
+Examples:
   cognate list
-  cognate list --metrics)";
+  cognate list | less
+  cognate list --metrics
+  cognate list --json > keys.json)";
+
+inline constexpr const char* kCompletionFooter = R"(Examples:
+  source <(cognate completion bash)   in ~/.bashrc; the same for zsh in ~/.zshrc
+  cognate completion fish | source    in ~/.config/fish/config.fish)";
+
+inline constexpr const char* kManualFooter = R"(Example:
+  cognate manual | man -l -)";
 
 }  // namespace cognate::app

@@ -1,6 +1,9 @@
 #include "app/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
 
 namespace cognate::app {
 namespace {
@@ -8,8 +11,18 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set by a signal handler");
 
-extern "C" void on_signal(int) {
-  interrupted.store(true, std::memory_order_relaxed);
+std::atomic<bool> line_is_unfinished{false};
+
+/// The first signal only raises the flag, the second ends the program as if it had not been caught,
+/// on an empty line.
+extern "C" void on_signal(int signal) {
+  if (!interrupted.exchange(true)) return;
+  if (line_is_unfinished.load()) {
+    constexpr std::string_view kWipe = "\r\x1b[K";
+    [[maybe_unused]] const auto unheard = ::write(STDERR_FILENO, kWipe.data(), kWipe.size());
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 void catch_once(int signal) {
@@ -17,12 +30,15 @@ void catch_once(int signal) {
   if (sigaction(signal, nullptr, &previous) == 0 && previous.sa_handler == SIG_IGN) return;
   struct sigaction action {};
   action.sa_handler = on_signal;
-  // The default action is back as soon as the handler has been entered: that is the second Ctrl-C.
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
   sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
+
+std::atomic<bool>& unfinished_line() {
+  return line_is_unfinished;
+}
 
 const std::atomic<bool>& catch_interrupts() {
   catch_once(SIGINT);

@@ -13,6 +13,7 @@
 #include "app/result_json.hpp"
 #include "app/study/study_catalogue.hpp"
 #include "app/study/study_metrics.hpp"
+#include "app/terminal.hpp"
 #include "app/text_table.hpp"
 #include "app/version.hpp"
 #include "problems/names.hpp"
@@ -211,7 +212,7 @@ ordered_json list_json(bool with_metrics) {
 
 ExitStatus list_command(bool metrics, const Options& options) {
   if (options.json) return print(write_json(list_json(metrics)));
-  return print(metrics ? metrics_text() : capabilities_text());
+  return print(fitted(metrics ? metrics_text() : capabilities_text(), standard_output()));
 }
 
 }  // namespace cognate::app

@@ -1,25 +1,22 @@
 /// @file The program `cognate`: what it is told on the command line, and how it ends.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <exception>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 
 #include "app/command_line.hpp"
+#include "app/command_line_faults.hpp"
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/shell/completion.hpp"
+#include "app/shell/manual_page.hpp"
 #include "app/study/study_processes.hpp"
 #include "app/terminal.hpp"
+#include "app/version.hpp"
 
 namespace cognate::app {
 namespace {
-
-constexpr const char* kNoCommand =
-    "no command of this version; available are solve, analyze, sweep, export, check and list; see "
-    "'cognate --help'";
 
 /// Copies `parsed` to `value`, or says what is wrong with it.
 template <class Parsed, class Value>
@@ -78,6 +75,11 @@ std::optional<ExportOptions> export_options_of(const CLI::App& command,
 
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
   const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  if (arguments.file.ends_with(".toml")) {
+    complain(arguments.file + ": export takes a result; 'cognate solve " + arguments.file +
+             "' writes one, NAME.result.json");
+    return exit_bad_input;
+  }
   if (!given("--row") && !given("--format")) {
     complain("--format is required: dxf, svg or csv; of a study file --row ID instead");
     return exit_bad_input;
@@ -98,58 +100,49 @@ ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const
   return wanted ? export_command(arguments.file, *wanted, options) : exit_bad_input;
 }
 
-/// Refuses what is not a command of this version; true where `name` may be one.
-bool may_be_command(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kCommands = {"solve",  "analyze", "sweep",
-                                                         "export", "check",   "list"};
-  const bool known = std::ranges::find(kCommands, name) != kCommands.end();
-  if (known || name.starts_with('-')) return true;
-  complain("'" + std::string(name) +
-           "' is not a command; available are solve, analyze, sweep, export, check and list");
-  return false;
+ExitStatus run_completion(const CommandLine& line) {
+  const auto& shell = line.arguments.shell;
+  if (shell == "bash") return print(bash_completion(command_tree(line)));
+  if (shell == "zsh") return print(zsh_completion(command_tree(line)));
+  if (shell == "fish") return print(fish_completion(command_tree(line)));
+  complain("completion: '" + shell + "' is not possible; allowed is bash, zsh or fish");
+  return exit_bad_input;
 }
 
-ExitStatus complain_about(const CLI::ParseError& error, const CLI::App& app) {
-  const auto called = app.get_subcommands();
-  if (called.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    complain(kNoCommand);
-    return exit_bad_input;
-  }
-  const std::string name = called.empty() ? "" : " " + called.front()->get_name();
-  complain(std::string(error.what()) + "; 'cognate" + name + " --help' says what is allowed");
-  return exit_bad_input;
+ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
+  const CLI::App& called = *line.app.get_subcommands().front();
+  const Arguments& arguments = line.arguments;
+  const std::string& name = called.get_name();
+  if (name == "completion") return run_completion(line);
+  if (name == "manual") return print(manual_page(command_tree(line), version()));
+  const auto options = options_of(line.app, arguments);
+  if (!options) return exit_bad_input;
+  if (name == "solve") return solve_command(arguments.file, *options);
+  if (name == "analyze") return analyze_command(arguments.file, *options);
+  if (name == "sweep") return sweep_command(arguments.file, *options, processes);
+  if (name == "export") return run_export(called, arguments, *options);
+  if (name == "check") return check_command(arguments.file, *options);
+  return list_command(arguments.metrics, *options);
 }
 
 ExitStatus run(int argc, char** argv, StudyProcesses& processes) {
   CommandLine line;
-  CLI::App& app = line.app;
-  const Arguments& arguments = line.arguments;
-  if (argc < 2) {
-    complain(kNoCommand);
+  const auto refusal = refused_command(line, {argv, static_cast<std::size_t>(argc)});
+  if (refusal) {
+    complain(*refusal);
     return exit_bad_input;
   }
-  if (!may_be_command(argv[1])) return exit_bad_input;
   try {
-    app.parse(argc, argv);
+    line.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return print(app.help());
+    return print(line.app.help());
   } catch (const CLI::CallForVersion&) {
-    return print(app.version() + '\n');
+    return print(line.app.version() + '\n');
   } catch (const CLI::ParseError& error) {
-    return complain_about(error, app);
+    complain(refusal_of(error, line));
+    return exit_bad_input;
   }
-
-  const CLI::App& called = *app.get_subcommands().front();
-  const auto options = options_of(app, arguments);
-  if (!options) return exit_bad_input;
-  if (called.get_name() == "solve") return solve_command(arguments.file, *options);
-  if (called.get_name() == "analyze") return analyze_command(arguments.file, *options);
-  if (called.get_name() == "sweep") {
-    return sweep_command(arguments.file, *options, processes);
-  }
-  if (called.get_name() == "export") return run_export(called, arguments, *options);
-  if (called.get_name() == "check") return check_command(arguments.file, *options);
-  return list_command(arguments.metrics, *options);
+  return run_command(line, processes);
 }
 
 }  // namespace

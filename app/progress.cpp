@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/interrupt.hpp"
 #include "app/terminal.hpp"
 
 namespace cognate::app {
@@ -15,11 +16,11 @@ using namespace std::chrono_literals;
 constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
-constexpr int kBarWidth = 30;
+constexpr int kBarWidth = 24;
 constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
 
-std::string best_words(double best) {
-  return std::isfinite(best) ? fmt::format("best {:.3g}", best) : "";
+double share_of(std::int64_t done, std::int64_t total) {
+  return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
 }
 
 std::string figures(double share, std::string_view words) {
@@ -35,38 +36,86 @@ std::string progress_bar(double share, std::string_view words, int width) {
   return fmt::format("[{:#<{}}{:.<{}}] {}", "", cells, "", width - cells, figures(done, words));
 }
 
-std::string progress_bar(double share, double best, int width) {
-  return progress_bar(share, best_words(best), width);
+std::string share_words(double share, std::optional<double> rate, std::string_view best) {
+  std::string text;
+  if (rate && *rate > 0) {
+    text = fmt::format("{} left, {} %/s", duration((1 - share) / *rate), rounded_rate(100 * *rate));
+  }
+  if (best.empty()) return text;
+  return text + (text.empty() ? "" : ", ") + std::string(best);
 }
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(error_is_terminal()) {
-  next_ = Clock::now();
-  if (terminal_) {
-    next_ += kBarDelay;
-  } else {
-    next_ += kLinePeriod;
+std::string progress_words(std::int64_t done, std::int64_t total, double rate) {
+  auto text = fmt::format("{} of {} designs", grouped(done), grouped(total));
+  if (rate > 0) {
+    text += fmt::format(", {}/s, {} left", rounded_rate(rate),
+                        duration(static_cast<double>(total - done) / rate));
   }
+  return text;
 }
+
+Progress::Progress(bool quiet, const std::atomic<bool>& stopping, double share, std::int64_t total)
+    : stopping_(stopping),
+      terminal_(error_is_terminal()),
+      total_(total),
+      share_(share),
+      pace_(Pace::Clock::now(), share) {
+  if (!quiet) writer_ = std::thread([this] { write_until_done(); });
+}
+
+Progress::Progress(bool quiet, const std::atomic<bool>& stopping)
+    : Progress(quiet, stopping, 0.0, 0) {}
+
+Progress::Progress(bool quiet, const std::atomic<bool>& stopping, std::int64_t done,
+                   std::int64_t total)
+    : Progress(quiet, stopping, share_of(done, total), total) {}
 
 Progress::~Progress() {
+  if (!writer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    is_done_ = true;
+  }
+  done_.notify_one();
+  writer_.join();
   if (bar_shown_) write_standard_error(kWipe);
+  unfinished_line() = false;
 }
 
 void Progress::update(double share, double best) {
-  update(share, best_words(best));
+  const std::lock_guard lock(mutex_);
+  share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
+  if (std::isfinite(best)) best_ = fmt::format("best {:.3g}", best);
+  pace_.mark(Pace::Clock::now(), share_);
 }
 
-void Progress::update(double share, std::string_view words) {
-  const auto now = Clock::now();
-  if (quiet_ || now < next_) return;
-  if (terminal_) {
-    write_standard_error(kWipe + progress_bar(share, words, kBarWidth));
-    bar_shown_ = true;
-    next_ = now + kBarPeriod;
-  } else {
-    write_standard_error("cognate: " + figures(std::clamp(share, 0.0, 1.0), words) + '\n');
-    next_ = now + kLinePeriod;
+void Progress::update(std::int64_t done) {
+  update(share_of(done, total_), std::numeric_limits<double>::infinity());
+}
+
+void Progress::write_until_done() {
+  std::unique_lock lock(mutex_);
+  auto wait = terminal_ ? std::chrono::milliseconds(kBarDelay) : kLinePeriod;
+  while (!done_.wait_for(lock, wait, [this] { return is_done_; })) {
+    write();
+    wait = terminal_ ? std::chrono::milliseconds(kBarPeriod) : kLinePeriod;
   }
+}
+
+std::string Progress::words() const {
+  if (stopping_) return terminal_ ? "stopping; Ctrl-C ends at once" : "stopping";
+  const auto rate = pace_.rate(Pace::Clock::now());
+  if (total_ == 0) return share_words(share_, rate, best_);
+  const auto total = static_cast<double>(total_);
+  return progress_words(std::llround(share_ * total), total_, rate.value_or(0) * total);
+}
+
+void Progress::write() {
+  if (!terminal_) return write_standard_error("cognate: " + figures(share_, words()) + '\n');
+  const auto line = progress_bar(share_, words(), kBarWidth);
+  unfinished_line() = true;
+  write_standard_error(kWipe + line.substr(0, error_width() - 1));
+  bar_shown_ = true;
 }
 
 }  // namespace cognate::app

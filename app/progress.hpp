@@ -1,42 +1,68 @@
 /// @file How far a run has come, on standard error.
 #pragma once
 
-#include <chrono>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
+
+#include "app/pace.hpp"
 
 namespace cognate::app {
 
-/// Shows the share done and the best objective so far (an error, a size) or other words: on a
+/// Shows how far a run has come, how fast it comes on and how long it will still take: on a
 /// terminal as a bar that overwrites itself, elsewhere as a line every few seconds. A run that ends
-/// quickly shows nothing. Used from one thread at a time.
+/// quickly shows nothing. A thread of its own writes, so that the line lives while the run is busy.
 class Progress {
  public:
-  /// `quiet`: show nothing at all.
-  explicit Progress(bool quiet);
+  /// A run of which only the share done is known. `quiet`: show nothing at all. `stopping` is
+  /// raised when the run has been told to end.
+  Progress(bool quiet, const std::atomic<bool>& stopping);
+  /// A run that goes on from `done` of `total` designs.
+  Progress(bool quiet, const std::atomic<bool>& stopping, std::int64_t done, std::int64_t total);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// Wipes the bar off the terminal.
   ~Progress();
 
-  /// `share` in [0, 1]; `best` may be infinite while nothing has been found.
+  /// `share` in [0, 1]; `best`, the best objective so far, may be infinite while nothing has been
+  /// found. May be called from any thread; what has been reached is not taken back.
   void update(double share, double best);
-  /// The same with `words` in the place of the best.
-  void update(double share, std::string_view words);
+  /// So many designs of the total have been done.
+  void update(std::int64_t done);
 
  private:
-  using Clock = std::chrono::steady_clock;
+  Progress(bool quiet, const std::atomic<bool>& stopping, double share, std::int64_t total);
+  void write_until_done();
+  void write();
+  std::string words() const;
 
-  bool quiet_ = false;
-  bool terminal_ = false;
-  bool bar_shown_ = false;
-  Clock::time_point next_;
+  const std::atomic<bool>& stopping_;
+  const bool terminal_;
+  const std::int64_t total_;  ///< designs; 0 where they are not counted
+  bool bar_shown_ = false;    ///< known to the writer alone
+
+  std::mutex mutex_;
+  std::condition_variable done_;
+  bool is_done_ = false;
+  double share_ = 0;
+  std::string best_;
+  Pace pace_;
+  std::thread writer_;  ///< none where nothing is shown
 };
 
-/// "[#####.....]  50 %  best 1.2e-3": the bar has `width` cells; a `best` that is not finite
-/// is left out.
-std::string progress_bar(double share, double best, int width);
-/// The same with `words` in the place of the best.
+/// "[#####.....]  50 %  words": the bar has `width` cells.
 std::string progress_bar(double share, std::string_view words, int width);
+
+/// "0:20 left, 3.1 %/s, best 0.0012" of a run of which `share` is done and `rate` in a second; what
+/// is not known is left out: the rate where it is nothing, the best where it is empty.
+std::string share_words(double share, std::optional<double> rate, std::string_view best);
+
+/// "1 234 000 of 10 000 000 designs, 52 000/s, 2:49 left". `rate` is in designs per second; where
+/// it is 0 it is left out with the time.
+std::string progress_words(std::int64_t done, std::int64_t total, double rate);
 
 }  // namespace cognate::app

@@ -43,7 +43,7 @@ ExitStatus solve_with(const std::filesystem::path& file, const AnyProblem& probl
        .files = {{".report.html",
                   [&](const auto& document) { return report_html(document, problem, result); }}},
        .when_interrupted = kInterrupted,
-       .table = [&](bool colour) { return table(problem, result, colour); },
+       .table = [&](const Screen& screen) { return table(problem, result, screen); },
        .exit_status = [&] { return status_of(result); }});
 }
 

@@ -61,13 +61,15 @@ std::string description(const problems::StraightLineProblem&) {
 
 /// Of problems with several objectives.
 constexpr FactColumn kMeasureFacts[] = {{"link_ratio", "link ratio"},
-                                        {"longest_link", "longest link"}};
-constexpr FactColumn kQuickReturnFacts[] = {
-    {"swing_deg", "swing [deg]"}, {"stroke", "stroke"}, {"pressure_angle_deg", "pressure [deg]"}};
-constexpr FactColumn kStraightLineFacts[] = {{"contact_points", "contact"},
-                                             {"straight_length_at_0_001", "straight to 0.1 %"},
-                                             {"straight_length_at_0_01", "to 1 %"}};
-constexpr FactColumn kSearchedLineFacts[] = {{"straight_length", "straight"},
+                                        {"longest_link", "longest link [length]"}};
+constexpr FactColumn kQuickReturnFacts[] = {{"swing_deg", "swing [deg]"},
+                                            {"stroke", "stroke [length]"},
+                                            {"pressure_angle_deg", "pressure [deg]"}};
+constexpr FactColumn kStraightLineFacts[] = {
+    {"contact_points", "contact [points]"},
+    {"straight_length_at_0_001", "straight to 0.1 % [length]"},
+    {"straight_length_at_0_01", "to 1 % [length]"}};
+constexpr FactColumn kSearchedLineFacts[] = {{"straight_length", "straight [length]"},
                                              {"deviation_relative", "deviation/length"},
                                              {"size_over_length", "size/length"}};
 
@@ -78,7 +80,9 @@ struct Choice {
   }
   ColumnChoice operator()(const FunctionProblem& problem) const {
     const bool angles = problem.type == problems::MechanismType::four_bar;
-    return {.error_unit = angles ? "deg" : "length", .facts = kMeasureFacts};
+    return {.error_unit = angles ? "deg" : "length",
+            .acceleration_unit = "rad/s²",
+            .facts = kMeasureFacts};
   }
   ColumnChoice operator()(const problems::MotionProblem&) const {
     return {.error_unit = "length", .facts = kMeasureFacts};
@@ -131,12 +135,11 @@ std::span<const Design> shown_designs(const Result& result) {
   return std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
 }
 
-void append_designs(std::string& text, const Problem& problem, const Result& result, bool colour) {
+void append_designs(std::string& text, const Problem& problem, const Result& result,
+                    const Screen& screen) {
   const auto designs = shown_designs(result);
   if (designs.empty()) return;
-  const auto lines = set_columns(design_columns(designs, std::visit(Choice{}, problem)));
-  text += '\n' + paint(lines.front(), Colour::bold, colour) + '\n';
-  for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + '\n';
+  text += table_text(design_columns(designs, std::visit(Choice{}, problem)), screen);
   const std::size_t left_out = result.designs.size() - designs.size();
   if (left_out > 0) {
     text += fmt::format("and {} more, which the result file and the report hold\n", left_out);
@@ -163,18 +166,18 @@ std::string describe(const Problem& problem) {
       problem);
 }
 
-std::string design_table(const Problem& problem, const Result& result, bool colour) {
+std::string design_table(const Problem& problem, const Result& result, const Screen& screen) {
   std::string text = describe(problem) + '\n';
   const int feasible = feasible_count(result);
   text += paint(status_line(result.status, result.designs.size(), feasible),
-                status_colour(result.status, feasible), colour) +
+                status_colour(result.status, feasible), screen.colour) +
           '\n';
   text += facts_line(result);
-  append_designs(text, problem, result, colour);
+  append_designs(text, problem, result, screen);
   const auto shown = shown_designs(result);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    append_violations(text, i + 1, shown[i].constraints, colour);
-  }
+  Violations violations;
+  for (std::size_t i = 0; i < shown.size(); ++i) violations.add(i + 1, shown[i].constraints);
+  text += violations.text(screen.colour);
   text += certificate_line(result);
   for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
   return text + work_line(result.work);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/screen.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -21,9 +22,9 @@ std::string describe(const problems::Problem& problem);
 /// designs (number, error or facts, class, transmission angle, time ratio, dimensions, residual and
 /// condition of an exact synthesis, defects, constraints, origin; see design_columns.hpp), then for
 /// each of these that violates a constraint what it violates, the certificate, the notes, and the
-/// time. Errors are in the unit of length for paths and in degrees for functions. With `colour`,
-/// ANSI colours mark what is met and missed.
+/// time. Errors are in the unit of length for paths and in degrees for functions. On a screen
+/// with colours these mark what is met and missed; a narrow one has the columns in blocks.
 std::string design_table(const problems::Problem& problem, const problems::Result& result,
-                         bool colour);
+                         const Screen& screen);
 
 }  // namespace cognate::app

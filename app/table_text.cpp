@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -10,6 +11,30 @@
 namespace cognate::app {
 
 using problems::Status;
+
+namespace {
+
+/// "1, 3 to 5 and 8" of rising numbers.
+std::string number_list(const std::vector<std::size_t>& numbers) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (last > i + 1) {
+      parts.push_back(fmt::format("{} to {}", numbers[i], numbers[last]));
+      i = last + 1;
+    } else {
+      parts.push_back(fmt::format("{}", numbers[i++]));
+    }
+  }
+  std::string text = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
@@ -58,20 +83,37 @@ std::string WrittenValue::operator()(const problems::Range& range) const {
   return fmt::format("{:.6g}…{:.6g}", range.min, range.max);
 }
 
-void append_violations(std::string& text, std::size_t number,
-                       std::span<const problems::ConstraintCheck> checks, bool colour) {
+void Violations::add(std::size_t number, std::span<const problems::ConstraintCheck> checks) {
   for (const auto& check : checks) {
     if (check.satisfied) continue;
-    text += paint(fmt::format("design {} violates {}", number, check.name), Colour::red, colour);
-    text += fmt::format(": {}; allowed: {}\n", std::visit(WrittenValue{}, check.value),
-                        std::visit(WrittenValue{}, check.bound));
+    const auto values = fmt::format("{}; allowed: {}", std::visit(WrittenValue{}, check.value),
+                                    std::visit(WrittenValue{}, check.bound));
+    const auto same = [&](const Line& line) {
+      return line.name == check.name && line.values == values;
+    };
+    auto line = std::ranges::find_if(lines_, same);
+    if (line == lines_.end()) line = lines_.insert(line, {check.name, values, {}});
+    line->designs.push_back(number);
   }
+}
+
+std::string Violations::text(bool colour) const {
+  std::string text;
+  for (const Line& line : lines_) {
+    const bool one = line.designs.size() == 1;
+    const auto what = fmt::format("design{} {} violate{} {}", one ? "" : "s",
+                                  number_list(line.designs), one ? "s" : "", line.name);
+    text += paint(what, Colour::red, colour) + ": " + line.values + '\n';
+  }
+  return text;
 }
 
 std::string work_line(const problems::Work& work) {
   std::string text = fmt::format("{:.3g} s on {}", work.seconds,
                                  counted(static_cast<std::size_t>(work.threads), "thread"));
-  if (work.candidates > 0) text += fmt::format(", {} candidates screened", work.candidates);
+  if (work.candidates > 0) {
+    text += ", " + counted(work.candidates, "candidate") + " screened";
+  }
   return text + '\n';
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/paint.hpp"
 #include "problems/result.hpp"
@@ -30,9 +31,22 @@ struct WrittenValue {
   std::string operator()(const problems::Range& range) const;
 };
 
-/// Adds a line for each of `checks`, those of design `number`, that is not satisfied.
-void append_violations(std::string& text, std::size_t number,
-                       std::span<const problems::ConstraintCheck> checks, bool colour);
+/// Which designs violate what: one line for all that violate a constraint by the same value.
+class Violations {
+ public:
+  /// The checks of the design `number`.
+  void add(std::size_t number, std::span<const problems::ConstraintCheck> checks);
+  /// "designs 2 and 5 to 8 violate class: rocker-crank; allowed: crank-rocker", and so on.
+  std::string text(bool colour) const;
+
+ private:
+  struct Line {
+    std::string name;
+    std::string values;  ///< what it is and what is allowed
+    std::vector<std::size_t> designs;
+  };
+  std::vector<Line> lines_;  ///< in the order in which the first design of each came
+};
 
 /// "0.5 s on 2 threads, 12 candidates screened", with the end of the line.
 std::string work_line(const problems::Work& work);

@@ -1,8 +1,10 @@
 #include "app/terminal.hpp"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 
@@ -12,6 +14,15 @@ namespace {
 bool is_capable_terminal(int descriptor) {
   const char* kind = std::getenv("TERM");
   return isatty(descriptor) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+/// One that does not know its width, as behind a serial line, has the usual one.
+std::size_t terminal_width(int descriptor) {
+  constexpr std::size_t kUsual = 80;
+  constexpr std::size_t kLeast = 20;
+  winsize size{};
+  if (::ioctl(descriptor, TIOCGWINSZ, &size) == -1 || size.ws_col == 0) return kUsual;
+  return std::max<std::size_t>(size.ws_col, kLeast);
 }
 
 std::error_code write_all(int descriptor, std::string_view text) {
@@ -28,9 +39,16 @@ std::error_code write_all(int descriptor, std::string_view text) {
 
 }  // namespace
 
-bool colour_on_standard_output() {
+Screen standard_output() {
+  Screen screen;
   const char* refused = std::getenv("NO_COLOR");
-  return is_capable_terminal(STDOUT_FILENO) && (refused == nullptr || *refused == '\0');
+  screen.colour = is_capable_terminal(STDOUT_FILENO) && (refused == nullptr || *refused == '\0');
+  if (isatty(STDOUT_FILENO) == 1) screen.width = terminal_width(STDOUT_FILENO);
+  return screen;
+}
+
+std::size_t error_width() {
+  return terminal_width(STDERR_FILENO);
 }
 
 bool error_is_terminal() {

@@ -2,14 +2,20 @@
 /// closed.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <system_error>
 
+#include "app/screen.hpp"
+
 namespace cognate::app {
 
-/// Whether a colour may be used on standard output: it is a terminal that is not `dumb`, and
-/// NO_COLOR is not set to anything.
-bool colour_on_standard_output();
+/// What standard output is. It has colours where it is a terminal that is not `dumb` and NO_COLOR
+/// is not set to anything, and the width of a terminal alone.
+Screen standard_output();
+
+/// The columns of the terminal on standard error.
+std::size_t error_width();
 
 /// Whether standard error is a terminal on which a line can be overwritten.
 bool error_is_terminal();

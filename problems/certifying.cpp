@@ -18,6 +18,7 @@ using synthesis::ProportionBox;
 using synthesis::Proportions;
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kSearchShare = 0.1;  // of a certified run, for progress
 
 Proportions proportions_of(const Constraints& constraints) {
   if (constraints.required_class == RequiredClass::crank_rocker) return Proportions::crank_shortest;
@@ -129,6 +130,15 @@ synthesis::ProportionLimits proportion_limits(const Constraints& constraints, do
   return limits;
 }
 
+Run before_certificate(const Run& run, const Solve& solve) {
+  if (!solve.certify || !run.progress) return run;
+  Run search = run;
+  search.progress = [tell = run.progress](double share, double best) {
+    tell(kSearchShare * share, best);
+  };
+  return search;
+}
+
 CertificateRun::CertificateRun(double upper, const Solve& solve, const Run& run,
                                const Deadline& deadline)
     : upper_(upper),
@@ -144,7 +154,9 @@ synthesis::BranchOptions CertificateRun::options(double scale) const {
   options.threads = run_.threads;
   options.stop = [this] { return deadline_.reached() || deadline_.spent() >= end_; };
   if (run_.progress) {
-    options.progress = [this](double share, double) { run_.progress(share, upper_); };
+    options.progress = [this](double share, double) {
+      run_.progress(kSearchShare + (1 - kSearchShare) * share, upper_);
+    };
   }
   return options;
 }

@@ -44,6 +44,10 @@ std::vector<synthesis::ProportionBox> proportion_roots(const Constraints& constr
 /// What the constraints ask of proportions beyond their root boxes.
 synthesis::ProportionLimits proportion_limits(const Constraints& constraints, double ratio);
 
+/// `run` for the search that comes before a certificate, where `solve` asks for one: its progress
+/// is then a part of the whole.
+Run before_certificate(const Run& run, const Solve& solve);
+
 /// Options for a run that ends at the gap asked for or, at the latest, when its time is over;
 /// `scale` brings bounds to the file's unit.
 class CertificateRun {

@@ -6,6 +6,7 @@
 
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
+#include "problems/certifying.hpp"
 #include "problems/conflict.hpp"
 #include "problems/deadline.hpp"
 #include "problems/error_limit.hpp"
@@ -88,7 +89,8 @@ Result solve(const FunctionProblem& problem, const Run& run) {
     return solve_by_search(one, own, deadline);
   };
   Result result = exact ? solve_exactly(problem, deadline)
-                        : solve_objectives(problem, run, deadline, solve_one);
+                        : solve_objectives(problem, before_certificate(run, problem.solve),
+                                           deadline, solve_one);
   if (!exact) {
     Run silent = run;
     silent.progress = nullptr;

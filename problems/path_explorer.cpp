@@ -33,6 +33,10 @@ constexpr double kDeepeningTolerance = 1e-13;
 constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 1000;
 /// Fits that end with costs equal to their last six digits or so are this far apart.
 constexpr double kSameFit = 1e-4;
+
+// For progress: the exploration's share of the search, and where in a round its starts have been
+// drawn and fitted.
+constexpr double kExploredByFewest = 0.6, kExplored = 0.7, kDrawn = 0.2, kFitted = 0.7;
 /// The best minimum counts as well known once so many starts have come to it.
 constexpr int kEnoughHits = 5;
 
@@ -137,20 +141,36 @@ class Explorer {
   void add_round(int first, int count, int most) {
     const Run& run = exploration_.run;
     std::vector<PathFound> fresh(static_cast<std::size_t>(count));
+    round_ = {explored(first, most), explored(first + count, most)};
     parallel_for(count, run.threads, [&](int index, int thread) {
       if (deadline_.reached()) return;
       std::mt19937_64 random = generator(run.seed, first + index);
       const auto start = source_.draw(random, kCandidatesPerStart);
       if (start) fresh[index] = placed(problem_, *start);
-      if (thread != 0 || !run.progress) return;
-      const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
-      run.progress(0.7 * (first + index) / most, any ? pool_.front().minimum.solution.objective
-                                                     : std::numeric_limits<double>::infinity());
+      if (thread == 0) report(kDrawn * index / count);
     });
     work_.candidates += static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart;
     work_.positions +=
         static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart * problem_.points.size();
     add(std::move(fresh));
+  }
+
+  /// The share of the search that is done after so many starts: most searches need the fewest only.
+  double explored(int starts, int most) const {
+    if (exploration_.starts) return kExplored * starts / most;
+    if (starts <= kFewestStarts) return kExploredByFewest * starts / kFewestStarts;
+    return kExploredByFewest +
+           (kExplored - kExploredByFewest) * (starts - kFewestStarts) / (most - kFewestStarts);
+  }
+
+  /// Tells that `part` of the round is done.
+  void report(double part) const {
+    const Run& run = exploration_.run;
+    if (!run.progress) return;
+    const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
+    run.progress(
+        round_.min + part * (round_.max - round_.min),
+        any ? pool_.front().minimum.solution.objective : std::numeric_limits<double>::infinity());
   }
 
   /// Linkages through nine of the points, where the search has not met all of them.
@@ -189,7 +209,7 @@ class Explorer {
   void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
     fit_.tolerance = kExploringTolerance;
-    fit(fresh);
+    fit(fresh, {kDrawn, kFitted});
     std::ranges::move(fresh, std::back_inserter(pool_));
     sort_and_merge(pool_, costs_less, kSameFit);
     deepen();
@@ -203,16 +223,17 @@ class Explorer {
     fit_.most_iterations =
         limits_turn(problem_.constraints) ? kLimitedIterations : kDeepeningIterations;
     fit_.tolerance = kDeepeningTolerance;
-    fit({pool_.begin(), done});
+    fit({pool_.begin(), done}, {kFitted, 1});
     for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
     sort_and_merge(pool_, costs_less, kSameFit);
   }
 
-  void fit(std::span<PathFound> some) {
+  /// `parts`: of the round, between which progress is told.
+  void fit(std::span<PathFound> some, const Range& parts) {
     if (knows_lanes_) {
       fit_in_lanes(problem_, some, fit_);
     } else {
-      fit_one_by_one(some);
+      fit_one_by_one(some, parts);
     }
     count_work(some, problem_.points.size(), work_);
     if (problem_.constraints.full_turn) mark_strays(some);
@@ -229,8 +250,10 @@ class Explorer {
   }
 
   /// By the solver that refines them later, under all limits.
-  void fit_one_by_one(std::span<PathFound> some) {
-    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
+  void fit_one_by_one(std::span<PathFound> some, const Range& parts) {
+    const double step = (parts.max - parts.min) / std::max<double>(1, double(some.size()));
+    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int thread) {
+      if (thread == 0) report(parts.min + step * index);
       PathFound& found = some[index];
       if (!found.valid) return;
       if (deadline_.reached()) {
@@ -269,6 +292,7 @@ class Explorer {
       problem_.solve.loss == synthesis::Loss::none && !limits_turn(problem_.constraints);
   synthesis::PathFitOptions fit_;
   std::vector<PathFound> pool_;
+  Range round_{0, 0};  ///< shares of the whole search at the round's beginning and end
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "analysis/cognates.hpp"
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
+#include "problems/certifying.hpp"
 #include "problems/conflict.hpp"
 #include "problems/crank_sense.hpp"
 #include "problems/curve_following.hpp"
@@ -215,7 +216,7 @@ Result solve(const PathProblem& problem, const Run& run) {
   if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
   const Deadline deadline(run);
   Result result = solve_objectives(
-      problem, run, deadline,
+      problem, before_certificate(run, problem.solve), deadline,
       [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;

@@ -73,7 +73,7 @@ class PathSearch {
 
   void explore();
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
-                   int iterations, double share);
+                   int iterations, const Range& shares);
   void finish(synthesis::Backend backend);
   PathSearchResult take();
 
@@ -113,12 +113,13 @@ void PathSearch::explore() {
 
 /// Goes on with `reserve` and twice the designs wanted.
 void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
-                             synthesis::Backend backend, int iterations, double share) {
+                             synthesis::Backend backend, int iterations, const Range& shares) {
   if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
+  const double step = (shares.max - shares.min) / std::max<double>(1, double(all_.size()));
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
     refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_, run_.seed));
-    if (thread == 0 && run_.progress) run_.progress(share, best_);
+    if (thread == 0 && run_.progress) run_.progress(shares.min + step * index, best_);
   });
   count_work(all_, problem.points.size(), work_);
   for (const PathFound& found : all_) lower_best(found);
@@ -128,13 +129,13 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
 /// Brings the best to convergence at all points, by `backend` in the end.
 void PathSearch::finish(synthesis::Backend backend) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
-  refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, 0.8);
+  refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
   if (!thinning_.is_whole()) {
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
-    refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, 0.9);
+    refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, {0.8, 0.9});
   }
   if (backend != gauss_newton) {
-    refine_best(whole_, kFinished, backend, kFinishingIterations, 0.95);
+    refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
   }
 }
 

@@ -18,6 +18,7 @@ constexpr StretchEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
 constexpr double kBent = 0.02;
 constexpr double kFeasible = 1e-7;
+constexpr double kDescended = 0.6;  // share of the work, for progress, when all points are there
 
 /// Points of the front by falling bound on the size.
 class Front {
@@ -34,7 +35,7 @@ class Front {
       auto best = solve(bound, neighbours(points_.size()), effort);
       if (!best || best->objective > kBent) break;
       points_.push_back({bound, *best});
-      if (run_.progress) run_.progress(double(i + 1) / (kMostPoints + 4), best->objective);
+      if (run_.progress) run_.progress(kDescended * (i + 1) / kMostPoints, best->objective);
     }
   }
 
@@ -42,6 +43,10 @@ class Front {
   void settle() {
     for (std::size_t i = points_.size(); i-- > 0;) {
       if (deadline_.reached()) return;
+      if (run_.progress) {
+        const double done = 1 - double(i + 1) / double(points_.size());
+        run_.progress(kDescended + (1 - kDescended) * done, points_[i].found.objective);
+      }
       auto best = solve(points_[i].bound, neighbours(i), kOnward);
       if (best && best->objective < points_[i].found.objective) points_[i].found = *best;
     }

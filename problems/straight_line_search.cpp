@@ -342,10 +342,13 @@ void Search::deepen(std::size_t reserve) {
   keep_most_promising(kept(reserve));
   report(0.7);
   const std::vector<double> nodes = stretch_nodes(kFineCells);
-  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int) {
+  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int thread) {
     if (deadline_.reached()) return;
     FoundStretch& found = all_[static_cast<std::size_t>(i)];
     FoundStretch next = found;
+    if (thread == 0 && run_.progress) {
+      run_.progress(0.7 + 0.2 * i / double(all_.size()), std::numeric_limits<double>::infinity());
+    }
     if (objective_ != StretchObjective::deviation) approach(next, nodes);
     refine(next, nodes, Backend::ipopt, kFineIterations);
     const bool other = objective_ != StretchObjective::deviation;  // than that of the start

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/screen.hpp"
 #include "app/study/study_database.hpp"
 #include "app/study/study_rows.hpp"
 #include "app/study/study_run.hpp"
@@ -34,6 +35,7 @@ nlohmann::ordered_json study_json(const problems::Study& study);
 std::string describe_study(const problems::Study& study);
 
 /// A heading, how it ended, the counts, the best rows in columns, the notes, and the time.
-std::string study_table(const problems::Study& study, const StudySummary& summary, bool colour);
+std::string study_table(const problems::Study& study, const StudySummary& summary,
+                        const Screen& screen);
 
 }  // namespace cognate::app

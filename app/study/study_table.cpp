@@ -3,8 +3,9 @@
 #include <variant>
 
 #include "app/messages.hpp"
+#include "app/metric_unit.hpp"
+#include "app/pace.hpp"
 #include "app/paint.hpp"
-#include "app/study/study_progress.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text_table.hpp"
 
@@ -55,7 +56,10 @@ std::string cell_text(const problems::Cell& cell) {
 
 Column column_of(const StudyRows& rows, std::size_t index) {
   const auto width = rows.columns.size();
-  Column column{.heading = printable(rows.columns[index]), .align = Align::right};
+  const auto& name = rows.columns[index];
+  const auto unit = metric_unit(name);
+  Column column{.heading = printable(name) + (unit.empty() ? "" : " [" + unit + "]"),
+                .align = Align::right};
   for (std::size_t row = 0; row < rows.ids.size(); ++row) {
     const auto& cell = rows.cells[row * width + index];
     if (std::holds_alternative<std::string>(cell)) column.align = Align::left;
@@ -64,18 +68,15 @@ Column column_of(const StudyRows& rows, std::size_t index) {
   return column;
 }
 
-std::string best_table(const problems::Study& study, const StudyRows& rows, bool colour) {
+std::string best_table(const problems::Study& study, const StudyRows& rows, const Screen& screen) {
   if (rows.ids.empty()) return "";
   std::vector<Column> columns{{.heading = "row", .align = Align::right}};
   for (const auto id : rows.ids) columns[0].cells.push_back(fmt::format("{}", id));
   for (std::size_t i = 0; i < rows.columns.size(); ++i) columns.push_back(column_of(rows, i));
   std::string text = study.objectives.size() > 1
-                         ? "\nOn the Pareto front, in the order of the first objective:\n"
-                         : "\nThe best:\n";
-  auto lines = set_columns(columns);
-  lines[0] = paint(lines[0], Colour::bold, colour);
-  for (const auto& line : lines) text += line + '\n';
-  return text;
+                         ? "\nOn the Pareto front, in the order of the first objective:"
+                         : "\nThe best:";
+  return text + table_text(columns, screen);
 }
 
 }  // namespace
@@ -90,12 +91,13 @@ std::string describe_study(const problems::Study& study) {
                                counted_designs(problems::design_count(study)), study.base, varied));
 }
 
-std::string study_table(const problems::Study& study, const StudySummary& summary, bool colour) {
-  auto text = paint(describe_study(study), Colour::bold, colour) + '\n';
-  text += paint(end_words(study, summary), end_colour(summary), colour) + '\n';
+std::string study_table(const problems::Study& study, const StudySummary& summary,
+                        const Screen& screen) {
+  auto text = paint(describe_study(study), Colour::bold, screen.colour) + '\n';
+  text += paint(end_words(study, summary), end_colour(summary), screen.colour) + '\n';
   const auto counts = counts_words(summary.counts);
   if (!counts.empty()) text += counts + '\n';
-  text += best_table(study, summary.best, colour);
+  text += best_table(study, summary.best, screen);
   for (const auto& note : summary.notes) text += "note: " + printable(note) + '\n';
   if (summary.evaluated == 0) return text;
   const double rate = static_cast<double>(summary.evaluated) / summary.seconds;

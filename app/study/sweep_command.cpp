@@ -12,6 +12,7 @@
 #include "app/interrupt.hpp"
 #include "app/messages.hpp"
 #include "app/output_files.hpp"
+#include "app/progress.hpp"
 #include "app/report/study_report.hpp"
 #include "app/result_json.hpp"
 #include "app/study/read_rows.hpp"
@@ -20,7 +21,6 @@
 #include "app/study/study_lock.hpp"
 #include "app/study/study_metrics.hpp"
 #include "app/study/study_processes.hpp"
-#include "app/study/study_progress.hpp"
 #include "app/study/study_run.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/terminal.hpp"
@@ -66,10 +66,11 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
   {
     const auto crew =
         processes.crew(evaluators(sweep.study, sweep.origin.seed), work, sweep.options.threads);
-    StudyProgress progress(sweep.options.quiet, before, total);
+    const auto& interrupted = catch_interrupts();
+    Progress progress(sweep.options.quiet, interrupted, before, total);
     summary.threads = crew->size();
     summary.end = run_study(database, *crew,
-                            {.interrupted = catch_interrupts(),
+                            {.interrupted = interrupted,
                              .time_limit = sweep.options.time_limit,
                              .progress = [&] { progress.update(database.counts().evaluated); }});
   }
@@ -109,10 +110,12 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
   if (options.json) {
     text = write_json(document);
   } else if (!options.quiet) {
-    text = study_table(sweep.study, summary, colour_on_standard_output());
+    const Screen screen = standard_output();
+    text = study_table(sweep.study, summary, screen);
     text += fmt::format("wrote {} and {}\n",
                         printable(sweep.path(".study.db").lexically_normal().string()),
                         printable(sweep.path(".report.html").lexically_normal().string()));
+    text = fitted(text, screen);
   }
   const ExitStatus printed = print(text);
   if (printed != exit_done) return printed;

@@ -58,6 +58,47 @@ Table convert_table(const toml::table& table) {
   return entries;
 }
 
+/// What a file is that was never meant to be TOML, and what to do; empty where it may be TOML.
+std::string_view other_format(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return "";
+  if (text.starts_with("SQLite format 3")) {
+    return "this is a database, perhaps a study's; 'cognate export FILE --row ID' takes designs "
+           "out "
+           "of it, and 'cognate sweep' wants the study's TOML file";
+  }
+  if (text[begin] == '<') {
+    return "this is HTML, SVG or other XML, not TOML; a problem file is wanted, which may name a "
+           "drawing by target.svg";
+  }
+  if (text[begin] != '{') return "";
+  if (text.find("\"cognate-result/") != std::string_view::npos) {
+    return "this is a result of Cognate; 'cognate export' takes it, and the TOML file that it came "
+           "from is wanted here";
+  }
+  return "this is JSON, not TOML; a problem file is wanted, written key = value";
+}
+
+/// What to do about the commonest faults, by what the parser says of them.
+std::string_view remedy(std::string_view description) {
+  struct Remedy {
+    std::string_view said;
+    std::string_view done;
+  };
+  constexpr Remedy kRemedies[] = {
+      {"array: encountered end-of-file", "a bracket is not closed"},
+      {"could not determine value type", "words stand in quotes, numbers without unit"},
+      {"string: encountered", "a string ends with its quotes on the same line"},
+      {"string: expected", "a string ends with its quotes on the same line"},
+      {"boolean: expected", "words stand in quotes"},
+      {"floating-point: expected", "numbers stand without unit, words in quotes"},
+      {"integer: expected", "numbers stand without unit, words in quotes"}};
+  for (const Remedy& known : kRemedies) {
+    if (description.find(known.said) != std::string_view::npos) return known.done;
+  }
+  return "see https://toml.io";
+}
+
 // The parser's "Error while parsing array: expected …" without its first words.
 std::string rule(std::string_view description) {
   constexpr std::string_view kOpening = "Error while parsing ";
@@ -77,10 +118,12 @@ tl::expected<Table, Fault> parse_document(std::string_view text) {
   try {
     return convert_table(toml::parse(text));
   } catch (const toml::parse_error& error) {
+    const auto other = other_format(text);
+    if (!other.empty()) return tl::unexpected(Fault{1, 1, std::string(other)});
     const Where where = where_of(error.source(), {});
-    return tl::unexpected(
-        Fault{where.line, where.column,
-              fmt::format("not valid TOML: {}; see https://toml.io", rule(error.description()))});
+    return tl::unexpected(Fault{where.line, where.column,
+                                fmt::format("not valid TOML: {}; {}", rule(error.description()),
+                                            remedy(error.description()))});
   }
 }
 

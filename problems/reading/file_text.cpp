@@ -9,6 +9,12 @@ tl::expected<std::string, std::string> text_of(const std::filesystem::path& file
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
+    auto named = file;
+    named += ".toml";
+    if (std::filesystem::is_regular_file(named, error)) {
+      return tl::unexpected("the file does not exist; " + named.string() +
+                            " is there and may be meant");
+    }
     return refusal(
         "the file does not exist or cannot be reached; the path of a problem file is wanted");
   }

@@ -12,8 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "app/progress.hpp"
 #include "app/study/block_message.hpp"
-#include "app/study/study_progress.hpp"
 #include "tests/unit/study_samples.hpp"
 
 namespace cognate::app {

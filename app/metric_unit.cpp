@@ -1,0 +1,43 @@
+#include "app/metric_unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "app/cam_catalogue.hpp"
+#include "app/catalogue.hpp"
+#include "app/study/study_metrics.hpp"
+
+namespace cognate::app {
+namespace {
+
+/// What names end with or have before the part they belong to.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kNamed = {
+    {{"_deg", "deg"}, {"_N_m", "N m"}, {"_N", "N"}}};
+
+std::string unit_in(std::string_view name) {
+  for (const auto& [part, unit] : kNamed) {
+    const auto at = name.find(part);
+    if (at == std::string_view::npos) continue;
+    const auto behind = name.substr(at + part.size());
+    if (behind.empty() || behind.front() == '.' || behind.front() == '_') return std::string(unit);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string metric_unit(std::string_view name) {
+  if (name.ends_with("_at_deg")) return "deg";
+  for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras()}) {
+    for (const Metric& metric : listed) {
+      const auto keys = single_keys(metric.key);
+      if (std::ranges::find(keys, name) == keys.end()) continue;
+      return metric.unit == "1" ? "" : std::string(metric.unit);
+    }
+  }
+  return unit_in(name);
+}
+
+}  // namespace cognate::app
