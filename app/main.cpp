@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -31,7 +30,8 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
 struct Arguments {
   std::string file;
   std::string seed, threads, time_limit, out;
-  std::string format, row, design, curve, cutter_radius, chord_tolerance;
+  std::string row;
+  ExportTexts exporting;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
@@ -69,17 +69,29 @@ void add_folder(CLI::App& command, Arguments& arguments) {
 }
 
 void add_export_options(CLI::App& command, Arguments& arguments) {
-  const auto add = [&](const char* name, std::string& value, const char* unit, const char* what) {
-    return command.add_option(name, value, what)->type_name(unit);
+  const auto add = [&](const char* name, auto& value, const char* unit, const char* what) {
+    command.add_option(name, value, what)->type_name(unit);
   };
-  add("--format", arguments.format, "dxf|svg|csv", "for CAD, a picture, or a table");
+  ExportTexts& texts = arguments.exporting;
+  add("--format", texts.format, "dxf|svg|csv|json|dot",
+      "for CAD, a picture, a table, or of linkages a document or a Graphviz sketch");
   add("--row", arguments.row, "ID", "of a study file: the design with this id");
-  add("--design", arguments.design, "N", "which design, from 1 (default 1, the best)");
-  add("--curve", arguments.curve, "profile|pitch|cutter",
-      "the profile (default), the path of the roller's centre or that of a cutter's");
-  add("--cutter-radius", arguments.cutter_radius, "R", "of the cutter, for --curve cutter");
-  add("--chord-tolerance", arguments.chord_tolerance, "T",
-      "greatest distance of polygon and curve (default 1e-4 of the base radius)");
+  add("--design", texts.design, "N", "which design, from 1 (default 1, the best)");
+  add("--chord-tolerance", texts.chord_tolerance, "T",
+      "greatest distance of polygon and curve (default 1e-4 of the size)");
+  add("--dxf-version", texts.dxf_version, "r12|2000", "of the DXF file (default 2000)");
+  add("--curve", texts.curve, "profile|pitch|cutter",
+      "of a cam: the profile (default), the path of the roller's centre or that of a cutter's");
+  add("--cutter-radius", texts.cutter_radius, "R", "of the cutter, for --curve cutter");
+  add("--position", texts.position, "DEG",
+      "of a linkage: where the drive is (default: the first place where it can be assembled)");
+  add("--steps", texts.steps, "N", "of a linkage: rows of the table, less one");
+  command.add_flag("--parts", texts.parts, "of a linkage: its links as flat parts to be cut");
+  add("--hole", texts.hole, "D", "of parts: diameter of the holes");
+  add("--width", texts.width, "W", "of parts: width of the bars");
+  add("--thickness", texts.thickness, "T", "of parts: of the sheet, for the lengths of pins");
+  add("--clearance", texts.clearance, "C", "of parts: slots are wider than pins by C (default 0)");
+  add("--gap", texts.gap, "G", "of parts: distance on the sheet (default half the width)");
 }
 
 /// Copies `parsed` to `value`, or says what is wrong with it.
@@ -113,50 +125,27 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   return allowed ? std::optional(options) : std::nullopt;
 }
 
-/// The options of `export`; empty, once every fault has been said, where one is not allowed.
-std::optional<ExportOptions> export_options_of(const CLI::App& command,
-                                               const Arguments& arguments) {
-  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
-  ExportOptions options;
-  bool allowed = take(parse_format(arguments.format), options.format);
-  if (given("--design")) allowed &= take(parse_design(arguments.design), options.design);
-  if (given("--curve")) allowed &= take(parse_curve(arguments.curve), options.order.kind);
-  for (const auto& [name, text, value] :
-       {std::tuple("--cutter-radius", &arguments.cutter_radius, &options.order.cutter_radius),
-        std::tuple("--chord-tolerance", &arguments.chord_tolerance,
-                   &options.order.chord_tolerance)}) {
-    if (given(name)) allowed &= take(parse_length(name, *text), *value);
-  }
-  const bool cuts = options.order.kind == ExportedCurve::cutter;
-  if (allowed && cuts != given("--cutter-radius")) {
-    complain(cuts ? "--curve: 'cutter' wants the cutter's radius; --cutter-radius R is missing"
-                  : "--cutter-radius: only the path of a cutter has one; --curve cutter is wanted "
-                    "with it");
-    return std::nullopt;
-  }
-  return allowed ? std::optional(options) : std::nullopt;
-}
-
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
-  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
-  if (!given("--row") && !given("--format")) {
-    complain("--format is required: dxf, svg or csv; of a study file --row ID instead");
+  const bool of_study = command.get_option("--row")->count() > 0;
+  const std::string other = arguments.exporting.any();
+  if (of_study && !other.empty()) {
+    complain(other + ": is for results; with --row no other option is wanted");
     return exit_bad_input;
   }
-  if (given("--row")) {
-    for (const char* name :
-         {"--format", "--design", "--curve", "--cutter-radius", "--chord-tolerance"}) {
-      if (!given(name)) continue;
-      complain(std::string(name) + ": is for results; with --row no other option is wanted");
-      return exit_bad_input;
-    }
+  if (of_study) {
     const auto row = parse_row(arguments.row);
     if (row) return export_row_command(arguments.file, *row, options);
     complain(row.error());
     return exit_bad_input;
   }
-  const auto wanted = export_options_of(command, arguments);
-  return wanted ? export_command(arguments.file, *wanted, options) : exit_bad_input;
+  if (!arguments.exporting.format) {
+    complain("--format is required: dxf, svg, csv, json or dot; of a study file --row ID instead");
+    return exit_bad_input;
+  }
+  const auto wanted = export_options(arguments.exporting);
+  if (wanted) return export_command(arguments.file, *wanted, options);
+  for (const std::string& fault : wanted.error()) complain(fault);
+  return exit_bad_input;
 }
 
 /// Refuses what is not a command of this version; true where `name` may be one.
@@ -201,10 +190,10 @@ ExitStatus run(int argc, char** argv, StudyProcesses& processes) {
       add_command(app, arguments, "sweep", "Run a study: vary numbers, keep rows.", kSweepFooter);
   add_file(sweep, arguments, "the study, a TOML file");
   add_folder(sweep, arguments);
-  auto& exporting =
-      add_command(app, arguments, "export",
-                  "Write a cam's curves for CAD, as a picture or a table, or a design of a study.",
-                  kExportFooter);
+  auto& exporting = add_command(
+      app, arguments, "export",
+      "Write a linkage or a cam for CAD, as a picture or a table, or a design of a study.",
+      kExportFooter);
   add_file(exporting, arguments, "a result, NAME.result.json, or a study file, NAME.study.db");
   add_folder(exporting, arguments);
   add_export_options(exporting, arguments);
