@@ -16,10 +16,12 @@ ROOT = pathlib.Path()
 
 # What stands for the variable part of a key that is put together, by the part before it.
 VALUES = {
+    "arrows.": ["velocity", "acceleration", "reactions"],
     "best.": ["function", "path", "motion"],
     "cam.": ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],
     "constraints.": ["constraint", "value", "bound", "met"],
+    "extras.": ["velocity", "acceleration", "assembly", "cognate2", "cognate3"],
     "filters.": ["least_of", "greatest_of", "first_of", "last_of"],
     "follower.": ["translating-roller", "translating-flat", "translating-knife",
                   "oscillating-roller", "oscillating-flat"],
@@ -33,17 +35,19 @@ VALUES = {
     "map.": ["grid", "triangles", "bins"],
     "map.note_": ["grid", "grid_missing", "triangles", "bins"],
     "metric.": ["max", "min", "max_rise", "min_rise", "max_return", "min_return"],
+    "motion.": ["back", "on"],
     "parallel.wanted_": ["least", "greatest"],
     "sampling.": ["sobol", "halton", "latin", "random"],
     "status.": ["solved", "infeasible", "no-solution", "done", "time-limit", "interrupted"],
     "stroke_now.": ["rise", "return", "dwell"],
     "study.wanted_": ["least", "greatest"],
     "theme.": ["auto", "light", "dark"],
+    "zoom.": ["nearer", "farther", "all", "large"],
     "values.": ["column", "of", "now", "least", "greatest", "unit"],
 }
 
 # Literals that look like text and are none: keys of the keyboard, names, fonts, values of CSS.
-NO_TEXT = {"Cognate", "Delete", "Escape", "Enter", "Home", "End", "Tab", "Space", "use strict",
+NO_TEXT = {"Cognate", "Delete", "Esc", "Escape", "Enter", "Home", "End", "Tab", "Space", "use strict",
            "no words for ${}"}
 
 Literal = collections.namedtuple("Literal", "text start end")
@@ -190,11 +194,14 @@ class Words(unittest.TestCase):
                 beginning, hole, _ = key.partition("${}")
                 if not hole:
                     used |= {key} if key else set()
-                elif not re.fullmatch(r"_?", beginning):
+                elif beginning not in {"", "_"}:
                     self.assertIn(beginning, VALUES, f"{name}: list what `{key}` stands for")
-                    used |= {beginning + value for value in VALUES[beginning]}
-            # Keys that a table of the script holds, or that a function is given.
-            used |= {literal.text for literal in literals(script) if literal.text in self.words}
+            # Also keys that a table of the script holds, or that a function is given.
+            for literal in literals(script):
+                beginning, hole, _ = literal.text.partition("${}")
+                if not hole:
+                    used |= {literal.text} & set(self.words)
+                used |= {beginning + value for value in VALUES.get(beginning, []) if hole}
         used -= {"_missing"}
         self.assertEqual(sorted(used - set(self.words)), [], "not among the words")
         self.assertEqual(sorted(set(self.words) - used), [], "not used")
