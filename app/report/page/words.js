@@ -34,7 +34,8 @@ function sentenceOf(text) {
   return term(text);
 }
 
-const SENTENCES = Object.entries(WORDS[language].sentences ?? {}).map(([form, forms]) => ({
+// The longest form is tried first: it says most of what the sentence is.
+const SENTENCES = Object.entries(WORDS[language].sentences ?? {}).sort(([a], [b]) => b.length - a.length).map(([form, forms]) => ({
   form: new RegExp(`^${form.split(/\{\d+\}/).map((part) => part.replace(/[\\^$.*+?()[\]{}|]/g, "\\$&")).join("(.+?)")}$`), forms }));
 
 // Fills the elements that name their text: data-say what they hold, data-say-label what a screen

@@ -39,7 +39,7 @@ class Values {
     const columns = this.table.columns.filter((c) => c.quantity !== "drive" && parts.has(c.of));
     this.cells = columns.map((column) => ({ column, cell: element("td", { class: "number now" }) }));
     byId("values-rows").replaceChildren(...this.cells.map(({ column, cell }) => element("tr", {},
-      element("td", {}, element("code", {}, ...breakable(column.name))), element("td", { class: "wide" }, term(column.of)), cell,
+      element("td", {}, element("code", {}, ...breakable(column.name))), element("td", { class: "wide" }, partName(column.of)), cell,
       element("td", { class: "number" }, number(column.least, 5)), element("td", { class: "number" }, number(column.greatest, 5)),
       element("td", { class: "wide" }, unitText(column.unit)))));
     byId("values-count").textContent = say("values.count", { n: columns.length, all: this.table.columns.length - 1 });

@@ -7,7 +7,7 @@ function lociSheets(table, parts, colours) {
     vectors: table.vectorsOf(quantity).filter((v) => v.at && parts.has(v.x.of)) }));
   sheets.push({ title: say("loci.shaking"), quantity: "reactions", vectors: table.vectorsOf("reactions").filter((v) => !v.at) });
   return sheets.filter((sheet) => sheet.vectors.length > 0).map((sheet) => {
-    const lines = sheet.vectors.map((vector) => ({ vector, label: term(vector.x.of), colour: colours.get(vector.x.of),
+    const lines = sheet.vectors.map((vector) => ({ vector, label: partName(vector.x.of), colour: colours.get(vector.x.of),
       points: vector.x.values.map((x, i) => (x === null || vector.y.values[i] === null ? null : [x, vector.y.values[i]])) }));
     const sizes = lines.flatMap((line) => line.points.filter(Boolean).map((p) => Math.hypot(...p)));
     const exponent = engineeringExponent(Math.max(0, ...sizes));

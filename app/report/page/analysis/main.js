@@ -75,7 +75,7 @@ function showParts() {
   all.addEventListener("click", () => choose(state.parts.size < table.parts.length ? new Set(table.parts) : firstParts()));
   all.hidden = table.parts.length > MANY_PARTS;
   byId("parts").replaceChildren(all, ...table.parts.map((part) => {
-    const button = element("button", { type: "button", "data-part": part }, term(part));
+    const button = element("button", { type: "button", "data-part": part }, partName(part));
     button.addEventListener("click", () => {
       const parts = new Set(state.parts);
       if (!parts.delete(part)) parts.add(part);

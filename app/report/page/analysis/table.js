@@ -16,6 +16,12 @@ function columnLabel({ name, of }) {
   return bare.startsWith(`${of}_`) ? say("values.of_part", { of: words(of), what: tell(bare.slice(of.length + 1)) }) : tell(bare);
 }
 
+// What a part of the table is called; a sliding pair by the bodies that it joins, as "frame-slider".
+function partName(name) {
+  const bodies = name.split("-").map(term);
+  return term(name) === name && bodies.length === 2 && bodies.join("-") !== name ? bodies.join("–") : term(name);
+}
+
 class Table {
   constructor({ rows, drive, columns }, vectors, normals) {
     const rising = drive.length < 2 || drive.at(-1) >= drive[0];

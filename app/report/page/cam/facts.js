@@ -55,7 +55,7 @@ function boundOf(bound) {
   if (typeof bound === "number") return number(bound, 7);
   if (Array.isArray(bound)) return say("range.to", { from: number(bound[0], 7), to: number(bound[1], 7) });
   if (typeof bound === "object") return "min" in bound ? say("range.at_least", { value: number(bound.min, 7) }) : say("range.at_most", { value: number(bound.max, 7) });
-  return term(String(bound));
+  return String(bound).split(", ").map(term).join(say("list.comma"));
 }
 
 const headRow = (names) => element("tr", {}, ...names.map(([name, kind = ""]) => element("th", { scope: "col", class: kind }, name)));

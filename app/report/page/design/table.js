@@ -42,7 +42,7 @@ const missed = (d) => (d.constraints ?? []).filter((c) => !c.satisfied);
 
 function originText(d) {
   const of = (index, words) => (index === undefined || index === null ? [] : [say(words, { n: index + 1 })]);
-  return [sentenceOf(d.origin), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of")].join(say("list.semicolon"));
+  return [(d.origin ?? "").split(" + ").map(sentenceOf).join(" + "), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of")].join(say("list.semicolon"));
 }
 
 // What is wrong with a design: its defects and the count of other constraints missed; empty for a

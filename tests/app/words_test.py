@@ -1,0 +1,278 @@
+"""The texts of the report pages: whole in each language, all used, and none left in the scripts.
+
+Run as: words_test.py ROOT, the project's folder.
+"""
+
+import collections
+import functools
+import html.parser
+import json
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path()
+
+# What stands for the variable part of a key that is put together, by the part before it.
+VALUES = {
+    "arrows.": ["velocity", "acceleration", "reactions"],
+    "best.": ["function", "path", "motion"],
+    "cam.": ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"],
+    "closure.": ["groove", "conjugate", "constant-breadth"],
+    "constraints.": ["constraint", "value", "bound", "met"],
+    "extras.": ["velocity", "acceleration", "assembly", "cognate2", "cognate3"],
+    "filters.": ["least_of", "greatest_of", "first_of", "last_of"],
+    "follower.": ["translating-roller", "translating-flat", "translating-knife",
+                  "oscillating-roller", "oscillating-flat"],
+    "instant.": ["pole", "moving_centrode", "inflection_diameter", "inflection_centre",
+                 "return_centre", "tangential_diameter", "tangential_centre", "acceleration_pole",
+                 "ball", "stationary", "inflection_line", "inflection_line_deg"],
+    "jump.": ["displacement", "velocity", "acceleration"],
+    "kind.": ["path-generation", "function-generation", "motion-generation", "quick-return",
+              "straight-line"],
+    "legend.jump_": ["displacement", "velocity", "acceleration"],
+    "map.": ["grid", "triangles", "bins"],
+    "map.note_": ["grid", "grid_missing", "triangles", "bins"],
+    "metric.": ["max", "min", "max_rise", "min_rise", "max_return", "min_return"],
+    "motion.": ["back", "on"],
+    "parallel.wanted_": ["least", "greatest"],
+    "sampling.": ["sobol", "halton", "latin", "random"],
+    "status.": ["solved", "infeasible", "no-solution", "done", "time-limit", "interrupted"],
+    "stroke_now.": ["rise", "return", "dwell"],
+    "study.wanted_": ["least", "greatest"],
+    "theme.": ["auto", "light", "dark"],
+    "zoom.": ["nearer", "farther", "all", "large"],
+    "values.": ["column", "of", "now", "least", "greatest", "unit"],
+}
+
+# Literals that look like text and are none: keys of the keyboard, names, fonts, values of CSS.
+NO_TEXT = {"Cognate", "Delete", "Esc", "Escape", "Enter", "Home", "End", "Tab", "Space", "use strict",
+           "no words for ${}"}
+
+Literal = collections.namedtuple("Literal", "text start end")
+
+REGEX = re.compile(r"/(?:\\.|\[(?:\\.|[^\]\\\n])*\]|[^/\\\n\[])+/[a-z]*")
+STRING = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'')
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+
+
+@functools.cache
+def literals(script):
+    """Strings and templates of a script, the holes of templates as "${}"."""
+    found = []
+
+    def template(at):
+        start, text = at, ""
+        at += 1
+        while script[at] != "`":
+            if script[at] == "\\":
+                text += script[at:at + 2]
+                at += 2
+            elif script.startswith("${", at):
+                text += "${}"
+                at = code(at + 2, "}")
+            else:
+                text += script[at]
+                at += 1
+        found.append(Literal(text, start, at + 1))
+        return at + 1
+
+    def code(at, end):
+        depth, before = 0, "("
+        while at < len(script):
+            char = script[at]
+            if char == end and depth == 0:
+                return at + 1
+            if match := COMMENT.match(script, at):
+                at = match.end()
+                continue
+            if match := STRING.match(script, at):
+                found.append(Literal(match[0][1:-1], at, match.end()))
+                at, before = match.end(), '"'
+                continue
+            if char == "`":
+                at, before = template(at), '"'
+                continue
+            # A slash after a value divides.
+            if char == "/" and (match := REGEX.match(script, at)) and before in "(,=:[!&|?{};>":
+                at, before = match.end(), '"'
+                continue
+            depth += (char in "{([") - (char in "})]")
+            if not char.isspace():
+                before = char
+            at += 1
+        return at
+
+    code(0, "")
+    return found
+
+
+def first_argument(script, at):
+    """The end of the first argument of a call, which begins at `at`."""
+    ends = {literal.start: literal.end for literal in literals(script)}
+    depth = 0
+    while depth > 0 or script[at] not in ",)":
+        depth += (script[at] in "{([") - (script[at] in "})]")
+        at = ends.get(at, at + 1)
+    return at
+
+
+def placeholders(text):
+    return set(re.findall(r"\{(\w+)\}", text))
+
+
+def whole(pairs):
+    """An object of JSON, none of whose keys is there twice."""
+    keys = [key for key, _ in pairs]
+    twice = [key for key, count in collections.Counter(keys).items() if count > 1]
+    if twice:
+        raise ValueError(f"twice: {twice}")
+    return dict(pairs)
+
+
+class Markup(html.parser.HTMLParser):
+    """Texts and spoken attributes that stand in a page as they are, and the keys that it names."""
+
+    def __init__(self):
+        super().__init__()
+        self.told, self.keys, self.silent = [], [], 0
+
+    def handle_starttag(self, tag, attributes):
+        self.silent += tag in {"noscript", "script", "style", "title"}
+        for name, value in attributes:
+            if name.startswith("data-say"):
+                self.keys.append(value)
+            elif name in {"aria-label", "title", "placeholder", "alt"}:
+                self.told.append(value)
+
+    def handle_endtag(self, tag):
+        self.silent -= tag in {"noscript", "script", "style", "title"}
+
+    def handle_data(self, data):
+        if not self.silent and not re.fullmatch(r"(?:@\w+@|[xy]|[^A-Za-z])*", data.strip()):
+            self.told.append(data.strip())
+
+
+class Words(unittest.TestCase):
+    def setUp(self):
+        page = ROOT / "app/report/page"
+        self.languages = {
+            file.stem: json.loads(file.read_text(encoding="utf-8"), object_pairs_hook=whole)
+            for file in (page / "words").glob("*.json")}
+        self.words = self.languages["en"]["words"]
+        self.scripts = {file.relative_to(page): file.read_text(encoding="utf-8")
+                        for file in page.rglob("*.js")}
+        self.markup = {}
+        for file in page.rglob("*.html"):
+            self.markup[file.relative_to(page)] = parser = Markup()
+            parser.feed(file.read_text(encoding="utf-8"))
+
+    def test_languages_have_the_same_texts(self):
+        for language, texts in self.languages.items():
+            with self.subTest(language=language):
+                self.assertEqual(list(texts["words"]), list(self.words))
+                for key, text in texts["words"].items():
+                    self.assertTrue(text, key)
+                    self.assertEqual(placeholders(text), placeholders(self.words[key]), key)
+
+    def keys_said(self, script):
+        """Keys of calls of say, and the beginnings of those that are put together."""
+        for call in re.finditer(r"\bsay\(", script):
+            end = first_argument(script, call.end())
+            for literal in literals(script):
+                if not call.end() <= literal.start < end:
+                    continue
+                if re.search(r"[!=]==\s*$", script[literal.start - 6:literal.start]):
+                    continue
+                yield literal.text
+
+    def test_each_key_is_there_and_each_text_is_used(self):
+        used = {key for page in self.markup.values() for key in page.keys}
+        for name, script in self.scripts.items():
+            for key in self.keys_said(script):
+                beginning, hole, _ = key.partition("${}")
+                if not hole:
+                    used |= {key} if key else set()
+                elif beginning not in {"", "_"}:
+                    self.assertIn(beginning, VALUES, f"{name}: list what `{key}` stands for")
+            # Also keys that a table of the script holds, or that a function is given.
+            for literal in literals(script):
+                beginning, hole, _ = literal.text.partition("${}")
+                if not hole:
+                    used |= {literal.text} & set(self.words)
+                used |= {beginning + value for value in VALUES.get(beginning, []) if hole}
+        used -= {"_missing"}
+        self.assertEqual(sorted(used - set(self.words)), [], "not among the words")
+        self.assertEqual(sorted(set(self.words) - used), [], "not used")
+
+    def test_no_text_stands_in_the_markup(self):
+        for name, page in self.markup.items():
+            self.assertEqual(page.told, [], name)
+
+    def test_no_text_stands_in_the_scripts(self):
+        for name, script in self.scripts.items():
+            for literal in literals(script):
+                text = literal.text
+                before = script[max(0, literal.start - 96):literal.start]
+                is_class = re.search(r"\bclass\b[^\n]*$", before)
+                words = re.search(r"^[A-Z][a-z]+(?=[ :.,]|$)|\b[a-z]{2,} [a-z]{2,}\b", text)
+                line = script.count("\n", 0, literal.start) + 1
+                self.assertFalse(words and text not in NO_TEXT and not is_class
+                                 and not self.is_no_text(script, literal),
+                                 f"{name}:{line}: “{text}” is to be among the words")
+
+    def is_no_text(self, script, literal):
+        """Fonts, style and transforms, classes and selectors; keys and what is compared."""
+        around = script[max(0, literal.start - 60):literal.start]
+        after = script[literal.start + len(literal.text) + 2:][:1]
+        return (re.search(r"style: $|font = $|transform[:`]? ?$|querySelector(?:All)?\($|\.on\($", around)
+                or "gradient(" in literal.text or re.fullmatch(r"number \w+", literal.text)
+                or after == ":" or re.search(r"[!=]== $|key === $", around)
+                or literal.text.startswith(("M${}", "translate(", "cognate export")))
+
+
+class ChineseOfResults(unittest.TestCase):
+    def setUp(self):
+        file = ROOT / "app/report/page/words/zh.json"
+        texts = json.loads(file.read_text(encoding="utf-8"), object_pairs_hook=whole)
+        self.terms, self.sentences = texts["terms"], texts["sentences"]
+
+    def test_terms_are_translated(self):
+        for term, text in self.terms.items():
+            self.assertRegex(text, "[\u4e00-\u9fff]", term)
+
+    def test_sentences_keep_their_values(self):
+        for form, text in self.sentences.items():
+            self.assertEqual(placeholders(form), placeholders(text), form)
+            self.assertEqual(len(placeholders(form)), len(re.findall(r"\{\d+\}", form)), form)
+
+    def test_each_sentence_is_the_first_that_fits_itself(self):
+        # As the page does, from the longest on.
+        forms = [(form, re.compile("(.+?)".join(map(re.escape, re.split(r"\{\d+\}", form)))))
+                 for form in sorted(self.sentences, key=len, reverse=True)]
+        for form in self.sentences:
+            said = re.sub(r"\{(\d+)\}", lambda hole: f"{hole[1]}.5", form)
+            first = next(other for other, pattern in forms if pattern.fullmatch(said))
+            self.assertEqual(first, form)
+
+    def test_sentences_are_those_of_the_program(self):
+        """At least half of their runs of four words stand in its sources: a wording that changes is noticed here."""
+        source = ""
+        for folder in ("analysis", "app", "problems", "synthesis"):
+            for file in (ROOT / folder).rglob("*.?pp"):
+                text = re.sub(r'"\s*\n\s*"', "", file.read_text(encoding="utf-8"))
+                source += "\n".join(re.findall(r'"((?:\\.|[^"\\\n])*)"', text)) + "\n"
+        source = source.replace('\\"', '"')
+        source = " ".join(source.lower().split())
+        for form in self.sentences:
+            words = re.sub(r"\{\d+\}", "#", form).lower().split()
+            runs = [" ".join(words[i:i + 4]) for i in range(len(words) - 3)]
+            runs = [run for run in runs if "#" not in run]
+            found = sum(run in source for run in runs)
+            self.assertGreaterEqual(found, 0.5 * len(runs), form)
+
+
+if __name__ == "__main__":
+    ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()
