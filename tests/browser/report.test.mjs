@@ -179,5 +179,5 @@ test("a report prints in light colours", () => visit("ellipse", { ...still, sche
   const pdf = await page.pdf({ format: "A4" });
   assert.ok(pdf.length > 20000);
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(245, 246, 248)");
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).color), "rgb(27, 34, 48)");
 }));

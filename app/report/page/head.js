@@ -11,8 +11,10 @@ function showHead(result, kind, summary, keys) {
   byId("status").textContent = say(`status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
   byId("summary").textContent = summary.filter(Boolean).join(" · ");
-  byId("version").textContent = ["Cognate", result.version, result.seed === undefined ? "" : `· ${say("head.seed", { seed: result.seed })}`, `· ${keys}`]
-    .filter(Boolean).join(" ");
+  const version = ["Cognate", result.version, result.seed === undefined ? "" : `· ${say("head.seed", { seed: result.seed })}`].filter(Boolean).join(" ");
+  byId("version").textContent = `${version} · ${keys}`;
+  // Paper has no keys, and names its origin at its head.
+  document.querySelector(".page-head").dataset.version = version;
 }
 
 function showNotes(notes) {
