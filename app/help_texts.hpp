@@ -8,11 +8,10 @@ inline constexpr const char* kDescription =
 analyses mechanisms, and maps what is possible.
 )";
 
-inline constexpr const char* kFooter = R"(First steps:
-  Take a problem from problems/library, or write one as the README shows. Then
-    cognate check rocker.toml     is the file sound? what would be solved?
-    cognate solve rocker.toml     find designs; then open rocker.report.html
-    cognate list                  every key that a file may have
+inline constexpr const char* kFooter = R"(First steps, with a file from problems/library or one as the README shows:
+  cognate check rocker.toml       is the file sound? what would be solved?
+  cognate solve rocker.toml       find designs; then open rocker.report.html
+  cognate list                    every key that a file may have
 
 Examples:
   cognate analyze press.toml      how a mechanism moves and what it bears
