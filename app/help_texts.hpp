@@ -11,7 +11,7 @@ inline constexpr const char* kFooter = R"(Examples:
   cognate solve rocker.toml     find designs; then open rocker.report.html
   cognate analyze press.toml    how a mechanism moves and what it bears
   cognate sweep sizes.toml      vary the numbers of a file, and keep the best
-  cognate export cam.result.json --format dxf    a cam's profile for CAD
+  cognate export press.result.json --format dxf    a drawing for CAD
   cognate check rocker.toml     is the file sound?
   cognate list --metrics        what a result says of a design, and in which unit
 
@@ -75,20 +75,35 @@ Examples:
   mpirun -n 64 cognate sweep sizes.toml --out results)";
 
 inline constexpr const char* kExportFooter = R"(Output:
-  One file in DIR, NAME being that of NAME.result.json:
-    NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
-               circle on BASE_CIRCLE, a cross on CENTRE; no unit of length
-    NAME.svg   a picture with the same curves
-    NAME.csv   the points with the cam angle, outward normal, radius of curvature;
-               of a groove or conjugate cams one file for each curve
+  One file in DIR, NAME being that of NAME.result.json. Of a linkage of any type:
+    NAME.dxf    one position with the paths of the points, on the layers FRAME,
+                GUIDES, LINKS, JOINTS, POINTS, PATHS, TARGET, LABELS
+    NAME.svg    a picture with the same
+    NAME.csv    where every point is over the drive, units in the header
+    NAME.json   lengths, joints, paths and positions in one document
+    NAME.dot    the kinematic chain for Graphviz: links as boxes, joints as edges
+  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the frame
+  with holes for pins and slots for sliders, side by side on the layers OUTLINES,
+  HOLES, SLOTS, LABELS; the label says in which plane (1: the frame) the part lies
+  so that the links pass one another. Outlines are lines and true arcs.
+  Of a cam:
+    NAME.dxf    a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
+                circle on BASE_CIRCLE, a cross on CENTRE
+    NAME.svg    a picture with the same curves
+    NAME.csv    the points with the cam angle, outward normal, radius of curvature;
+                of a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
-  Polygons are nowhere farther from the curve than the chord tolerance.
-  Of results only cams can be exported in this version.
+  Lengths are those of the problem; drawings have no unit of length. Polygons are
+  nowhere farther from their curve than the chord tolerance.
   With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of the
   study with the numbers of that design.
 
 Examples:
-  cognate export cam.result.json --format dxf
+  cognate export press.result.json --format dxf --position 45
+  cognate export press.result.json --format csv --steps 720
+  cognate export press.result.json --format dxf --parts --hole 5 --width 14 --thickness 3
+  cognate export press.result.json --format dot && dot -Tsvg -O press.dot
+  cognate export cam.result.json --format dxf --dxf-version r12
   cognate export cam.result.json --format csv --curve pitch --chord-tolerance 0.001
   cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
   cognate export sizes.study.db --row 1234)";
