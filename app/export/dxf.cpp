@@ -31,7 +31,7 @@ int colour_index(PlanColour colour) {
 /// The library's own writer goes to a file, with sixteen places behind the decimal point.
 class TextWriter : public DL_WriterA {
  public:
-  TextWriter() : DL_WriterA("") {}
+  explicit TextWriter(DL_Codes::version version) : DL_WriterA("", version) {}
 
   void dxfReal(int code, double value) const override {
     std::array<char, 32> digits{};
@@ -93,10 +93,13 @@ std::string ascii(std::string_view text) {
 /// Writes one plan. The library asks its own version at every entity.
 class DxfMaker {
  public:
-  DxfMaker(const Plan& plan, DxfVersion version) : plan_(plan), old_(version == DxfVersion::r12) {
+  DxfMaker(const Plan& plan, DxfVersion version)
+      : plan_(plan),
+        old_(version == DxfVersion::r12),
+        out_(old_ ? DL_Codes::AC1009 : DL_Codes::AC1015) {
     // Only opening a file sets the library's version; what is written goes to `out_`.
-    const auto version_code = old_ ? DL_Codes::AC1009 : DL_Codes::AC1015;
-    const std::unique_ptr<DL_WriterA> unused(dxf_.out("/dev/null", version_code));
+    const std::unique_ptr<DL_WriterA> unused(
+        dxf_.out("/dev/null", old_ ? DL_Codes::AC1009 : DL_Codes::AC1015));
   }
 
   std::string text() {

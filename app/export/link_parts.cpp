@@ -24,6 +24,10 @@ bool is_close(const Vec2d& p, const LinkPart& part, double distance) {
          });
 }
 
+bool runs_into(const PartSlot& slot, const PartHole& hole, const PartOrder& order) {
+  return distance_to_line(hole.at, slot.from, slot.to) <= order.hole + 0.5 * order.clearance;
+}
+
 class PartsMaker {
  public:
   PartsMaker(const ShownLinks& shown, const PartOrder& order)
@@ -52,7 +56,8 @@ class PartsMaker {
     }
     part_of_[static_cast<std::size_t>(number)] = static_cast<int>(made_.parts.size());
     LinkPart part{number, given.name, {}, {}, {}};
-    for (const LinkPlace& place : given.places) part.holes.push_back({place.name, place.at});
+    for (const LinkPlace& place : given.places)
+      part.holes.push_back({place.name, place.at, place.joint});
     made_.parts.push_back(std::move(part));
   }
 
@@ -60,6 +65,11 @@ class PartsMaker {
     for (const Rail& rail : link(part.link).shape.rails) {
       part.slots.push_back({link(rail.traveller).name, rail.from, rail.to});
     }
+    std::erase_if(part.holes, [&](const PartHole& hole) {
+      return !hole.pin && std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
+        return runs_into(slot, hole, order_);
+      });
+    });
   }
 
   /// Two pins along the first axis of a slider that is a part, and the longer slot for them.
@@ -174,8 +184,7 @@ void note_slots_over_holes(const LinkPart& part, const PartOrder& order,
                            std::vector<std::string>& notes) {
   for (const PartSlot& slot : part.slots) {
     for (const PartHole& hole : part.holes) {
-      const double distance = distance_to_line(hole.at, slot.from, slot.to);
-      if (distance > order.hole + 0.5 * order.clearance) continue;
+      if (!runs_into(slot, hole, order)) continue;
       notes.push_back(
           fmt::format("the slot of {} for {} runs into its hole {}: no flat part can "
                       "have both",

@@ -23,6 +23,7 @@ struct PartOrder {
 struct PartHole {
   std::string name;
   Vec2d at{};
+  bool pin = true;  ///< whether a pin goes through; else the hole marks a named point
 };
 
 /// A slot for a pin: the way of the pin's centre.
@@ -53,10 +54,11 @@ struct LinkParts {
   std::vector<std::string> notes;
 };
 
-/// The parts of the links: a hole at every joint and named point, a slot for everything that slides
-/// on the link, and about them the convex hull with round ends. A slider with nothing but one joint
-/// is no part: it is a pin in the slot. One with more has two pins of its own in the slot, which
-/// keep its direction. The error says which holes would overlap and what is allowed.
+/// The parts of the links: a hole at every joint and named point (but none at a point in a slot), a
+/// slot for everything that slides on the link, and about them the convex hull with round ends. A
+/// slider with nothing but one joint is no part: it is a pin in the slot. One with more has two
+/// pins of its own in the slot, which keep its direction. The error says which holes would overlap
+/// and what is allowed.
 tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const PartOrder& order);
 
 /// The outline at `distance` about the convex polygon `hull`: lines and arcs. None of a mere point.
