@@ -116,6 +116,7 @@ test("a brush on an axis filters, with two brushes what passes both", plotted, (
   const data = await dataOf(page);
   const columns = data.columns.slice(1, 3).map(values);
   const ranges = [];
+  await page.locator("#axes").scrollIntoViewIfNeeded();
   for (const i of [1, 2]) {
     const box = await page.locator(".brush .overlay").nth(i).boundingBox();
     const [x, y] = [box.x + box.width / 2, box.y];

@@ -50,7 +50,7 @@ test("each type of mechanism is drawn with its own parts, and moves", () => visi
   assert.equal(await page.locator(".link-body.rocker").count(), 1);
   for (const index of [1, 2, 3]) {
     await choose(page, index);
-    assert.equal(await page.locator("#picture > svg").count(), 1);
+    assert.equal(await page.locator("#picture > svg[role=img]").count(), 1);
     assert.ok(await page.locator(".block").count() > 0);
     const before = await page.locator(".layer-bodies").innerHTML();
     await page.locator("#title").click();

@@ -46,5 +46,5 @@ class Trace {
     });
   }
 
-  legend() { return [legendItem("accent", "line", say("extras.trace"))]; }
+  legend() { return [legendItem("trace", "line", say("extras.trace"))]; }
 }

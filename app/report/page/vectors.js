@@ -58,6 +58,7 @@ class Vectors {
     // A picture that is nearer shows arrows of the same length.
     this.reach = 0.24 * Math.min(scene.view.width, scene.view.height);
     this.scale = size > 0 ? this.reach / size : 0;
+    this.slides = scene.unit === 1;
     this.parts = [];
     this.root.replaceChildren();
   }
@@ -78,5 +79,8 @@ class Vectors {
     });
   }
 
-  legend() { return [legendItem(this.quantity, "line", say(`arrows.${this.quantity}`))]; }
+  legend() {
+    const speed = say(this.slides ? "extras.unit_s" : "extras.rad_s");
+    return [legendItem(this.quantity, "line", say("extras.at_unit_speed", { name: say(`arrows.${this.quantity}`), speed }))];
+  }
 }

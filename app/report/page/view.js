@@ -16,7 +16,7 @@ const diagonal = (box) => Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
 const SCALE_ROOM = 22;
 
 class View {
-  constructor(box, width, height, margin = Math.min(56, 0.1 * Math.min(width, height) + 8)) {
+  constructor(box, width, height, margin = Math.min(56, Math.max(50, 0.1 * Math.min(width, height) + 8))) {
     const [w, h] = [box.x1 - box.x0, box.y1 - box.y0];
     const room = height - SCALE_ROOM;
     const fit = Math.min((width - 2 * margin) / w, (room - 2 * margin) / h);

@@ -129,11 +129,12 @@ class Lens {
     const [x, y] = this.scene.view.screen(target);
     const room = 8;
     // The buttons of the picture stand in the upper right corner, its scale in the lower left one.
-    const corners = [[room, room], [width - size - room - 2, height - this.root.offsetHeight - room], [width - size - room - 2, 44], [room, height - this.root.offsetHeight - 34]];
+    const corners = [[room, width - size < 190 ? 50 : room], [width - size - room - 2, height - this.root.offsetHeight - room], [width - size - room - 2, 44], [room, height - this.root.offsetHeight - 34]];
     const crowd = [...this.scene.crowd, target].map((p) => this.scene.view.screen(p));
     const hidden = ([left, top]) => crowd.filter(([u, v]) => u > left - 14 && u < left + size + 14 && v > top - 14 && v < top + this.root.offsetHeight + 14).length;
     const covers = ([left, top]) => (Math.abs(left + size / 2 - x) < size / 2 + 14 && Math.abs(top + size / 2 - y) < size / 2 + 40 ? crowd.length : 0);
     const [left, top] = corners.map((corner) => [corner, hidden(corner) + covers(corner)]).reduce((best, one) => (one[1] < best[1] ? one : best))[0];
+    this.root.style.width = `${size + 4}px`;
     this.root.style.left = `${round(left)}px`;
     this.root.style.top = `${round(top)}px`;
     const end = [left + size / 2, top + size / 2];
