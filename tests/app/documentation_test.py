@@ -79,6 +79,20 @@ class Links(unittest.TestCase):
                         self.assertIn(anchor, anchors_of(file))
         self.assertGreater(count, 50)
 
+    def test_worked_files_are_there(self):
+        """Names in code under that heading, but for endings (`-2`) and groups (`logarithm-…`)."""
+        count = 0
+        for page in pages():
+            section = re.search(r"^## Worked files\n(.*?)(^## |\Z)", text_of(page), re.DOTALL | re.MULTILINE)
+            if not section:
+                continue
+            folder = page.parent / re.search(r"\]\((\.\./problems/library/[^)]*)\)", section[1])[1]
+            for name in re.findall(r"`([a-z][a-z0-9-]*)`", section[1]):
+                with self.subTest(page=page.name, name=name):
+                    count += 1
+                    self.assertTrue((folder / f"{name}.toml").exists(), "no such worked file")
+        self.assertGreater(count, 60)
+
     def test_each_page_is_in_the_index(self):
         index = text_of(ROOT / "docs" / "README.md")
         for page in (ROOT / "docs").glob("*.md"):
