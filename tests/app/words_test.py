@@ -14,18 +14,22 @@ import unittest
 
 ROOT = pathlib.Path()
 
-# What stands for the variable parts of a key that is put together, by what is before them.
+# What stands for the variable parts of a key that is put together, by what is before them, or as a
+# whole where something is after them.
 VALUES = {
     "arrows.": ["velocity", "acceleration", "reactions"],
     "best.": ["function", "path", "motion"],
     "cam.": ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],
     "constraints.": ["constraint", "value", "bound", "met"],
-    "edit.": ["undo", "redo", "reset", "copy", "save"],
+    "edit.": ["undo", "redo", "reset", "class", "grashof", "holds", "fails", "change_point", "rotates",
+              "least", "greatest", "time_ratio", "swing", "defects", "error.max", "error.rms",
+              "error.sum", "error.turned"],
+    "edit.${}.title": ["undo", "redo", "reset", "copy", "save"],
     "edit.field.": ["crank", "coupler", "rocker", "frame", "a_x", "a_y", "d_x", "d_y", "point_u",
                     "point_v", "input", "output"],
     "extras.": ["velocity", "acceleration", "assembly", "cognate2", "cognate3"],
-    "filters.": ["least", "greatest", "first", "last"],
+    "filters.${}_of": ["least", "greatest", "first", "last"],
     "follower.": ["translating-roller", "translating-flat", "translating-knife",
                   "oscillating-roller", "oscillating-flat"],
     "instant.": ["pole", "moving_centrode", "inflection_diameter", "inflection_centre",
@@ -125,7 +129,7 @@ def put_together(template):
     """The keys that a template such as "status.${}" or "edit.${}.title" stands for."""
     beginning, hole, end = template.partition("${}")
     end = end.replace("${}", "")
-    return {beginning + value + end for value in VALUES.get(beginning, []) if hole}
+    return {beginning + value + end for value in VALUES.get(template if end else beginning, []) if hole}
 
 
 def placeholders(text):
