@@ -36,8 +36,8 @@ std::string label_of(const ShownLink& link) {
 }  // namespace
 
 std::string chain_sketch(const std::string& title, const ShownLinks& shown) {
-  std::string text =
-      "graph " + graph_text(title) + " {\n  node [shape=box, style=rounded];\n  edge [fontsize=11];\n";
+  std::string text = "graph " + graph_text(title) +
+                     " {\n  node [shape=box, style=rounded];\n  edge [fontsize=11];\n";
   for (std::size_t i = 0; i < shown.links.size(); ++i) {
     text += fmt::format("  link{} [label={}{}];\n", i, graph_text(label_of(shown.links[i])),
                         i == 0 ? ", peripheries=2, style=filled, fillcolor=lightgrey" : "");
