@@ -62,7 +62,7 @@ std::string style(const Plan& plan) {
   const double line = kLine * greater_side(plan);
   std::string text = fmt::format(
       "<style>\npath, circle {{ fill: none; stroke-width: {:.3g}; }}\n"
-      "text {{ font-family: sans-serif; }}\n",
+      "text {{ font: 16px sans-serif; }}\n",
       line);
   const std::string dashes = fmt::format(" stroke-dasharray: {:.3g} {:.3g};", 4 * line, 3 * line);
   for (const PlanLayer& layer : plan.layers) {
@@ -104,12 +104,14 @@ void append_circle(std::string& text, const PlanCircle& circle) {
                  class_of(circle.layer), circle.centre.x, circle.centre.y, circle.radius);
 }
 
-/// Texts stand upright in a picture whose y axis is turned.
+/// Texts stand upright in a picture whose y axis is turned. Fonts are scaled, as viewers draw very
+/// small and very large ones badly.
 void append_label(std::string& text, const PlanLabel& label) {
+  constexpr double kFont = 16;
+  const double scale = label.height / kFont;
   fmt::format_to(std::back_inserter(text),
-                 "<text class=\"{}\" transform=\"translate({} {}) scale(1 -1)\" "
-                 "font-size=\"{}\">{}</text>\n",
-                 class_of(label.layer), label.at.x, label.at.y, label.height, escaped(label.text));
+                 "<text class=\"{}\" transform=\"translate({} {}) scale({} {})\">{}</text>\n",
+                 class_of(label.layer), label.at.x, label.at.y, scale, -scale, escaped(label.text));
 }
 
 }  // namespace
