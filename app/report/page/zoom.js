@@ -76,7 +76,7 @@ class Zoom {
   }
 
   all() {
-    Object.assign(this.scene().camera, { factor: 1, shift: [0, 0] });
+    Object.assign(this.scene().camera, { factor: 1, shift: [0, 0], widened: false });
     this.#show();
   }
 

@@ -133,6 +133,7 @@ function listen() {
 const notes = byId("ghosts");
 const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
+extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
 let table = null;
 let families = null;
