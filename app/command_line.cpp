@@ -30,17 +30,26 @@ void add_folder(CLI::App& command, Arguments& arguments) {
 }
 
 void add_export_options(CLI::App& command, Arguments& arguments) {
-  const auto add = [&](const char* name, std::string& value, const char* unit, const char* what) {
-    return command.add_option(name, value, what)->type_name(unit);
+  const auto add = [&](const char* name, auto& value, const char* unit, const char* what) {
+    command.add_option(name, value, what)->type_name(unit);
   };
-  add("--format", arguments.format, "dxf|svg|csv", "for CAD, a picture, or a table");
+  ExportTexts& texts = arguments.exporting;
+  add("--format", texts.format, "dxf|svg|csv|json|dot", "what to write");
   add("--row", arguments.row, "ID", "of a study file: the design with this id");
-  add("--design", arguments.design, "N", "which design, from 1 (default 1, the best)");
-  add("--curve", arguments.curve, "profile|pitch|cutter",
+  add("--design", texts.design, "N", "which design, from 1 (default 1, the best)");
+  add("--chord-tolerance", texts.chord_tolerance, "T", "of polygons (default 1e-4 of the size)");
+  add("--dxf-version", texts.dxf_version, "r12|2000", "of the DXF file (default 2000)");
+  add("--curve", texts.curve, "profile|pitch|cutter",
       "profile (default), path of roller centre or cutter");
-  add("--cutter-radius", arguments.cutter_radius, "R", "of the cutter, for --curve cutter");
-  add("--chord-tolerance", arguments.chord_tolerance, "T",
-      "of polygons (default 1e-4 of the base radius)");
+  add("--cutter-radius", texts.cutter_radius, "R", "of the cutter, for --curve cutter");
+  add("--position", texts.position, "DEG", "of a linkage's drive (default: the first possible)");
+  add("--steps", texts.steps, "N", "of a linkage: rows of the table, less one");
+  command.add_flag("--parts", texts.parts, "of a linkage: its links as flat parts to cut");
+  add("--hole", texts.hole, "D", "of parts: diameter of the holes");
+  add("--width", texts.width, "W", "of parts: width of the bars");
+  add("--thickness", texts.thickness, "T", "of parts: of the sheet, for the lengths of pins");
+  add("--clearance", texts.clearance, "C", "of parts: of pins in slots (default 0)");
+  add("--gap", texts.gap, "G", "of parts: between them (default half the width)");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/export/export_options.hpp"
+
 namespace cognate::app {
 
 /// What the command line says, as it was written.
@@ -14,7 +16,8 @@ struct Arguments {
   std::string file;
   std::string shell;  ///< of `completion`
   std::string seed, threads, time_limit, out;
-  std::string format, row, design, curve, cutter_radius, chord_tolerance;
+  std::string row;  ///< of a study, for `export`
+  ExportTexts exporting;
   bool json = false;
   bool quiet = false;
   bool metrics = false;

@@ -38,10 +38,10 @@ ExitStatus sweep_command(const std::filesystem::path& file, const Options& optio
 ExitStatus export_row_command(const std::filesystem::path& file, std::int64_t row,
                               const Options& options);
 
-/// Writes the curves of a cam of the result document in `file` as NAME.dxf, NAME.svg or NAME.csv to
-/// the folder `--out`, else to the current one, NAME being the name of the result without
-/// `.result.json`; of a groove or of conjugate cams there is a table for each curve. Says which
-/// files were written (with `--json` as a document `cognate-export/1`, with `--quiet` nothing).
+/// Writes a design of the result document in `file`, a linkage or a cam, as `exporting` says, to
+/// the folder `--out`, else to the current one; NAME of the files is that of the result without
+/// `.result.json`. Says which files were written (with `--json` as a document `cognate-export/1`,
+/// with `--quiet` nothing).
 ExitStatus export_command(const std::filesystem::path& file, const ExportOptions& exporting,
                           const Options& options);
 

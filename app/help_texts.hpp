@@ -8,16 +8,15 @@ inline constexpr const char* kDescription =
 analyses mechanisms, and maps what is possible.
 )";
 
-inline constexpr const char* kFooter = R"(First steps:
-  Take a problem from problems/library, or write one as the README shows. Then
-    cognate check rocker.toml     is the file sound? what would be solved?
-    cognate solve rocker.toml     find designs; then open rocker.report.html
-    cognate list                  every key that a file may have
+inline constexpr const char* kFooter = R"(First steps, with a file from problems/library or one as the README shows:
+  cognate check rocker.toml       is the file sound? what would be solved?
+  cognate solve rocker.toml       find designs; then open rocker.report.html
+  cognate list                    every key that a file may have
 
 Examples:
   cognate analyze press.toml      how a mechanism moves and what it bears
   cognate sweep sizes.toml        vary the numbers of a file, and keep the best
-  cognate export cam.result.json --format dxf
+  cognate export press.result.json --format dxf
   cognate list --metrics          what a result says of a design, in which unit
   cognate solve --help            all about a command
 
@@ -86,20 +85,34 @@ Examples:
   mpirun -n 64 cognate sweep sizes.toml --out results)";
 
 inline constexpr const char* kExportFooter = R"(Output:
-  One file in DIR, NAME being that of NAME.result.json:
+  One file in DIR, NAME being that of NAME.result.json. Of a linkage:
+    NAME.dxf   one position and the paths of the points, on layers FRAME, GUIDES,
+               LINKS, JOINTS, POINTS, PATHS, TARGET and LABELS
+    NAME.svg   a picture with the same
+    NAME.csv   where every point is over the drive, units in the header
+    NAME.json  lengths, joints, paths and positions in one document
+    NAME.dot   the chain for Graphviz: links as boxes, joints as edges
+  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the frame
+  with holes for pins and slots for sliders, side by side on layers OUTLINES,
+  HOLES, SLOTS and LABELS. The label says in which plane the part lies so that
+  links pass one another (1: the frame). Outlines are lines and true arcs.
+  Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
-               circle on BASE_CIRCLE, a cross on CENTRE; no unit of length
+               circle on BASE_CIRCLE, a cross on CENTRE
     NAME.svg   a picture with the same curves
     NAME.csv   the points with cam angle, outward normal, curvature radius; of
                a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
-  Polygons are nowhere farther from the curve than the chord tolerance.
-  Of results only cams can be exported in this version.
+  Lengths are those of the problem; drawings have no unit of length. Polygons
+  are nowhere farther from their curve than the chord tolerance.
   With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of
   the study with the numbers of that design.
 
 Examples:
-  cognate export cam.result.json --format dxf --chord-tolerance 0.001
+  cognate export press.result.json --format dxf --position 45
+  cognate export press.result.json --format csv --steps 720
+  cognate export press.result.json --format dxf --parts --hole 5 --width 14
+  cognate export press.result.json --format dot && dot -Tsvg -O press.dot
   cognate export cam.result.json --format csv --curve pitch
   cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
   cognate export sizes.study.db --row 1234)";

@@ -3,7 +3,6 @@
 #include <exception>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "app/command_line.hpp"
 #include "app/command_line_faults.hpp"
@@ -49,55 +48,32 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   return allowed ? std::optional(options) : std::nullopt;
 }
 
-/// The options of `export`; empty, once every fault has been said, where one is not allowed.
-std::optional<ExportOptions> export_options_of(const CLI::App& command,
-                                               const Arguments& arguments) {
-  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
-  ExportOptions options;
-  bool allowed = take(parse_format(arguments.format), options.format);
-  if (given("--design")) allowed &= take(parse_design(arguments.design), options.design);
-  if (given("--curve")) allowed &= take(parse_curve(arguments.curve), options.order.kind);
-  for (const auto& [name, text, value] :
-       {std::tuple("--cutter-radius", &arguments.cutter_radius, &options.order.cutter_radius),
-        std::tuple("--chord-tolerance", &arguments.chord_tolerance,
-                   &options.order.chord_tolerance)}) {
-    if (given(name)) allowed &= take(parse_length(name, *text), *value);
-  }
-  const bool cuts = options.order.kind == ExportedCurve::cutter;
-  if (allowed && cuts != given("--cutter-radius")) {
-    complain(cuts ? "--curve: 'cutter' wants the cutter's radius; --cutter-radius R is missing"
-                  : "--cutter-radius: only the path of a cutter has one; --curve cutter is wanted "
-                    "with it");
-    return std::nullopt;
-  }
-  return allowed ? std::optional(options) : std::nullopt;
-}
-
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
-  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
   if (arguments.file.ends_with(".toml")) {
     complain(arguments.file + ": export takes a result; 'cognate solve " + arguments.file +
              "' writes one, NAME.result.json");
     return exit_bad_input;
   }
-  if (!given("--row") && !given("--format")) {
-    complain("--format is required: dxf, svg or csv; of a study file --row ID instead");
+  const bool of_study = command.get_option("--row")->count() > 0;
+  const std::string other = arguments.exporting.any();
+  if (of_study && !other.empty()) {
+    complain(other + ": is for results; with --row no other option is wanted");
     return exit_bad_input;
   }
-  if (given("--row")) {
-    for (const char* name :
-         {"--format", "--design", "--curve", "--cutter-radius", "--chord-tolerance"}) {
-      if (!given(name)) continue;
-      complain(std::string(name) + ": is for results; with --row no other option is wanted");
-      return exit_bad_input;
-    }
+  if (of_study) {
     const auto row = parse_row(arguments.row);
     if (row) return export_row_command(arguments.file, *row, options);
     complain(row.error());
     return exit_bad_input;
   }
-  const auto wanted = export_options_of(command, arguments);
-  return wanted ? export_command(arguments.file, *wanted, options) : exit_bad_input;
+  if (!arguments.exporting.format) {
+    complain("--format is required: dxf, svg, csv, json or dot; of a study file --row ID instead");
+    return exit_bad_input;
+  }
+  const auto wanted = export_options(arguments.exporting);
+  if (wanted) return export_command(arguments.file, *wanted, options);
+  for (const std::string& fault : wanted.error()) complain(fault);
+  return exit_bad_input;
 }
 
 ExitStatus run_completion(const CommandLine& line) {

@@ -16,6 +16,11 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kNamed = {
     {{"_deg", "deg"}, {"_N_m", "N m"}, {"_N", "N"}}};
 
+/// Keys of mechanisms and bounds that hold a length.
+constexpr std::array<std::string_view, 12> kLengths = {
+    "crank",       "coupler",       "rocker",          "frame", "offset",      "length",
+    "base_radius", "roller_radius", "centre_distance", "arm",   "face_offset", "stroke"};
+
 std::string unit_in(std::string_view name) {
   for (const auto& [part, unit] : kNamed) {
     const auto at = name.find(part);
@@ -37,6 +42,8 @@ std::string metric_unit(std::string_view name) {
       return metric.unit == "1" ? "" : std::string(metric.unit);
     }
   }
+  const auto key = name.substr(name.rfind('.') + 1);
+  if (std::ranges::find(kLengths, key) != kLengths.end()) return "length";
   return unit_in(name);
 }
 

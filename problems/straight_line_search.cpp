@@ -112,6 +112,10 @@ std::vector<double> peaks_beyond(const LineStretch& stretch, const std::vector<d
 }
 
 /// The stages of a search.
+/// Shares of the whole search, for progress, when its starts have been refined and the best of
+/// them.
+constexpr double kBegun = 0.3, kDeepened = 0.6;
+
 class Search {
  public:
   Search(const StraightLineProblem& problem, const Run& run, const Deadline& deadline, Work& work)
@@ -324,7 +328,7 @@ void Search::begin(const std::vector<LineStretch>& known, const std::vector<Stre
     }
     refine_start(found);
     if (thread == 0 && run_.progress) {
-      run_.progress(0.1 + 0.6 * i / double(all_.size()), std::numeric_limits<double>::infinity());
+      run_.progress(kBegun * i / double(all_.size()), std::numeric_limits<double>::infinity());
     }
   });
 }
@@ -340,14 +344,15 @@ void Search::approach(FoundStretch& found, const std::vector<double>& nodes) con
 
 void Search::deepen(std::size_t reserve) {
   keep_most_promising(kept(reserve));
-  report(0.7);
+  report(kBegun);
   const std::vector<double> nodes = stretch_nodes(kFineCells);
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int thread) {
     if (deadline_.reached()) return;
     FoundStretch& found = all_[static_cast<std::size_t>(i)];
     FoundStretch next = found;
     if (thread == 0 && run_.progress) {
-      run_.progress(0.7 + 0.2 * i / double(all_.size()), std::numeric_limits<double>::infinity());
+      run_.progress(kBegun + (kDeepened - kBegun) * i / double(all_.size()),
+                    std::numeric_limits<double>::infinity());
     }
     if (objective_ != StretchObjective::deviation) approach(next, nodes);
     refine(next, nodes, Backend::ipopt, kFineIterations);
@@ -404,9 +409,16 @@ void Search::exchange(FoundStretch& found) const {
 
 void Search::finish(std::size_t reserve) {
   keep_best(kept(reserve));
-  report(0.9);
-  parallel_for(static_cast<int>(all_.size()), run_.threads,
-               [&](int i, int) { exchange(all_[static_cast<std::size_t>(i)]); });
+  report(kDeepened);
+  const double best = !all_.empty() && is_feasible(all_.front())
+                          ? all_.front().objective
+                          : std::numeric_limits<double>::infinity();
+  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int thread) {
+    if (thread == 0 && run_.progress) {
+      run_.progress(kDeepened + (1 - kDeepened) * i / double(all_.size()), best);
+    }
+    exchange(all_[static_cast<std::size_t>(i)]);
+  });
   keep_best(kept(reserve));
   report(1);
 }

@@ -51,7 +51,4 @@ tl::expected<CamDrawing, std::string> cam_drawing(const problems::CamProblem& pr
 /// Half the side of the least square about the origin that holds `drawing`.
 double reach_of(const CamDrawing& drawing);
 
-/// Half a line of the mark at the cam's centre, as a share of the reach.
-inline constexpr double kCentreMark = 0.04;
-
 }  // namespace cognate::app

@@ -1,15 +1,17 @@
-/// @file Drawings of cams as DXF.
+/// @file Drawings as DXF.
 #pragma once
 
 #include <string>
 
-#include "app/export/cam_drawing.hpp"
+#include "app/export/plan.hpp"
 
 namespace cognate::app {
 
-/// `drawing` as a DXF document of release 2000 without a unit of length: each curve a closed
-/// lightweight polyline on the layer PROFILE, PITCH or CUTTER, the base circles on BASE_CIRCLE, and
-/// two crossing lines on CENTRE. Numbers are the shortest that read back to the same double.
-std::string dxf_text(const CamDrawing& drawing);
+enum class DxfVersion { r12, r2000 };
+
+/// `plan` as a DXF document without a unit of length: outlines as lightweight polylines (polylines
+/// with vertices in R12) whose arcs are bulges, or as lines where they are, circles and texts, each
+/// on its layer. Numbers are the shortest that read back to the same double.
+std::string dxf_text(const Plan& plan, DxfVersion version);
 
 }  // namespace cognate::app

@@ -1,10 +1,10 @@
 /// @file Cams as result files tell of them.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
 
+#include "app/export/result_document.hpp"
 #include "problems/cam/cam_result.hpp"
 
 namespace cognate::app {
@@ -15,13 +15,8 @@ struct ResultCam {
   problems::CamDesign design;
 };
 
-/// Design number `design`, counted from 1, of the result document in `file`, made anew of its
-/// table `mechanism`. The error is a message that begins with the file's name: what is wrong; what
-/// is allowed.
-tl::expected<ResultCam, std::string> read_result_cam(const std::filesystem::path& file, int design);
-
-/// The same for the text of a document; `name` is what messages call it.
-tl::expected<ResultCam, std::string> parse_result_cam(std::string_view text, int design,
-                                                      const std::string& name);
+/// The cam of a design whose mechanism is of type "cam", made anew of its table `mechanism`. The
+/// error is a message that begins with the document's name: what is wrong; what is allowed.
+tl::expected<ResultCam, std::string> result_cam(const ResultDesign& given);
 
 }  // namespace cognate::app

@@ -2,63 +2,126 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
 namespace cognate::app {
 namespace {
 
-constexpr double kMargin = 1.05;  // of the reach: what the picture shows
+constexpr double kMargin = 0.025;  // of the greater side, about the plan
 
 // Lines are thin at any size of the picture, and readable where the background is dark.
-constexpr std::string_view kStyle = R"(<style>
-path, circle { fill: none; stroke: #444; }
-.profile { stroke: #1668b8; }
-.pitch, .cutter { stroke: #b8561a; }
-.base-circle { stroke-dasharray: 4 3; stroke: #888; }
-path, circle { stroke-width: 1px; vector-effect: non-scaling-stroke; }
-</style>
+constexpr std::string_view kStyle = R"(path, circle { fill: none; stroke-width: 1px; }
+path, circle { vector-effect: non-scaling-stroke; }
+text { font-family: sans-serif; }
 )";
 
-const char* class_of(ExportedCurve kind) {
-  switch (kind) {
-    case ExportedCurve::pitch:
-      return "pitch";
-    case ExportedCurve::cutter:
-      return "cutter";
+const char* paint(PlanColour colour) {
+  switch (colour) {
+    case PlanColour::accent:
+      return "#b8561a";
+    case PlanColour::grey:
+      return "#888";
+    case PlanColour::red:
+      return "#c22";
+    case PlanColour::green:
+      return "#2a8a3c";
     default:
-      return "profile";
+      return "#1668b8";
   }
 }
 
-void append_curve(std::string& text, const DrawnCurve& curve, const char* kind) {
+std::string class_of(std::string layer) {
+  for (char& c : layer) c = c == '_' ? '-' : 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return layer;
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string style(const Plan& plan) {
+  std::string text = "<style>\n";
+  text += kStyle;
+  for (const PlanLayer& layer : plan.layers) {
+    const std::string name = class_of(layer.name);
+    const char* colour = paint(layer.colour);
+    text += fmt::format(".{} {{ stroke: {};{} }}\ntext.{} {{ stroke: none; fill: {}; }}\n", name,
+                        colour, layer.dashed ? " stroke-dasharray: 4 3;" : "", name, colour);
+  }
+  return text + "</style>\n";
+}
+
+/// The way from one corner to the next: a line, or an arc of a circle.
+void append_way(std::string& text, const PlanCorner& from, const PlanCorner& to) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "<path class=\"{}\" d=\"", kind);
-  char command = 'M';
-  for (const auto& point : curve.points) {
-    fmt::format_to(out, "{}{} {}", command, point.at.x, point.at.y);
-    command = 'L';
+  if (from.bulge == 0) {
+    fmt::format_to(out, "L{} {}", to.at.x, to.at.y);
+    return;
   }
-  text += "Z\"/>\n";
-  if (curve.base_radius > 0) {
-    fmt::format_to(out, "<circle class=\"base-circle\" r=\"{}\"/>\n", curve.base_radius);
+  const double bulge = std::abs(from.bulge);
+  const double radius = norm(to.at - from.at) * (1 + bulge * bulge) / (4 * bulge);
+  fmt::format_to(out, "A{0} {0} 0 {1} {2} {3} {4}", radius, bulge > 1 ? 1 : 0,
+                 from.bulge > 0 ? 1 : 0, to.at.x, to.at.y);
+}
+
+void append_outline(std::string& text, const PlanOutline& outline) {
+  const auto& corners = outline.corners;
+  if (corners.empty()) return;
+  fmt::format_to(std::back_inserter(text), "<path class=\"{}\" d=\"M{} {}", class_of(outline.layer),
+                 corners.front().at.x, corners.front().at.y);
+  for (std::size_t i = 1; i < corners.size(); ++i) append_way(text, corners[i - 1], corners[i]);
+  if (outline.closed && corners.back().bulge != 0) {
+    append_way(text, corners.back(), corners.front());
   }
+  text += outline.closed ? "Z\"/>\n" : "\"/>\n";
+}
+
+void append_circle(std::string& text, const PlanCircle& circle) {
+  fmt::format_to(std::back_inserter(text), "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
+                 class_of(circle.layer), circle.centre.x, circle.centre.y, circle.radius);
+}
+
+/// Texts stand upright in a picture whose y axis is turned.
+void append_label(std::string& text, const PlanLabel& label) {
+  fmt::format_to(std::back_inserter(text),
+                 "<text class=\"{}\" transform=\"translate({} {}) scale(1 -1)\" "
+                 "font-size=\"{}\">{}</text>\n",
+                 class_of(label.layer), label.at.x, label.at.y, label.height, escaped(label.text));
 }
 
 }  // namespace
 
-std::string svg_text(const CamDrawing& drawing) {
-  const double reach = reach_of(drawing);
-  const double half = kMargin * reach;
+std::string svg_text(const Plan& plan) {
+  const Vec2d size = plan.high - plan.low;
+  const double margin = kMargin * std::max(size.x, size.y);
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n"
-      "<title>Cam: {}</title>\n",
-      -half, -half, 2 * half, 2 * half, class_of(drawing.kind));
-  text += kStyle;
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", plan.low.x - margin,
+      -plan.high.y - margin, size.x + 2 * margin, size.y + 2 * margin);
+  text += "<title>" + escaped(plan.title) + "</title>\n";
+  text += style(plan);
   text += "<g transform=\"scale(1 -1)\">\n";
-  for (const auto& curve : drawing.curves) append_curve(text, curve, class_of(drawing.kind));
-  const double arm = kCentreMark * reach;
-  text += fmt::format("<path class=\"centre\" d=\"M{0} 0L{1} 0M0 {0}L0 {1}\"/>\n", -arm, arm);
+  for (const auto& outline : plan.outlines) append_outline(text, outline);
+  for (const auto& circle : plan.circles) append_circle(text, circle);
+  for (const auto& label : plan.labels) append_label(text, label);
   text += "</g>\n</svg>\n";
   return text;
 }

@@ -1,14 +1,14 @@
-/// @file Drawings of cams as SVG.
+/// @file Drawings as SVG.
 #pragma once
 
 #include <string>
 
-#include "app/export/cam_drawing.hpp"
+#include "app/export/plan.hpp"
 
 namespace cognate::app {
 
-/// `drawing` as an SVG document whose units are those of the cam, y upwards: paths of class
-/// `profile`, `pitch` or `cutter`, circles of class `base-circle`, and a cross of class `centre`.
-std::string svg_text(const CamDrawing& drawing);
+/// `plan` as an SVG document whose units are those of the plan, y upwards: paths, circles and texts
+/// whose class is the name of their layer in small letters with hyphens.
+std::string svg_text(const Plan& plan);
 
 }  // namespace cognate::app

@@ -1,7 +1,7 @@
 # Puts the page together from its parts and writes it as a C++ source.
 # OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; STYLES and
 # SCRIPTS in order; WORDS: the texts, a file for each language; LICENCE, LIBRARY and LIBRARY_STYLES:
-# files of the plotting library, or empty.
+# files of the plotting library, or empty; KERNEL: the analysis kernel in base64, or empty.
 cmake_minimum_required(VERSION 3.25)
 
 # join(VARIABLE FILES...): the text of all.
@@ -39,6 +39,11 @@ string(REPLACE "@CONTENT@" "${content}" page "${page}")
 string(REPLACE "@STYLE@" "${library_style}\n${style}" page "${page}")
 string(REPLACE "@LIBRARY@" "${library}" page "${page}")
 string(REPLACE "@WORDS@" "{${words}}" page "${page}")
+set(kernel "")
+if(KERNEL)
+  file(READ "${KERNEL}" kernel)
+endif()
+string(REPLACE "@KERNEL@" "${kernel}" page "${page}")
 string(REPLACE "@SCRIPT@" "${script}" page "${page}")
 
 # Compilers need take no literal longer than 65536 bytes: pieces, cut after an ASCII character so

@@ -58,6 +58,11 @@ ordered_json pose_json(const Pose& pose) {
       {drawn(pose.at.x), drawn(pose.at.y), drawn(problems::degrees(pose.angle))});
 }
 
+/// Not rounded: errors are computed with it where a design is edited.
+ordered_json axes_json(const Pose& axes) {
+  return ordered_json::array({axes.at.x, axes.at.y, problems::degrees(axes.angle)});
+}
+
 /// Corners of the guided body in its own axes, from the shapes that the mechanism is drawn with,
 /// the origin of the target's axes among them.
 ordered_json outline_json(const Design& design, const GuidedBody& guided) {
@@ -136,7 +141,7 @@ ordered_json reached_poses(const Design& design, std::span<const Pose> targets) 
           {"guided",
            {{"body", guided->body},
             {"reached", reached},
-            {"axes", pose_json(guided->target_in_body)},
+            {"axes", axes_json(guided->target_in_body)},
             {"outline", outline_json(design, *guided)}}}};
 }
 

@@ -107,7 +107,7 @@ class ShapeBuilder {
       any = true;
     }
     if (!any) return;
-    const Rail rail{through + least * direction, through + greatest * direction};
+    const Rail rail{through + least * direction, through + greatest * direction, traveller};
     shape(bearer).rails.push_back(rail);
     add_point(bearer, rail.from);
     add_point(bearer, rail.to);

@@ -13,6 +13,7 @@ namespace cognate::app {
 struct Rail {
   Vec2d from{};
   Vec2d to{};
+  int traveller = 0;  ///< the body whose origin travels there, its first axis along the guide
 };
 
 /// What to draw of a body, in its axes.

@@ -73,6 +73,28 @@ ordered_json drawn_curve(const problems::ClosedCurve& curve) {
   return vertices;
 }
 
+ordered_json pairs_json(const std::vector<synthesis::AnglePair>& pairs) {
+  ordered_json list = ordered_json::array();
+  for (const auto& pair : pairs) list.push_back(ordered_json::array({pair.input, pair.output}));
+  return list;
+}
+
+/// What a function generator is to do, for whoever evaluates another design: increments of both
+/// angles in radians where the error counts and over the domain, the ends of the motion, and those
+/// of x (null for pairs).
+ordered_json wanted_function(const problems::FunctionProblem& problem) {
+  if (problem.type != problems::MechanismType::four_bar) return {{"kind", "function"}};
+  const auto wanted = problems::function_samples(problem);
+  const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
+  ordered_json x;
+  if (function) x = {function->domain.min, function->domain.max};
+  return {{"kind", "function"},
+          {"samples", pairs_json(wanted.samples)},
+          {"range", pairs_json(wanted.range)},
+          {"sweep", {wanted.sweep.min, wanted.sweep.max}},
+          {"x", x}};
+}
+
 struct TargetJson {
   ordered_json operator()(const problems::PathProblem& problem) const {
     ordered_json points = ordered_json::array();
@@ -81,7 +103,9 @@ struct TargetJson {
     if (problem.curve) target["curve"] = drawn_curve(problem.curve->curve);
     return target;
   }
-  ordered_json operator()(const problems::FunctionProblem&) const { return {{"kind", "function"}}; }
+  ordered_json operator()(const problems::FunctionProblem& problem) const {
+    return wanted_function(problem);
+  }
   ordered_json operator()(const problems::MotionProblem& problem) const {
     return {{"kind", "motion"}, {"poses", poses_json(problem.poses)}};
   }

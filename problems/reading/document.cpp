@@ -62,11 +62,6 @@ Table convert_table(const toml::table& table) {
 std::string_view other_format(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return "";
-  if (text.starts_with("SQLite format 3")) {
-    return "this is a database, perhaps a study's; 'cognate export FILE --row ID' takes designs "
-           "out "
-           "of it, and 'cognate sweep' wants the study's TOML file";
-  }
   if (text[begin] == '<') {
     return "this is HTML, SVG or other XML, not TOML; a problem file is wanted, which may name a "
            "drawing by target.svg";
@@ -90,6 +85,7 @@ std::string_view remedy(std::string_view description) {
       {"could not determine value type", "words stand in quotes, numbers without unit"},
       {"string: encountered", "a string ends with its quotes on the same line"},
       {"string: expected", "a string ends with its quotes on the same line"},
+      {"unescaped control characters", "a string ends with its quotes on the same line"},
       {"boolean: expected", "words stand in quotes"},
       {"floating-point: expected", "numbers stand without unit, words in quotes"},
       {"integer: expected", "numbers stand without unit, words in quotes"}};

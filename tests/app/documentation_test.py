@@ -79,6 +79,20 @@ class Links(unittest.TestCase):
                         self.assertIn(anchor, anchors_of(file))
         self.assertGreater(count, 50)
 
+    def test_worked_files_are_there(self):
+        """Names in code under that heading, but for endings (`-2`) and groups (`logarithm-…`)."""
+        count = 0
+        for page in pages():
+            section = re.search(r"^## Worked files\n(.*?)(^## |\Z)", text_of(page), re.DOTALL | re.MULTILINE)
+            if not section:
+                continue
+            folder = page.parent / re.search(r"\]\((\.\./problems/library/[^)]*)\)", section[1])[1]
+            for name in re.findall(r"`([a-z][a-z0-9-]*)`", section[1]):
+                with self.subTest(page=page.name, name=name):
+                    count += 1
+                    self.assertTrue((folder / f"{name}.toml").exists(), "no such worked file")
+        self.assertGreater(count, 60)
+
     def test_each_page_is_in_the_index(self):
         index = text_of(ROOT / "docs" / "README.md")
         for page in (ROOT / "docs").glob("*.md"):
@@ -87,7 +101,7 @@ class Links(unittest.TestCase):
 
     def test_each_picture_is_shown(self):
         shown = "".join(text_of(page) for page in pages())
-        for picture in (ROOT / "docs" / "pictures").glob("*.png"):
+        for picture in (ROOT / "docs" / "pictures").iterdir():
             self.assertIn(f"pictures/{picture.name}", shown)
 
 
@@ -169,7 +183,7 @@ class Examples(unittest.TestCase):
                     done = run(self.folder, *words.split()[1:])
                     self.assertEqual(done.returncode, int(wanted[1]) if wanted else 0, done.stderr)
         self.assertGreaterEqual(commands, 10)
-        for left in ["walk.report.html", "arm.csv", "feed.dxf", "sizes.273.toml"]:
+        for left in ["walk.report.html", "arm.csv", "feed.dxf", "walk-2.parts.dxf", "sizes.273.toml"]:
             self.assertTrue((self.folder / left).exists(), left)
 
 

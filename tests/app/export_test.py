@@ -333,6 +333,12 @@ class ExportTest(unittest.TestCase):
             points = self.points(result, *options)
             self.export(result, "dxf", *options)
             name = "cam.dxf" if layer == "PROFILE" else f"cam.{layer.lower()}.dxf"
+            self.export(result, "dxf", *options, "--dxf-version", "r12", "--out", "old")
+            old = ezdxf.readfile(self.folder / "old" / name)
+            self.assertEqual(old.dxfversion, "AC1009")
+            self.assertEqual(old.audit().errors, [])
+            (line,) = old.modelspace().query("POLYLINE")
+            self.assertEqual([tuple(vertex)[:2] for vertex in line.points()], points)
             drawing = ezdxf.readfile(self.folder / name)
             self.assertEqual(drawing.audit().errors, [])
             self.assertEqual(drawing.dxfversion, "AC1015")
@@ -431,10 +437,18 @@ class ExportTest(unittest.TestCase):
             (["--design", "0"], "--design: '0'"),
             (["--design", "2"], "there is no design 2; allowed is --design from 1 to 1"),
             (["--out", ""], "--out"),
+            (["--steps", "9"], "--steps: is for linkages; of a cam --curve and"),
+            (["--dxf-version", "r13"], "--dxf-version: 'r13' is not possible; allowed is r12 or 2000"),
+            (["--dxf-version", "r12"], "--format dxf is wanted with it"),
         ]:
             with self.subTest(options):
                 self.expect_refusal(self.refused(result, *options), part)
         self.expect_refusal(self.refused(result, form="step"), "--format: 'step'", "dxf, svg or csv")
+        self.expect_refusal(self.refused(result, form="dot"), "--format: json and dot are for linkages")
+        self.expect_refusal(
+            self.refused(result, "--parts", "--hole", "2", "--width", "5", form="dxf"),
+            "--parts: is for linkages",
+        )
         self.expect_refusal(run("export", result), "--format")
         self.assertFalse((self.folder / "cam.csv").exists())
         flat = self.solve(problem(['type = "translating-flat"'], 10, {"base_radius": 40}))
@@ -464,10 +478,10 @@ class ExportTest(unittest.TestCase):
             ("[" * 100000 + "]" * 100000, "nested too deep"),
             ("[]", "no result of Cognate"),
             ('{"format": "cognate-result/2"}', "no result of Cognate"),
-            ('{"format": "cognate-result/1"}', 'kind ""'),
-            (json.dumps({**good, "problem": {"kind": "path-generation"}}), "not available"),
+            ('{"format": "cognate-result/1"}', "no design"),
             (json.dumps({**good, "designs": []}), "no design"),
-            (json.dumps({**good, "designs": [{}]}), 'no mechanism of type "cam"'),
+            (json.dumps({**good, "designs": [{}]}), "no mechanism with a type"),
+            (changed(type="can"), 'mechanism.type'),
             (changed(base_radius=-1), where + "mechanism.base_radius"),
             (changed(base_radius="wide"), where + "mechanism.base_radius"),
             (changed(base_radius=None), where),

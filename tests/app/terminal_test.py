@@ -4,6 +4,7 @@ Run as: terminal_test.py PROGRAM LIBRARY, the built program and the folder of li
 """
 
 import fcntl
+import functools
 import os
 import pathlib
 import pty
@@ -37,6 +38,11 @@ starts = 10000
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], text=True, timeout=120,
                           capture_output=True, **options)
+
+
+@functools.cache
+def completion(shell):
+    return run("completion", shell).stdout
 
 
 class Terminal:
@@ -105,7 +111,7 @@ class AtTheTerminal(unittest.TestCase):
 
     def complete(self, *words):
         """What bash offers for the last of `words`."""
-        script = run("completion", "bash").stdout
+        script = completion("bash")
         quoted = " ".join("'" + word + "'" for word in words)
         script += f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}\n"
         script += '_cognate 2>&1; printf "%s\\n" "${COMPREPLY[@]}"\n'
@@ -144,11 +150,12 @@ class AtTheTerminal(unittest.TestCase):
                              self.complete("cognate", "export", "--format", ""))
 
     def test_completion_knows_every_option_that_help_knows(self):
-        scripts = {shell: run("completion", shell).stdout for shell in ("bash", "zsh", "fish")}
+        scripts = {shell: completion(shell) for shell in ("bash", "zsh", "fish")}
         for command in COMMANDS:
+            offered = self.complete("cognate", command, "--")
             for option in re.findall(r"^  (?:-h,)?--([\w-]+)", run(command, "--help").stdout, re.M):
                 with self.subTest(command=command, option=option):
-                    self.assertIn("--" + option, self.complete("cognate", command, "--"))
+                    self.assertIn("--" + option, offered)
                     self.assertIn("--" + option, scripts["zsh"])
                     self.assertIn(f"__fish_seen_subcommand_from {command}' ", scripts["fish"])
                     self.assertIn(f"-l {option} ", scripts["fish"])
@@ -259,7 +266,7 @@ class AtTheTerminal(unittest.TestCase):
             (["solve", self.folder], "directory"),
             (["solve", result], "a result of Cognate; 'cognate export'"),
             (["solve", page], "HTML"),
-            (["solve", binary], "database"),
+            (["solve", binary], "not text"),
             (["solve", unquoted], "quotes"),
             (["solve", open_bracket], "bracket"),
             (["solve", text], "quotes"),

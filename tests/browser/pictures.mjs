@@ -3,7 +3,7 @@
 //   node pictures.mjs PROGRAM LIBRARY OUTDIR [NAME...]
 // PNGs become a third as large where pngquant is installed.
 import { execFileSync, spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { launch, open } from "./browser.mjs";
@@ -86,5 +86,13 @@ for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.inc
   }
 }
 await browser.close();
+
+// The links of that linkage as parts to be cut.
+if (!wanted.length || wanted.includes("parts")) {
+  execFileSync(program, ["solve", path.join(library, "path/ten-point-ellipse.toml"), "--out", scratch, "--quiet"]);
+  execFileSync(program, ["export", path.join(scratch, "ten-point-ellipse.result.json"), "--format", "svg",
+    "--parts", "--hole", "3", "--width", "8", "--thickness", "3", "--out", scratch, "--quiet"]);
+  copyFileSync(path.join(scratch, "ten-point-ellipse.parts.svg"), path.join(folder, "parts.svg"));
+}
 rmSync(scratch, { recursive: true });
 process.exit(faulty ? 1 : 0);

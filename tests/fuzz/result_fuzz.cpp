@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "app/export/result_cam.hpp"
@@ -16,12 +17,14 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const auto cam = cognate::app::parse_result_cam(text, 1, "r");
-  if (!cam) {
-    const auto& message = cam.error();
+  const auto check = [](const std::string& message) {
     if (!message.starts_with("r:") || message.find("; ") == std::string::npos) std::abort();
     return 0;
-  }
+  };
+  const auto given = cognate::app::parse_result_design(text, 1, "r");
+  if (!given) return check(given.error());
+  const auto cam = cognate::app::result_cam(*given);
+  if (!cam) return check(cam.error());
   const auto& [problem, design] = *cam;
   if (!is_sound(problem) || !is_drawn(problem, design)) std::abort();
   return 0;

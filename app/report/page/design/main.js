@@ -13,7 +13,7 @@ const curves = new Curves(byId("plots"), (crank) => { if (crank !== null) turnTo
 const controls = new Controls((seconds) => turnTo(controls.player.next(playedCrank(), current().played, seconds)),
   (sense, large) => turnTo(state.crank + sense * (large ? 10 : 1) * stepOf(current()), true));
 
-function current() { return designs[state.index]; }
+function current() { return editor?.shown ?? designs[state.index]; }
 
 // What an arrow key moves the drive by: a degree, or a part of a slider's way.
 const stepOf = (design) => (design.angular ? 1 : (design.to - design.from) / 360);
@@ -33,6 +33,7 @@ function turnTo(crank, byHand = false) {
   design.crank = state.crank;
   scene.move(design.moved(state.crank));
   extras.move(state.crank);
+  editor?.place(scene.view, design.moved(state.crank));
   curves.move(state.crank);
   const slider = byId("crank");
   slider.value = state.crank;
@@ -100,6 +101,7 @@ function setDrive(design) {
 
 function choose(index) {
   state.index = index;
+  editor?.choose(designs[index], data.designs[index]);
   const design = current();
   table.choose(index);
   families.choose(index);
@@ -119,6 +121,22 @@ function choose(index) {
   drawScene();
 }
 
+// Everything that is drawn of a design, once it has been changed.
+function redrawDesign() {
+  const design = current();
+  setDrive(design);
+  curves.build(design.sheets(data.transmission_limits_deg));
+  redrawAt(state.crank);
+}
+
+// A change is under way: errors are drawn so that they fit.
+function redrawAt(crank) {
+  controls.play(false);
+  state.crank = crank;
+  setMagnification(fittingMagnification(current(), current().boxes[state.framing]));
+  drawScene();
+}
+
 function listen() {
   byId("crank").addEventListener("input", (event) => turnTo(Number(event.target.value), true));
   byId("magnify").addEventListener("input", (event) => { setMagnification(Number(event.target.value)); drawScene(); });
@@ -135,6 +153,8 @@ const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", 
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
+const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign,
+  redraw: (crank) => redrawAt(crank ?? state.crank) }) : null;
 let table = null;
 let families = null;
 showDesignHead(result, kind);

@@ -1,0 +1,50 @@
+#include "app/export/cam_plan.hpp"
+
+namespace cognate::app {
+namespace {
+
+/// Half a line of the mark at the cam's centre, as a share of the reach.
+constexpr double kCentreMark = 0.04;
+
+const char* layer_of(ExportedCurve kind) {
+  switch (kind) {
+    case ExportedCurve::pitch:
+      return "PITCH";
+    case ExportedCurve::cutter:
+      return "CUTTER";
+    default:
+      return "PROFILE";
+  }
+}
+
+PlanOutline outline_of(const DrawnCurve& curve, const char* layer) {
+  PlanOutline outline{layer, {}, true};
+  outline.corners.reserve(curve.points.size());
+  for (const auto& point : curve.points) outline.corners.push_back({point.at});
+  return outline;
+}
+
+}  // namespace
+
+Plan cam_plan(const CamDrawing& drawing) {
+  const char* layer = layer_of(drawing.kind);
+  const double reach = reach_of(drawing);
+  const PlanColour colour =
+      drawing.kind == ExportedCurve::profile ? PlanColour::foreground : PlanColour::accent;
+  Plan plan{
+      .title = "Cam",
+      .low = {-reach, -reach},
+      .high = {reach, reach},
+      .layers = {
+          {layer, colour}, {"BASE_CIRCLE", PlanColour::grey, true}, {"CENTRE", PlanColour::red}}};
+  for (const auto& curve : drawing.curves) {
+    plan.outlines.push_back(outline_of(curve, layer));
+    if (curve.base_radius > 0) plan.circles.push_back({"BASE_CIRCLE", {}, curve.base_radius});
+  }
+  const double arm = kCentreMark * reach;
+  plan.outlines.push_back(plan_line("CENTRE", {-arm, 0}, {arm, 0}));
+  plan.outlines.push_back(plan_line("CENTRE", {0, -arm}, {0, arm}));
+  return plan;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,39 @@
+/// @file What an export writes and says.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "app/export/export_options.hpp"
+#include "app/export/result_cam.hpp"
+#include "app/export/result_linkage.hpp"
+#include "app/options.hpp"
+
+namespace cognate::app {
+
+struct ExportedFile {
+  std::string name;
+  std::string text;
+};
+
+struct Exported {
+  std::vector<ExportedFile> files;
+  std::vector<std::string> notes;
+  std::string summary;           ///< one line for people
+  nlohmann::ordered_json facts;  ///< members of the document `cognate-export/1`
+};
+
+/// The files of a cam's curves, called after `stem`: one, but of a table one for each curve. The
+/// error says which option is not possible and what is allowed.
+tl::expected<Exported, std::string> export_cam(const ResultCam& given, const ExportOptions& wanted,
+                                               const std::string& stem);
+
+/// The file of a linkage: its drawing in one position, its parts, its positions over the drive, the
+/// document `cognate-linkage/1`, or the sketch of its chain.
+tl::expected<Exported, std::string> export_linkage(const ResultLinkage& linkage,
+                                                   const ExportOptions& wanted,
+                                                   const std::string& stem, const Options& options);
+
+}  // namespace cognate::app

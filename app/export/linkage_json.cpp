@@ -1,0 +1,137 @@
+#include "app/export/linkage_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/design_dimensions.hpp"
+#include "app/json_values.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json link_json(const ShownLinks& shown, const ShownLink& link) {
+  ordered_json places = ordered_json::array(), lengths = places, slots = places;
+  for (std::size_t i = 0; i < link.places.size(); ++i) {
+    const LinkPlace& place = link.places[i];
+    places.push_back({{"name", place.name}, {"at", to_json(place.at)}, {"joint", place.joint}});
+    for (std::size_t k = i + 1; k < link.places.size(); ++k) {
+      lengths.push_back({{"from", place.name},
+                         {"to", link.places[k].name},
+                         {"length", norm(link.places[k].at - place.at)}});
+    }
+  }
+  for (const Rail& rail : link.shape.rails) {
+    slots.push_back({{"slider", shown.links[static_cast<std::size_t>(rail.traveller)].name},
+                     {"from", to_json(rail.from)},
+                     {"to", to_json(rail.to)}});
+  }
+  return {{"name", link.name}, {"places", places}, {"lengths", lengths}, {"slots", slots}};
+}
+
+ordered_json joint_json(const ShownLinks& shown, const ShownJoint& joint) {
+  const auto name = [&](int link) { return shown.links[static_cast<std::size_t>(link)].name; };
+  return {{"name", joint.name},
+          {"type", joint.type == JointType::revolute ? "turning" : "sliding"},
+          {"links", {name(joint.first), name(joint.second)}}};
+}
+
+/// Where every place is, each once.
+ordered_json places_json(const ShownLinks& shown, std::span<const BodyMotion<double, 0>> bodies) {
+  ordered_json places = ordered_json::object();
+  for (std::size_t i = 0; i < shown.links.size(); ++i) {
+    for (const LinkPlace& place : shown.links[i].places) {
+      if (places.contains(place.name)) continue;
+      places[place.name] = to_json(point_motion(bodies[i], place.at)[0]);
+    }
+  }
+  return places;
+}
+
+ordered_json path_json(const PointPath& path) {
+  ordered_json corners = ordered_json::array();
+  for (const Vec2d& corner : path.corners) corners.push_back(to_json(corner));
+  return {{"point", path.point}, {"closed", path.closed}, {"corners", corners}};
+}
+
+ordered_json part_json(const ToldParts& told, std::size_t i) {
+  const LinkPart& part = told.made.parts[i];
+  const PartPlace& place = told.sheet.places[i];
+  ordered_json holes = ordered_json::array(), slots = holes;
+  for (const PartHole& hole : part.holes) {
+    holes.push_back({{"name", hole.name}, {"at", to_json(on_sheet(place, hole.at))}});
+  }
+  for (const PartSlot& slot : part.slots) {
+    slots.push_back({{"slider", slot.name},
+                     {"from", to_json(on_sheet(place, slot.from))},
+                     {"to", to_json(on_sheet(place, slot.to))}});
+  }
+  return {
+      {"name", part.name}, {"plane", told.planes.planes[i]}, {"holes", holes}, {"slots", slots}};
+}
+
+ordered_json pin_json(const ToldParts& told, const PartPin& pin) {
+  int low = told.planes.count, high = 1;
+  ordered_json names = ordered_json::array();
+  for (const int part : pin.parts) {
+    const auto i = static_cast<std::size_t>(part);
+    names.push_back(told.made.parts[i].name);
+    low = std::min(low, told.planes.planes[i]);
+    high = std::max(high, told.planes.planes[i]);
+  }
+  ordered_json table = {{"name", pin.name}, {"parts", names}, {"planes", {low, high}}};
+  if (told.order.thickness) table["length"] = (high - low + 1) * *told.order.thickness;
+  return table;
+}
+
+}  // namespace
+
+ordered_json linkage_json(const ResultLinkage& linkage, const ShownLinks& shown,
+                          std::span<const BodyMotion<double, 0>> bodies,
+                          const ShownPosition& position, const std::vector<PointPath>& paths) {
+  const auto& mechanism = linkage.problem.mechanism;
+  ordered_json document = {{"type", problems::to_string(mechanism.type)},
+                           {"dimensions", ordered_json::object()}};
+  for (const auto& dimension : dimensions(mechanism)) {
+    document["dimensions"][dimension.name] = dimension.value;
+  }
+  for (const char* list : {"links", "joints", "paths"}) document[list] = ordered_json::array();
+  for (const auto& link : shown.links) document["links"].push_back(link_json(shown, link));
+  for (const auto& joint : shown.joints) document["joints"].push_back(joint_json(shown, joint));
+  for (const auto& path : paths) document["paths"].push_back(path_json(path));
+  document["position"] = {{is_driven_by_slider(linkage) ? "slide" : "crank_deg", position.value},
+                          {"places", places_json(shown, bodies)}};
+  return document;
+}
+
+ordered_json columns_json(const std::vector<problems::Column>& columns) {
+  ordered_json list = ordered_json::array();
+  for (const auto& column : columns) {
+    ordered_json values = ordered_json::array();
+    for (const double value : column.values) {
+      values.push_back(std::isfinite(value) ? ordered_json(value) : nullptr);
+    }
+    list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", values}});
+  }
+  return list;
+}
+
+ordered_json parts_json(const ToldParts& told) {
+  ordered_json table = {{"hole", told.order.hole},           {"width", told.order.width},
+                        {"clearance", told.order.clearance}, {"planes", told.planes.count},
+                        {"parts", ordered_json::array()},    {"pins", ordered_json::array()}};
+  for (std::size_t i = 0; i < told.made.parts.size(); ++i) {
+    table["parts"].push_back(part_json(told, i));
+  }
+  for (const PartPin& pin : told.made.pins) table["pins"].push_back(pin_json(told, pin));
+  if (told.order.thickness) {
+    table["thickness"] = *told.order.thickness;
+    table["height"] = told.planes.count * *told.order.thickness;
+  }
+  return table;
+}
+
+}  // namespace cognate::app

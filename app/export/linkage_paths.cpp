@@ -1,0 +1,130 @@
+#include "app/export/linkage_paths.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/mechanism/followed_motion.hpp"
+
+namespace cognate::app {
+namespace {
+
+constexpr int kFewestPieces = 24;  // of a range of the drive
+constexpr int kMostHalvings = 24;
+constexpr std::size_t kMostCorners = 500'000;
+constexpr double kTurn = 2 * std::numbers::pi;
+
+double distance_to_chord(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
+  const Vec2d chord = b - a;
+  const double square = squared_norm(chord);
+  const double share = square > 0 ? std::clamp(dot(p - a, chord) / square, 0.0, 1.0) : 0;
+  return norm(p - a - share * chord);
+}
+
+/// Follows one point.
+class PathMaker {
+ public:
+  PathMaker(FollowedMotion<0>& motion, const Attached<double>& point, double tolerance)
+      : motion_(motion), point_(point), tolerance_(tolerance) {}
+
+  /// The point's places from `from` to `to`, within one range; none where there is no motion.
+  std::vector<Vec2d> follow(double from, double to) {
+    corners_.clear();
+    constexpr double kHair = 1e-9;  // beside a dead point, where rounding decides
+    if (!append(from) && !append(std::lerp(from, to, kHair))) return {};
+    for (int i = 0; i < kFewestPieces; ++i) {
+      refine(std::lerp(from, to, static_cast<double>(i) / kFewestPieces),
+             std::lerp(from, to, (i + 1.0) / kFewestPieces), kMostHalvings);
+    }
+    return std::move(corners_);
+  }
+
+ private:
+  bool at(double drive, Vec2d& place) {
+    if (!motion_.move_to(drive)) return false;
+    place = motion_.point(point_)[0];
+    return std::isfinite(place.x) && std::isfinite(place.y);
+  }
+
+  bool append(double drive) {
+    Vec2d place;
+    const bool found = at(drive, place);
+    if (found) corners_.push_back(place);
+    return found;
+  }
+
+  /// Appends what lies between `from`, whose place is the last corner, and `to`, which is the last
+  /// corner afterwards.
+  void refine(double from, double to, int halvings) {
+    const Vec2d first = corners_.back();
+    Vec2d last;
+    const double middle = std::midpoint(from, to);
+    if (corners_.size() > kMostCorners) return;
+    if (!at(to, last)) return;
+    if (halvings > 0 && !is_flat(from, to, first, last)) {
+      refine(from, middle, halvings - 1);
+      refine(middle, to, halvings - 1);
+      return;
+    }
+    corners_.push_back(last);
+  }
+
+  bool is_flat(double from, double to, const Vec2d& first, const Vec2d& last) {
+    return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double share) {
+      Vec2d place;
+      return !at(std::lerp(from, to, share), place) ||
+             distance_to_chord(place, first, last) <= tolerance_;
+    });
+  }
+
+  FollowedMotion<0>& motion_;
+  Attached<double> point_;
+  double tolerance_;
+  std::vector<Vec2d> corners_;
+};
+
+bool moves(const std::vector<Vec2d>& corners, double tolerance) {
+  return std::ranges::any_of(
+      corners, [&](const Vec2d& corner) { return norm(corner - corners.front()) > tolerance; });
+}
+
+/// The ends of `run` that are drawn: no more than two turns, after which every path repeats itself
+/// (that of an antiparallelogram takes two).
+std::pair<double, double> drawn_range(const CourseRun& run, bool slides) {
+  if (slides) return {run.from, run.to};
+  return {run.from, std::min(run.to, run.from + 2 * kTurn)};
+}
+
+}  // namespace
+
+tl::expected<std::vector<PointPath>, std::string> linkage_paths(const ResultLinkage& linkage,
+                                                                const Course& course,
+                                                                double tolerance) {
+  FollowedMotion<0> motion(linkage.problem.mechanism.mechanism, course);
+  std::vector<PointPath> paths;
+  std::size_t total = 0;
+  for (const auto& point : linkage.problem.mechanism.points) {
+    if (point.at.body == 0) continue;
+    PathMaker maker(motion, point.at, tolerance);
+    for (const CourseRun& run : course.runs) {
+      const auto [from, to] = drawn_range(run, is_driven_by_slider(linkage));
+      std::vector<Vec2d> corners = maker.follow(from, to);
+      total += corners.size();
+      if (total > kMostCorners) {
+        return tl::unexpected(fmt::format(
+            "--chord-tolerance: {:.3g} would take more than {} points; allowed is a greater length",
+            tolerance, kMostCorners));
+      }
+      if (!moves(corners, tolerance)) continue;
+      const bool closed = norm(corners.front() - corners.back()) <= tolerance && corners.size() > 3;
+      if (closed) corners.pop_back();
+      paths.push_back({point.name, std::move(corners), closed});
+    }
+  }
+  return paths;
+}
+
+}  // namespace cognate::app

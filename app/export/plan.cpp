@@ -1,0 +1,54 @@
+#include "app/export/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cognate::app {
+namespace {
+
+class Bounds {
+ public:
+  void add(const Vec2d& centre, double reach) {
+    low_ = {std::min(low_.x, centre.x - reach), std::min(low_.y, centre.y - reach)};
+    high_ = {std::max(high_.x, centre.x + reach), std::max(high_.y, centre.y + reach)};
+  }
+
+  void add(const PlanOutline& outline) {
+    const auto& corners = outline.corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2d& next = corners[(i + 1) % corners.size()].at;
+      // An arc is nowhere farther from its chord than its rise.
+      const double rise = 0.5 * std::abs(corners[i].bulge) * norm(next - corners[i].at);
+      add(corners[i].at, rise);
+      if (rise > 0) add(next, rise);
+    }
+  }
+
+  void give(Plan& plan) const {
+    if (!(low_.x <= high_.x)) return;
+    plan.low = low_;
+    plan.high = high_;
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec2d low_{kInfinity, kInfinity};
+  Vec2d high_{-kInfinity, -kInfinity};
+};
+
+}  // namespace
+
+void fit_to_shapes(Plan& plan) {
+  Bounds bounds;
+  for (const auto& outline : plan.outlines) bounds.add(outline);
+  for (const auto& circle : plan.circles) bounds.add(circle.centre, circle.radius);
+  for (const auto& label : plan.labels) bounds.add(label.at, label.height);
+  bounds.give(plan);
+}
+
+PlanOutline plan_line(const std::string& layer, const Vec2d& from, const Vec2d& to) {
+  return {layer, {{from}, {to}}, false};
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,31 @@
+/// @file One design of a result file, before it is understood.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace cognate::app {
+
+struct ResultDesign {
+  nlohmann::ordered_json problem;  ///< the table `problem` of the document, whatever it holds
+  nlohmann::ordered_json table;    ///< an object; its `mechanism` is one with a `type`
+  int design = 1;                  ///< counted from 1
+  std::string name;                ///< what messages call the document
+};
+
+/// The string under `key` of `table`; empty where there is none.
+std::string text_under(const nlohmann::ordered_json& table, const char* key);
+
+/// Design number `design`, counted from 1, of the result document in `file`. The error is a message
+/// that begins with the file's name: what is wrong; what is allowed.
+tl::expected<ResultDesign, std::string> read_result_design(const std::filesystem::path& file,
+                                                           int design);
+
+/// The same for the text of a document; `name` is what messages call it.
+tl::expected<ResultDesign, std::string> parse_result_design(std::string_view text, int design,
+                                                            const std::string& name);
+
+}  // namespace cognate::app

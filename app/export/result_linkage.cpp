@@ -1,0 +1,123 @@
+#include "app/export/result_linkage.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "app/export/toml_text.hpp"
+#include "app/report/drive_span.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kGreatest = 1e100;  // of what a problem file may hold
+constexpr double kTurn = 2 * std::numbers::pi;
+
+std::optional<double> number(const ordered_json& value) {
+  if (!value.is_number()) return std::nullopt;
+  const double x = value.get<double>();
+  return std::abs(x) <= kGreatest ? std::optional(x) : std::nullopt;
+}
+
+/// What is under `key`; null where there is nothing.
+const ordered_json& member(const ordered_json& table, const char* key) {
+  static const ordered_json kNothing;
+  if (!table.is_object()) return kNothing;
+  const auto found = table.find(key);
+  return found == table.end() ? kNothing : *found;
+}
+
+bool is_analysis(const ResultDesign& given) {
+  return text_under(given.problem, "kind") == "analysis";
+}
+
+/// The drive coordinates at the targets of a synthesis: radians, or a length.
+std::vector<double> stations(const ResultDesign& given, bool slides) {
+  const ordered_json& list = member(given.table, slides ? "slide" : "crank_deg");
+  std::vector<double> values;
+  if (is_analysis(given) || !list.is_array()) return values;
+  for (const auto& value : list) {
+    if (const auto x = number(value)) values.push_back(slides ? *x : *x * kTurn / 360);
+  }
+  return values;
+}
+
+/// The points and the origins of the poses that the problem's `target` lists.
+std::vector<Vec2d> targets(const ordered_json& problem) {
+  std::vector<Vec2d> points;
+  for (const char* key : {"poses", "points"}) {
+    const ordered_json& list = member(member(problem, "target"), key);
+    if (!list.is_array()) continue;
+    for (const auto& entry : list) {
+      if (!entry.is_array() || entry.size() < 2) continue;
+      const auto x = number(entry[0]), y = number(entry[1]);
+      if (x && y) points.push_back({*x, *y});
+    }
+  }
+  return points;
+}
+
+/// The analysis of the design's mechanism, as a file would ask for it.
+ordered_json analysis_tables(const ResultDesign& given) {
+  const ordered_json& mechanism = given.table["mechanism"];
+  ordered_json tables = {{"kind", "analysis"}, {"mechanism", mechanism}};
+  if (is_analysis(given)) {
+    tables["drive"] = member(given.problem, "drive");
+  } else if (mechanism.contains("slider")) {
+    tables["drive"] = {{"end", 1}};  // until the stations tell
+  }
+  tables["output"] = {{"velocity", false}, {"acceleration", false}, {"transmission", false}};
+  return tables;
+}
+
+/// Lets the drive of a synthesised linkage run where it can be assembled; the error says why not.
+tl::expected<void, std::string> choose_span(ResultLinkage& linkage) {
+  const auto span = drive_span(linkage.problem.mechanism.mechanism, linkage.stations);
+  if (!span && is_driven_by_slider(linkage)) {
+    return tl::unexpected(
+        std::string("its slider has no two positions between which it could be shown; the "
+                    "result of an analysis is wanted"));
+  }
+  if (!span) {
+    return tl::unexpected(
+        std::string("it can be assembled nowhere; a mechanism that can be is wanted"));
+  }
+  linkage.problem.drive.start = span->from;
+  linkage.problem.drive.end = span->to;
+  linkage.round = span->round;
+  return {};
+}
+
+}  // namespace
+
+bool is_driven_by_slider(const ResultLinkage& linkage) {
+  return std::holds_alternative<DrivingSlider<double>>(linkage.problem.mechanism.mechanism.drive);
+}
+
+tl::expected<ResultLinkage, std::string> result_linkage(const ResultDesign& given) {
+  const auto refuse = [&](std::string_view what) {
+    return tl::unexpected(fmt::format("{}: designs[{}]: {}", given.name, given.design - 1, what));
+  };
+  auto problem = problems::parse_analysis(toml_text(analysis_tables(given)));
+  if (!problem) return refuse(problem.error().front().message);
+  ResultLinkage linkage{*std::move(problem), false, {}, targets(given.problem)};
+  const bool slides = is_driven_by_slider(linkage);
+  linkage.stations = stations(given, slides);
+  const problems::DriveSweep& drive = linkage.problem.drive;
+  if (is_analysis(given)) {
+    const double turns = std::abs(drive.end - drive.start) / kTurn;
+    linkage.round = !slides && turns >= 1 && std::abs(turns - std::round(turns)) < 1e-12;
+  } else if (const auto chosen = choose_span(linkage); !chosen) {
+    return refuse("mechanism: " + chosen.error());
+  }
+  return linkage;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,76 @@
+# The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang, and
+# written as base64 text that the pages inline. Without the toolchain COGNATE_PAGE_KERNEL is empty,
+# and the pages offer no editing.
+set(COGNATE_PAGE_KERNEL "")
+find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
+find_program(COGNATE_BASE64 NAMES base64)
+mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64)
+
+set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -fno-exceptions -fno-rtti -DNDEBUG)
+set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all)
+
+# Whether Clang has what it takes to build for WebAssembly: the linker, both libraries, the run time.
+function(cognate_check_wasm result)
+  set(${result} FALSE PARENT_SCOPE)
+  if(NOT COGNATE_WASM_CXX OR NOT COGNATE_BASE64)
+    return()
+  endif()
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/kernel")
+  file(WRITE "${folder}/probe.cpp" "#include <__verbose_abort>\n#include <vector>\n\
+extern \"C\" __attribute__((export_name(\"probe\"))) int probe(int n) {\n\
+  return static_cast<int>(std::vector<double>(n).size());\n}\n")
+  execute_process(
+    COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} probe.cpp -o probe.wasm
+    WORKING_DIRECTORY "${folder}" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(NOT failed)
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
+cognate_check_wasm(can_build_wasm)
+if(NOT can_build_wasm)
+  message(WARNING "Clang cannot build for WebAssembly here: report pages will offer no editing. "
+                  "Install clang-19, lld-19, wasi-libc, libc++-19-dev-wasm32, "
+                  "libc++abi-19-dev-wasm32 and libclang-rt-19-dev-wasm32 and run cmake again to "
+                  "have it.")
+  return()
+endif()
+
+set(kernel_sources
+  analysis/defects.cpp
+  analysis/four_bar.cpp
+  analysis/frame_axes.cpp
+  analysis/mobility.cpp
+  analysis/motion.cpp
+  app/report/design_motion.cpp
+  app/report/kernel/four_bar.cpp
+  app/report/kernel/nearest.cpp
+  app/report/kernel/numbers.cpp
+  app/report/kernel/runtime.cpp)
+set(kernel_objects "")
+foreach(source IN LISTS kernel_sources)
+  set(object "${CMAKE_CURRENT_BINARY_DIR}/kernel/${source}.o")
+  get_filename_component(folder "${object}" DIRECTORY)
+  file(MAKE_DIRECTORY "${folder}")
+  add_custom_command(
+    OUTPUT "${object}"
+    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
+            "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
+            -c "${PROJECT_SOURCE_DIR}/${source}" -o "${object}"
+    DEPENDS "${PROJECT_SOURCE_DIR}/${source}"
+    DEPFILE "${object}.d"
+    COMMENT "Building ${source} for the report pages"
+    VERBATIM)
+  list(APPEND kernel_objects "${object}")
+endforeach()
+
+set(kernel_module "${CMAKE_CURRENT_BINARY_DIR}/kernel.wasm")
+set(COGNATE_PAGE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/kernel.base64")
+add_custom_command(
+  OUTPUT "${kernel_module}" "${COGNATE_PAGE_KERNEL}"
+  COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${kernel_objects}
+          -o "${kernel_module}"
+  COMMAND "${COGNATE_BASE64}" "${kernel_module}" > "${COGNATE_PAGE_KERNEL}"
+  DEPENDS ${kernel_objects}
+  COMMENT "Linking the kernel of the report pages"
+  VERBATIM)

@@ -1,0 +1,85 @@
+#include "app/report/kernel/nearest.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "app/report/kernel/numbers.hpp"
+
+namespace cognate::page {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// The minimum of `f` between `low` and `high`, where it has one alone (golden section).
+template <class F>
+double least(const F& f, double low, double high) {
+  const double ratio = 1 / std::numbers::phi;
+  double a = high - ratio * (high - low), b = low + ratio * (high - low);
+  double at_a = f(a), at_b = f(b);
+  while (high - low > 1e-10) {
+    if (at_a < at_b) {
+      high = b;
+      b = a;
+      at_b = at_a;
+      at_a = f(a = high - ratio * (high - low));
+    } else {
+      low = a;
+      a = b;
+      at_a = at_b;
+      at_b = f(b = low + ratio * (high - low));
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double miss(const Motion& motion, const Target& target, double crank) {
+  const auto pose = motion.at(crank);
+  if (!pose || !pose->coupler_point) return kInfinite;
+  const double place = squared_norm(*pose->coupler_point - target.at);
+  if (target.weight == 0) return place;
+  const Vec2d along = pose->c - pose->b;
+  const double turn = std::remainder(std::atan2(along.y, along.x) - target.angle, kTurn);
+  return place + target.weight * target.weight * turn * turn;
+}
+
+double nearest_from(const Motion& motion, const Target& target, double start) {
+  constexpr double kFirstStep = 1e-4, kGrowth = 2, kMost = std::numbers::pi / 2;
+  const auto f = [&](double crank) { return miss(motion, target, crank); };
+  const double here = f(start);
+  if (!std::isfinite(here)) return start;
+  const double sense = f(start + kFirstStep) < f(start - kFirstStep) ? 1 : -1;
+  double behind = start - sense * kFirstStep, at = start, value = here;
+  for (double step = kFirstStep; step < kMost; step *= kGrowth) {
+    const double next = at + sense * step;
+    const double beyond = f(next);
+    if (!(beyond < value)) {
+      const double found = least(f, std::min(behind, next), std::max(behind, next));
+      return f(found) <= here ? found : start;
+    }
+    behind = at;
+    at = next;
+    value = beyond;
+  }
+  return at;
+}
+
+std::optional<double> nearest(const Motion& motion, const Target& target) {
+  constexpr int kPlaces = 360;
+  double best = 0, value = kInfinite;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double crank = i * (kTurn / kPlaces);
+    const double here = miss(motion, target, crank);
+    if (here < value) {
+      best = crank;
+      value = here;
+    }
+  }
+  if (!std::isfinite(value)) return std::nullopt;
+  return nearest_from(motion, target, best);
+}
+
+}  // namespace cognate::page

@@ -1,0 +1,42 @@
+/// @file What the C++ library asks of its surroundings. A page has no output and nothing to catch
+/// an exception with: where memory ends, or the library finds a fault, the module stops, which the
+/// page sees as an error of the call.
+#include <__verbose_abort>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+void* taken(std::size_t size) {
+  void* room = std::malloc(size > 0 ? size : 1);
+  if (room == nullptr) __builtin_trap();
+  return room;
+}
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return taken(size);
+}
+void* operator new[](std::size_t size) {
+  return taken(size);
+}
+void operator delete(void* room) noexcept {
+  std::free(room);
+}
+void operator delete[](void* room) noexcept {
+  std::free(room);
+}
+void operator delete(void* room, std::size_t) noexcept {
+  std::free(room);
+}
+void operator delete[](void* room, std::size_t) noexcept {
+  std::free(room);
+}
+
+void std::__libcpp_verbose_abort(const char*, ...) {
+  __builtin_trap();
+}
+
+extern "C" void abort() {
+  __builtin_trap();
+}

@@ -1,0 +1,177 @@
+// Editing a four-bar design: every change is evaluated by the kernel, and shown in place of the
+// design as it was found.
+
+const EDIT_SAMPLES = 241;
+
+class Editor {
+  // `page`: problem, target, limits, crank() in degrees, redraw(crank) of the picture, and
+  // settle() of what is drawn once a change is done.
+  constructor(page) {
+    this.page = page;
+    this.toggle = element("button", { type: "button", class: "edit-toggle", "aria-pressed": "false", title: say("edit.toggle.title") }, say("edit.toggle"));
+    this.toggle.addEventListener("click", () => (this.open ? this.close() : this.begin()));
+    document.querySelector("#stage .card-head").append(this.toggle);
+  }
+
+  get open() { return this.panel !== undefined; }
+
+  // Turns to another design; one that is edited is left as it was found.
+  choose(design, drawn) {
+    if (this.open) this.close(false);
+    Object.assign(this, { found: design, drawn });
+    this.toggle.hidden = !(design.entry.mechanism.type === "four-bar" && design.assembles);
+  }
+
+  async begin() {
+    Editor.kernel ??= await Kernel.load();
+    if (this.open) return;
+    const { entry } = this.found;
+    const { input_start_deg: input, output_start_deg: output } = entry.metrics;
+    const first = { mechanism: entry.mechanism, starts: input === undefined ? null : { input, output } };
+    this.measure = measureOf(this.page.problem, this.page.target, entry, this.drawn);
+    this.history = new History(first);
+    this.before = this.#evaluate(first);
+    this.panel = new EditPanel(fourBarFields(first), { field: (field, value) => this.#type(field, value), toml: () => this.toml, title: () => this.title,
+      undo: () => this.#step("undo"), redo: () => this.#step("redo"), reset: () => this.#reset() });
+    const joints = Object.keys(FOUR_BAR_JOINTS).filter((name) => name !== "P" || entry.mechanism.coupler_point);
+    this.overlay = new EditOverlay(byId("picture"), joints, { begin: () => this.#take(), drag: (name, to) => this.#drag(name, to), end: () => this.#letGo() });
+    document.querySelector(".side").prepend(this.panel.root);
+    this.#press(true);
+    this.#show(this.before);
+    this.page.settle();
+  }
+
+  close(redraw = true) {
+    this.panel.root.remove();
+    this.overlay.remove();
+    Object.assign(this, { panel: undefined, overlay: undefined, shown: undefined });
+    this.#press(false);
+    if (redraw) this.page.settle();
+  }
+
+  #press(on) {
+    this.toggle.setAttribute("aria-pressed", String(on));
+    byId("main").classList.toggle("editing", on);
+  }
+
+  // What the kernel says of a state; null where its links cannot be assembled.
+  #evaluate(state) {
+    const { kernel } = Editor;
+    const { mechanism } = state;
+    if (!kernel.take(mechanism)) return null;
+    const measured = this.measure.evaluate(kernel, state);
+    const { stations, travel, sequence, error, angular, gap, drawn } = measured;
+    const facts = kernel.facts(stations, travel, sequence);
+    if (gap && !facts.defects.includes("circuit")) facts.defects.push("circuit");
+    const motion = kernel.motion(stations, EDIT_SAMPLES);
+    if (motion.crank_deg.length < 2) return null;
+    const metrics = Object.fromEntries(Object.entries(this.found.entry.metrics).filter(([key]) => /^(body_angle|(in|out)put_start)/.test(key)));
+    const entry = { ...this.found.entry, mechanism, metrics, crank_deg: stations.map((angle) => angle / RADIANS) };
+    const guided = this.drawn.guided && this.#guided(stations, mechanism);
+    const design = new Design(entry, { ...this.drawn, motion, deviation: null, guided, ...drawn }, this.page.target);
+    return { state, mechanism, facts, error, angular, motion, design };
+  }
+
+  // The guided body, where it is the coupler.
+  #guided(stations, { coupler_point: axes }) {
+    const { guided } = this.drawn;
+    if (guided.body !== 2) return null;
+    const reached = Editor.kernel.poses(stations).map((pose) => pose && [...pose.b, Math.atan2(pose.c[1] - pose.b[1], pose.c[0] - pose.b[0]) / RADIANS]);
+    return { ...guided, reached, axes: axes ? [...axes, guided.axes[2]] : guided.axes };
+  }
+
+  // Evaluates `state` and shows it; where it cannot be assembled, says why and leaves the picture.
+  #try(state, crank) {
+    const evaluated = this.#evaluate(state);
+    if (!evaluated) {
+      this.panel.say(brokenText(state.mechanism));
+      return false;
+    }
+    this.panel.say("");
+    this.#show(evaluated, crank);
+    return true;
+  }
+
+  #show(evaluated, crank) {
+    this.now = evaluated;
+    const { design, state } = evaluated;
+    design.boxes = this.found.boxes;
+    this.shown = design;
+    this.page.redraw(crank);
+    this.panel.show(state, this.history, editRows(this.before, evaluated), (this.found.entry.constraints ?? []).map((check) => checkRow(check, evaluated)));
+  }
+
+  // The handles, where the picture has come to.
+  place(view, pose) {
+    if (!this.open || !view) return;
+    const { mechanism } = this.now;
+    const places = Object.fromEntries(Object.entries(FOUR_BAR_JOINTS).map(([name, joint]) => [name, joint.at(mechanism, pose)]));
+    this.overlay.move(view, places, this.found.linkage.point ? this.found.linkage.poses.map((p) => p.p) : []);
+  }
+
+  #take() {
+    Editor.kernel.take(this.now.mechanism);
+    this.taken = { mechanism: this.now.mechanism, pose: Editor.kernel.poses([this.page.crank() * RADIANS])[0] };
+  }
+
+  #drag(name, to) {
+    const { mechanism, pose } = this.taken ?? {};
+    if (!pose) return;
+    const joint = FOUR_BAR_JOINTS[name];
+    const crank = joint.moves === "crank" ? Math.atan2(to[1] - mechanism.fixed_pivots[0][1], to[0] - mechanism.fixed_pivots[0][0]) / RADIANS : undefined;
+    this.#try({ ...this.now.state, mechanism: joint.drag(mechanism, pose, to) }, crank);
+  }
+
+  #letGo() {
+    this.taken = null;
+    this.#settle(this.now.state);
+  }
+
+  #settle(state) {
+    this.history.push(state);
+    this.panel.show(state, this.history, editRows(this.before, this.now), (this.found.entry.constraints ?? []).map((check) => checkRow(check, this.now)));
+    this.page.settle();
+  }
+
+  #type(field, value) {
+    const { state } = this.now;
+    if (!Number.isFinite(value) || (field.positive && !(value > 0))) {
+      this.panel.say(say(field.positive ? "edit.positive" : "edit.number"));
+      this.panel.show(state, this.history, editRows(this.before, this.now), []);
+      return;
+    }
+    const next = field.set(state, value);
+    if (this.#try(next)) this.#settle(next);
+  }
+
+  #step(sense) {
+    this.history[sense]();
+    this.#try(this.history.present);
+    this.page.settle();
+  }
+
+  #reset() {
+    const [first] = this.history.states;
+    this.#try(first);
+    this.#settle(first);
+  }
+
+  get title() { return say("edit.file.title", { title: this.page.problem.title || say("head.untitled") }); }
+
+  // The linkage as a file for `cognate analyze`, driven over its full turn or the range that is used.
+  get toml() {
+    const { mechanism, motion } = this.now;
+    const inside = (k) => motion.crank_deg.at(k) + (k ? -1 : 1) * 1e-6;
+    const drive = motion.full_turn ? null : { start_deg: inside(0), end_deg: inside(-1), steps: 360 };
+    return analysisToml(this.title, mechanism, drive);
+  }
+}
+
+// Why links cannot be assembled: the longest, and what it would have to bridge.
+function brokenText({ fixed_pivots: [a, d], crank, coupler, rocker }) {
+  const links = Object.entries({ crank, coupler, rocker, frame: lengthOf(minus(d, a)) }).sort((p, q) => q[1] - p[1]);
+  const [[name, longest], ...others] = links;
+  const sum = others.reduce((total, [, length]) => total + length, 0);
+  if (longest > sum) return say("edit.broken", { name: say(`edit.field.${name}`), length: number(longest, 4), sum: number(sum, 4) });
+  return say("edit.nowhere");
+}

@@ -1,0 +1,27 @@
+// A problem file of an analysis, from the table of a mechanism as results hold it.
+
+const tomlText = (text) => JSON.stringify(text).replace(/\u007f/g, "\\u007f");
+
+function tomlValue(value) {
+  if (typeof value === "string") return tomlText(value);
+  if (Array.isArray(value)) return `[${value.map(tomlValue).join(", ")}]`;
+  if (value !== null && typeof value === "object") return `{ ${Object.entries(value).map(([key, part]) => `${key} = ${tomlValue(part)}`).join(", ")} }`;
+  return String(value);
+}
+
+const isTableList = (value) => Array.isArray(value) && value.length > 0 && value.every((part) => part !== null && typeof part === "object" && !Array.isArray(part));
+
+// `name` and its table, lists of tables after it.
+function tomlTable(name, table) {
+  const rows = Object.entries(table).filter(([, value]) => value !== null && value !== undefined);
+  const own = rows.filter(([, value]) => !isTableList(value)).map(([key, value]) => `${key} = ${tomlValue(value)}`);
+  const lists = rows.filter(([, value]) => isTableList(value)).flatMap(([key, list]) => list.flatMap((part) =>
+    ["", `[[${name}.${key}]]`, ...Object.entries(part).map(([k, value]) => `${k} = ${tomlValue(value)}`)]));
+  return ["", `[${name}]`, ...own, ...lists];
+}
+
+// `drive` may be null.
+function analysisToml(title, mechanism, drive) {
+  return [`kind = "analysis"`, `title = ${tomlText(title)}`, ...tomlTable("mechanism", mechanism),
+    ...(drive ? tomlTable("drive", drive) : []), ""].join("\n");
+}
