@@ -9,8 +9,8 @@ namespace cognate::app {
 namespace {
 
 // As shares of the linkage's size.
-constexpr double kJoint = 0.012, kPoint = 0.008, kTarget = 0.016, kText = 0.035, kBase = 0.05,
-                 kBlock = 0.045;
+constexpr double kJoint = 0.02, kPoint = 0.013, kTarget = 0.026, kText = 0.05, kBase = 0.08,
+                 kBlock = 0.06;
 
 class PlanMaker {
  public:

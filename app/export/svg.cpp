@@ -10,13 +10,12 @@
 namespace cognate::app {
 namespace {
 
-constexpr double kMargin = 0.025;  // of the greater side, about the plan
+// As shares of the greater side of the plan.
+constexpr double kMargin = 0.025, kLine = 0.002;
 
-// Lines are thin at any size of the picture, and readable where the background is dark.
-constexpr std::string_view kStyle = R"(path, circle { fill: none; stroke-width: 1px; }
-path, circle { vector-effect: non-scaling-stroke; }
-text { font-family: sans-serif; }
-)";
+double greater_side(const Plan& plan) {
+  return std::max(plan.high.x - plan.low.x, plan.high.y - plan.low.y);
+}
 
 const char* paint(PlanColour colour) {
   switch (colour) {
@@ -58,14 +57,19 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+/// Colours are readable where the background is dark.
 std::string style(const Plan& plan) {
-  std::string text = "<style>\n";
-  text += kStyle;
+  const double line = kLine * greater_side(plan);
+  std::string text = fmt::format(
+      "<style>\npath, circle {{ fill: none; stroke-width: {:.3g}; }}\n"
+      "text {{ font: 16px sans-serif; }}\n",
+      line);
+  const std::string dashes = fmt::format(" stroke-dasharray: {:.3g} {:.3g};", 4 * line, 3 * line);
   for (const PlanLayer& layer : plan.layers) {
     const std::string name = class_of(layer.name);
     const char* colour = paint(layer.colour);
     text += fmt::format(".{} {{ stroke: {};{} }}\ntext.{} {{ stroke: none; fill: {}; }}\n", name,
-                        colour, layer.dashed ? " stroke-dasharray: 4 3;" : "", name, colour);
+                        colour, layer.dashed ? dashes : std::string(), name, colour);
   }
   return text + "</style>\n";
 }
@@ -100,19 +104,21 @@ void append_circle(std::string& text, const PlanCircle& circle) {
                  class_of(circle.layer), circle.centre.x, circle.centre.y, circle.radius);
 }
 
-/// Texts stand upright in a picture whose y axis is turned.
+/// Texts stand upright in a picture whose y axis is turned. Fonts are scaled, as viewers draw very
+/// small and very large ones badly.
 void append_label(std::string& text, const PlanLabel& label) {
+  constexpr double kFont = 16;
+  const double scale = label.height / kFont;
   fmt::format_to(std::back_inserter(text),
-                 "<text class=\"{}\" transform=\"translate({} {}) scale(1 -1)\" "
-                 "font-size=\"{}\">{}</text>\n",
-                 class_of(label.layer), label.at.x, label.at.y, label.height, escaped(label.text));
+                 "<text class=\"{}\" transform=\"translate({} {}) scale({} {})\">{}</text>\n",
+                 class_of(label.layer), label.at.x, label.at.y, scale, -scale, escaped(label.text));
 }
 
 }  // namespace
 
 std::string svg_text(const Plan& plan) {
   const Vec2d size = plan.high - plan.low;
-  const double margin = kMargin * std::max(size.x, size.y);
+  const double margin = kMargin * greater_side(plan);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", plan.low.x - margin,
       -plan.high.y - margin, size.x + 2 * margin, size.y + 2 * margin);

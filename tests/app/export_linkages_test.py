@@ -90,7 +90,7 @@ class ExportLinkagesTest(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.temporary.name)
-        cls.results = []
+        cls.results, cls.made = [], {}
         for file in sorted((LIBRARY / "analysis").glob("*.toml")):
             done = run("analyze", file, "--quiet", "--out", "results", cwd=cls.folder)
             assert done.returncode == 0, done.stderr
@@ -101,12 +101,15 @@ class ExportLinkagesTest(unittest.TestCase):
         cls.temporary.cleanup()
 
     def export(self, result, form, *options):
-        """The file that an export makes."""
-        done = run("export", result, "--format", form, *options, "--out", "made", "--json",
-                   cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        (file,) = json.loads(done.stdout)["files"]
-        return self.folder / file
+        """The file that an export makes, once for all tests."""
+        asked = (result, form, *options)
+        if asked not in self.made:
+            done = run("export", result, "--format", form, *options, "--out", f"made{len(self.made)}",
+                       "--json", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            (file,) = json.loads(done.stdout)["files"]
+            self.made[asked] = self.folder / file
+        return self.made[asked]
 
     def document(self, result, *options):
         return json.loads(self.export(result, "json", *options).read_text())
@@ -117,29 +120,25 @@ class ExportLinkagesTest(unittest.TestCase):
         self.assertFalse((self.folder / "refused").exists())
         return done.stderr
 
-    def each(self):
-        for result in self.results:
-            with self.subTest(result.name):
-                yield result
-
     def named(self, name):
         return self.folder / "results" / f"{name}.result.json"
 
     def test_links_keep_their_lengths_at_every_position(self):
         """The table of positions against the lengths between the places of each link."""
-        for result in self.each():
-            document = self.document(result)
-            columns = {column["name"]: column["values"] for column in document["positions"]}
-            for link in document["links"]:
-                for length in link["lengths"]:
-                    ends = [(columns.get(f"{length[end]}_x"), columns.get(f"{length[end]}_y"))
-                            for end in ("from", "to")]
-                    if None in (*ends[0], *ends[1]):
-                        continue
-                    for ax, ay, bx, by in list(zip(*ends[0], *ends[1]))[::20]:
-                        if None not in (ax, ay, bx, by):
-                            self.assertAlmostEqual(
-                                math.dist((ax, ay), (bx, by)) / max(length["length"], 1e-9), 1, 8)
+        for result in self.results:
+            with self.subTest(result.name):
+                document = self.document(result)
+                columns = {column["name"]: column["values"] for column in document["positions"]}
+                for link in document["links"]:
+                    for length in link["lengths"]:
+                        ends = [(columns.get(f"{length[end]}_x"), columns.get(f"{length[end]}_y"))
+                                for end in ("from", "to")]
+                        if None in (*ends[0], *ends[1]):
+                            continue
+                        for ax, ay, bx, by in list(zip(*ends[0], *ends[1]))[::20]:
+                            if None not in (ax, ay, bx, by):
+                                self.assertAlmostEqual(
+                                    math.dist((ax, ay), (bx, by)) / max(length["length"], 1e-9), 1, 8)
 
     def test_dimensions_of_the_problem_are_in_the_document(self):
         document = self.document(self.named("crank-rocker"))
@@ -151,94 +150,99 @@ class ExportLinkagesTest(unittest.TestCase):
         self.assertEqual([places["A"], places["D"]], given["fixed_pivots"])
 
     def test_rows_are_those_of_the_analysis(self):
-        for result in self.each():
-            with open(result.with_name(result.name.replace("result.json", "csv")), newline="") as file:
-                analysed = list(csv.DictReader(file))
-            with open(self.export(result, "csv"), newline="") as file:
-                exported = list(csv.DictReader(file))
-            self.assertEqual(len(exported), len(analysed))
-            common = [name for name in exported[0] if name in analysed[0]]
-            self.assertGreaterEqual(len(common), 3)
-            for one, other in zip(exported, analysed):
-                self.assertEqual([one[name] for name in common], [other[name] for name in common])
+        for result in self.results:
+            with self.subTest(result.name):
+                with open(result.with_name(result.name.replace("result.json", "csv")), newline="") as file:
+                    analysed = list(csv.DictReader(file))
+                with open(self.export(result, "csv"), newline="") as file:
+                    exported = list(csv.DictReader(file))
+                self.assertEqual(len(exported), len(analysed))
+                common = [name for name in exported[0] if name in analysed[0]]
+                self.assertGreaterEqual(len(common), 3)
+                for one, other in zip(exported, analysed):
+                    self.assertEqual([one[name] for name in common], [other[name] for name in common])
         with open(self.export(self.named("crank-rocker"), "csv", "--steps", 8), newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([float(row["crank_deg"]) for row in rows], [45 * i for i in range(9)])
 
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_drawings_show_the_positions_and_the_paths(self):
-        for result in self.each():
-            document = self.document(result)
-            drawing = ezdxf.readfile(self.export(result, "dxf"))
-            self.assertEqual(drawing.audit().errors, [])
-            self.assertEqual(drawing.dxfversion, "AC1015")
-            space = drawing.modelspace()
-            self.assertLessEqual(
-                {entity.dxf.layer for entity in space}, {layer.dxf.name for layer in drawing.layers}
-            )
-            centres = [tuple(circle.dxf.center)[:2] for circle in space.query("CIRCLE")]
-            for place in document["position"]["places"].values():
-                self.assertLess(min(math.dist(place, centre) for centre in centres), 1e-9)
-            paths = [[(x, y) for x, y, *_ in line.get_points()]
-                     for line in space.query('LWPOLYLINE[layer=="PATHS"]')]
-            self.assertEqual(paths, [[tuple(corner) for corner in path["corners"]]
-                                     for path in document["paths"] if len(path["corners"]) > 2])
-            old = ezdxf.readfile(self.export(result, "dxf", "--dxf-version", "r12"))
-            self.assertEqual(old.dxfversion, "AC1009")
-            self.assertEqual(old.audit().errors, [])
-            self.assertEqual(
-                [tuple(circle.dxf.center)[:2] for circle in old.modelspace().query("CIRCLE")], centres
-            )
-            self.assertEqual(len(old.modelspace().query('POLYLINE[layer=="PATHS"]')), len(paths))
+        for result in self.results:
+            with self.subTest(result.name):
+                document = self.document(result)
+                drawing = ezdxf.readfile(self.export(result, "dxf"))
+                self.assertEqual(drawing.audit().errors, [])
+                self.assertEqual(drawing.dxfversion, "AC1015")
+                space = drawing.modelspace()
+                self.assertLessEqual(
+                    {entity.dxf.layer for entity in space}, {layer.dxf.name for layer in drawing.layers}
+                )
+                centres = [tuple(circle.dxf.center)[:2] for circle in space.query("CIRCLE")]
+                for place in document["position"]["places"].values():
+                    self.assertLess(min(math.dist(place, centre) for centre in centres), 1e-9)
+                paths = [[(x, y) for x, y, *_ in line.get_points()]
+                         for line in space.query('LWPOLYLINE[layer=="PATHS"]')]
+                self.assertEqual(paths, [[tuple(corner) for corner in path["corners"]]
+                                         for path in document["paths"] if len(path["corners"]) > 2])
+                old = ezdxf.readfile(self.export(result, "dxf", "--dxf-version", "r12"))
+                self.assertEqual(old.dxfversion, "AC1009")
+                self.assertEqual(old.audit().errors, [])
+                self.assertEqual(
+                    [tuple(circle.dxf.center)[:2] for circle in old.modelspace().query("CIRCLE")], centres
+                )
+                self.assertEqual(len(old.modelspace().query('POLYLINE[layer=="PATHS"]')), len(paths))
 
     def test_paths_hold_the_positions_of_the_table(self):
         """Every row lies on the polygon within the tolerance."""
-        for result in self.each():
-            tolerance = 0.01 * max(
-                (length["length"] for link in self.document(result)["links"]
-                 for length in link["lengths"]), default=1)
-            document = self.document(result, "--chord-tolerance", tolerance, "--steps", 24)
-            columns = {column["name"]: column["values"] for column in document["positions"]}
-            for path in document["paths"]:
-                polygons = [other for other in document["paths"] if other["point"] == path["point"]]
-                rows = zip(columns.get(f"{path['point']}_x", []), columns.get(f"{path['point']}_y", []))
-                for row in rows:
-                    if None in row:
-                        continue
-                    least = math.inf
-                    for polygon in polygons:
-                        corners = polygon["corners"]
-                        ends = corners[1:] + (corners[:1] if polygon["closed"] else [])
-                        least = min(least, *(distance_to_segment(row, a, b)
-                                             for a, b in zip(corners, ends)))
-                    self.assertLessEqual(least, tolerance * 1.01)
+        for result in self.results:
+            with self.subTest(result.name):
+                tolerance = 0.001 * max(
+                    (length["length"] for link in self.document(result)["links"]
+                     for length in link["lengths"]), default=1)
+                document = self.document(result, "--chord-tolerance", tolerance, "--steps", 100)
+                columns = {column["name"]: column["values"] for column in document["positions"]}
+                for path in document["paths"]:
+                    polygons = [other for other in document["paths"] if other["point"] == path["point"]]
+                    rows = zip(columns.get(f"{path['point']}_x", []), columns.get(f"{path['point']}_y", []))
+                    for row in rows:
+                        if None in row:
+                            continue
+                        least = math.inf
+                        for polygon in polygons:
+                            corners = polygon["corners"]
+                            ends = corners[1:] + (corners[:1] if polygon["closed"] else [])
+                            least = min(least, *(distance_to_segment(row, a, b)
+                                                 for a, b in zip(corners, ends)))
+                        self.assertLessEqual(least, tolerance * 1.01)
 
     def test_svg_shows_what_dxf_does(self):
-        for result in self.each():
-            document = self.document(result)
-            root = xml.etree.ElementTree.parse(self.export(result, "svg")).getroot()
-            names = {"svg": "http://www.w3.org/2000/svg"}
-            (group,) = root.findall("svg:g", names)
-            self.assertEqual(group.get("transform"), "scale(1 -1)")
-            paths = []
-            for path in group.findall("svg:path[@class='paths']", names):
-                numbers = [float(text) for text in re.findall(r"[-+.\de]+", path.get("d"))]
-                paths.append([list(pair) for pair in zip(numbers[::2], numbers[1::2])])
-            self.assertEqual(paths, [path["corners"] for path in document["paths"]])
+        for result in self.results:
+            with self.subTest(result.name):
+                document = self.document(result)
+                root = xml.etree.ElementTree.parse(self.export(result, "svg")).getroot()
+                names = {"svg": "http://www.w3.org/2000/svg"}
+                (group,) = root.findall("svg:g", names)
+                self.assertEqual(group.get("transform"), "scale(1 -1)")
+                paths = []
+                for path in group.findall("svg:path[@class='paths']", names):
+                    numbers = [float(text) for text in re.findall(r"[-+.\de]+", path.get("d"))]
+                    paths.append([list(pair) for pair in zip(numbers[::2], numbers[1::2])])
+                self.assertEqual(paths, [path["corners"] for path in document["paths"]])
 
     def test_sketches_have_a_box_for_each_link_and_an_edge_for_each_joint(self):
         text = r'"(?:[^"\\]|\\.)*"'
         node = re.compile(rf"  link\d+ \[label={text}(, \w+=\w+)*\];")
         edge = re.compile(rf"  link\d+ -- link\d+ \[label={text}(, style=dashed)?\];")
-        for result in self.each():
-            document = self.document(result)
-            file = self.export(result, "dot")
-            lines = file.read_text().splitlines()
-            self.assertRegex(lines[0], rf"^graph {text} {{$")
-            self.assertEqual(lines[-1], "}")
-            self.assertEqual(sum(bool(node.fullmatch(line)) for line in lines), len(document["links"]))
-            self.assertEqual(sum(bool(edge.fullmatch(line)) for line in lines), len(document["joints"]))
-            self.assertEqual(len(lines), len(document["links"]) + len(document["joints"]) + 4)
+        for result in self.results:
+            with self.subTest(result.name):
+                document = self.document(result)
+                file = self.export(result, "dot")
+                lines = file.read_text().splitlines()
+                self.assertRegex(lines[0], rf"^graph {text} {{$")
+                self.assertEqual(lines[-1], "}")
+                self.assertEqual(sum(bool(node.fullmatch(line)) for line in lines), len(document["links"]))
+                self.assertEqual(sum(bool(edge.fullmatch(line)) for line in lines), len(document["joints"]))
+                self.assertEqual(len(lines), len(document["links"]) + len(document["joints"]) + 4)
         if shutil.which("dot"):
             done = subprocess.run(["dot", "-Tsvg", file], capture_output=True, text=True, timeout=60)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -252,51 +256,53 @@ class ExportLinkagesTest(unittest.TestCase):
 
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_parts_have_their_holes_at_the_lengths_of_the_links(self):
-        for result in self.each():
-            lengths = {link["name"]: link["lengths"] for link in self.document(result)["links"]}
-            told = json.loads(self.cut(result, "json").read_text())
-            drawing = ezdxf.readfile(self.cut(result, "dxf"))
-            self.assertEqual(drawing.audit().errors, [])
-            space = drawing.modelspace()
-            holes = [circle for circle in space.query('CIRCLE[layer=="HOLES"]')]
-            self.assertTrue(all(math.isclose(2 * hole.dxf.radius, told["hole"]) for hole in holes))
-            self.assertEqual(len(holes), sum(len(part["holes"]) for part in told["parts"]))
-            drawn = [tuple(hole.dxf.center)[:2] for hole in holes]
-            for part in told["parts"]:
-                at = {hole["name"]: hole["at"] for hole in part["holes"]}
-                for hole in at.values():
-                    self.assertLess(min(math.dist(hole, centre) for centre in drawn), 1e-9)
-                for length in lengths[part["name"]]:
-                    if length["from"] in at and length["to"] in at:
-                        self.assertAlmostEqual(
-                            math.dist(at[length["from"]], at[length["to"]]) / length["length"], 1, 8)
+        for result in self.results:
+            with self.subTest(result.name):
+                lengths = {link["name"]: link["lengths"] for link in self.document(result)["links"]}
+                told = json.loads(self.cut(result, "json").read_text())
+                drawing = ezdxf.readfile(self.cut(result, "dxf"))
+                self.assertEqual(drawing.audit().errors, [])
+                space = drawing.modelspace()
+                holes = [circle for circle in space.query('CIRCLE[layer=="HOLES"]')]
+                self.assertTrue(all(math.isclose(2 * hole.dxf.radius, told["hole"]) for hole in holes))
+                self.assertEqual(len(holes), sum(len(part["holes"]) for part in told["parts"]))
+                drawn = [tuple(hole.dxf.center)[:2] for hole in holes]
+                for part in told["parts"]:
+                    at = {hole["name"]: hole["at"] for hole in part["holes"]}
+                    for hole in at.values():
+                        self.assertLess(min(math.dist(hole, centre) for centre in drawn), 1e-9)
+                    for length in lengths[part["name"]]:
+                        if length["from"] in at and length["to"] in at:
+                            self.assertAlmostEqual(
+                                math.dist(at[length["from"]], at[length["to"]]) / length["length"], 1, 8)
 
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_parts_keep_apart_and_hold_their_holes(self):
-        for result in self.each():
-            told = json.loads(self.cut(result, "json").read_text())
-            space = ezdxf.readfile(self.cut(result, "dxf")).modelspace()
-            outlines = [outline_of(entity) for entity in space.query('*[layer=="OUTLINES"]')]
-            self.assertEqual(len(outlines), len(told["parts"]))
-            gap = 0.5 * told["width"]
-            for one, other in itertools.combinations(map(box, outlines), 2):
-                apart = max(one[0] - other[2], other[0] - one[2], one[1] - other[3], other[1] - one[3])
-                self.assertGreaterEqual(apart, gap * (1 - 1e-9))
-            # About every hole and slot there is half the width, less half the hole.
-            for part, outline in zip(told["parts"], outlines):
-                spots = [hole["at"] for hole in part["holes"]]
-                spots += [slot[end] for slot in part["slots"] for end in ("from", "to")]
-                for spot in spots:
-                    self.assertTrue(holds(outline, spot))
-                    rim = min(distance_to_segment(spot, a, b)
-                              for a, b in zip(outline, outline[1:] + outline[:1]))
-                    self.assertGreaterEqual(rim, 0.5 * told["width"] * 0.995)
-            xml.etree.ElementTree.parse(self.cut(result, "svg"))
-            old = ezdxf.readfile(self.cut(result, "dxf", "--dxf-version", "r12"))
-            self.assertEqual(old.audit().errors, [])
-            bulges = [vertex.dxf.bulge for line in old.modelspace().query("POLYLINE")
-                      for vertex in line.vertices]
-            self.assertTrue(any(bulges))
+        for result in self.results:
+            with self.subTest(result.name):
+                told = json.loads(self.cut(result, "json").read_text())
+                space = ezdxf.readfile(self.cut(result, "dxf")).modelspace()
+                outlines = [outline_of(entity) for entity in space.query('*[layer=="OUTLINES"]')]
+                self.assertEqual(len(outlines), len(told["parts"]))
+                gap = 0.5 * told["width"]
+                for one, other in itertools.combinations(map(box, outlines), 2):
+                    apart = max(one[0] - other[2], other[0] - one[2], one[1] - other[3], other[1] - one[3])
+                    self.assertGreaterEqual(apart, gap * (1 - 1e-9))
+                # About every hole and slot there is half the width, less half the hole.
+                for part, outline in zip(told["parts"], outlines):
+                    spots = [hole["at"] for hole in part["holes"]]
+                    spots += [slot[end] for slot in part["slots"] for end in ("from", "to")]
+                    for spot in spots:
+                        self.assertTrue(holds(outline, spot))
+                        rim = min(distance_to_segment(spot, a, b)
+                                  for a, b in zip(outline, outline[1:] + outline[:1]))
+                        self.assertGreaterEqual(rim, 0.5 * told["width"] * 0.995)
+                xml.etree.ElementTree.parse(self.cut(result, "svg"))
+                old = ezdxf.readfile(self.cut(result, "dxf", "--dxf-version", "r12"))
+                self.assertEqual(old.audit().errors, [])
+                bulges = [vertex.dxf.bulge for line in old.modelspace().query("POLYLINE")
+                          for vertex in line.vertices]
+                self.assertTrue(any(bulges))
 
     def test_parts_pass_one_another_in_their_planes(self):
         """Bars of a crank-rocker as thick lines, at positions of the table."""
@@ -330,7 +336,7 @@ class ExportLinkagesTest(unittest.TestCase):
             'type = "slider-crank"\nstroke = 100\noffset = 20\n')
         (self.folder / "path.toml").write_text(
             'kind = "path-generation"\n[target]\npoints = [[0, 0], [1, 0.4], [2, 0.5], [3, 0.2]]\n'
-            '[solve]\ntime_limit = 2\n')
+            '[solve]\nstarts = 2\n')
         for name in ("quick", "path"):
             done = run("solve", f"{name}.toml", "--quiet", cwd=self.folder)
             self.assertIn(done.returncode, (0, 1), done.stderr)

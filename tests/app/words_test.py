@@ -14,15 +14,22 @@ import unittest
 
 ROOT = pathlib.Path()
 
-# What stands for the variable part of a key that is put together, by the part before it.
+# What stands for the variable parts of a key that is put together, by what is before them, or as a
+# whole where something is after them.
 VALUES = {
     "arrows.": ["velocity", "acceleration", "reactions"],
     "best.": ["function", "path", "motion"],
     "cam.": ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],
     "constraints.": ["constraint", "value", "bound", "met"],
+    "edit.": ["undo", "redo", "reset", "class", "grashof", "holds", "fails", "change_point", "rotates",
+              "least", "greatest", "time_ratio", "swing", "defects", "error.max", "error.rms",
+              "error.sum", "error.turned"],
+    "edit.${}.title": ["undo", "redo", "reset", "copy", "save"],
+    "edit.field.": ["crank", "coupler", "rocker", "frame", "a_x", "a_y", "d_x", "d_y", "point_u",
+                    "point_v", "input", "output"],
     "extras.": ["velocity", "acceleration", "assembly", "cognate2", "cognate3"],
-    "filters.": ["least_of", "greatest_of", "first_of", "last_of"],
+    "filters.${}_of": ["least", "greatest", "first", "last"],
     "follower.": ["translating-roller", "translating-flat", "translating-knife",
                   "oscillating-roller", "oscillating-flat"],
     "instant.": ["pole", "moving_centrode", "inflection_diameter", "inflection_centre",
@@ -118,6 +125,13 @@ def first_argument(script, at):
     return at
 
 
+def put_together(template):
+    """The keys that a template such as "status.${}" or "edit.${}.title" stands for."""
+    beginning, hole, end = template.partition("${}")
+    end = end.replace("${}", "")
+    return {beginning + value + end for value in VALUES.get(template if end else beginning, []) if hole}
+
+
 def placeholders(text):
     return set(re.findall(r"\{(\w+)\}", text))
 
@@ -191,18 +205,13 @@ class Words(unittest.TestCase):
         used = {key for page in self.markup.values() for key in page.keys}
         for name, script in self.scripts.items():
             for key in self.keys_said(script):
-                beginning, hole, _ = key.partition("${}")
-                if not hole:
-                    used |= {key} if key else set()
-                elif beginning not in {"", "_"}:
-                    self.assertIn(beginning, VALUES, f"{name}: list what `{key}` stands for")
+                if "." in key and "${}" in key:
+                    self.assertTrue(put_together(key), f"{name}: list what `{key}` stands for")
+                elif "." in key:
+                    used.add(key)
             # Also keys that a table of the script holds, or that a function is given.
             for literal in literals(script):
-                beginning, hole, _ = literal.text.partition("${}")
-                if not hole:
-                    used |= {literal.text} & set(self.words)
-                used |= {beginning + value for value in VALUES.get(beginning, []) if hole}
-        used -= {"_missing"}
+                used |= ({literal.text} & set(self.words)) | put_together(literal.text)
         self.assertEqual(sorted(used - set(self.words)), [], "not among the words")
         self.assertEqual(sorted(set(self.words) - used), [], "not used")
 

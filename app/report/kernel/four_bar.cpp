@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "analysis/defects.hpp"
@@ -39,13 +41,13 @@ std::vector<double> taken(int from, int count) {
   return {given.begin(), given.begin() + count};
 }
 
-TransmissionAngles transmission_over(std::span<const double> crank_angles, const Defects& defects,
-                                     bool uses_range) {
+/// The part of the crank's ranges that is used; empty: all of them.
+std::optional<CrankRange> used_range(std::span<const double> crank_angles, const Defects& defects,
+                                     bool travels) {
   const Lengths<double> links = lengths(linkage);
-  const bool turns = crank_rotates(links) && !(uses_range && is_change_point(links));
-  if (turns || defects.circuit || defects.branch) return transmission_angles(links);
-  const auto range = range_between(linkage, crank_angles);
-  return range ? transmission_angles(links, *range) : transmission_angles(links);
+  const bool turns = crank_rotates(links) && !(travels && is_change_point(links));
+  if (turns || defects.circuit || defects.branch) return std::nullopt;
+  return range_between(linkage, crank_angles);
 }
 
 }  // namespace
@@ -69,13 +71,14 @@ COGNATE_EXPORT(four_bar) int take_four_bar() {
 /// them `travel` more between which it moves; `sequence` is one of Sequence. Gives class, excess of
 /// Grashof's sum, whether it is a change point, whether the crank turns fully, least, greatest and
 /// least acute transmission angle over the motion used (as problems/verify.hpp has it), time ratio,
-/// the three defects, how many ranges the crank has, and their ends (from A→D).
+/// the three defects, and from where to where that motion goes (from A→D; NaN: all of it).
 COGNATE_EXPORT(four_bar_facts) int four_bar_facts(int count, int travel, int sequence) {
   const Lengths<double> links = lengths(linkage);
   const auto stations = taken(0, count);
   const auto used = taken(0, count + travel);
   const Defects defects = find_defects(linkage, stations, static_cast<Sequence>(sequence));
-  const auto angles = transmission_over(used, defects, travel > 0);
+  const auto range = used_range(used, defects, travel > 0);
+  const auto angles = range ? transmission_angles(links, *range) : transmission_angles(links);
   Writer out;
   out.put(static_cast<double>(mobility_class(links)));
   out.put(grashof_excess(links));
@@ -88,9 +91,7 @@ COGNATE_EXPORT(four_bar_facts) int four_bar_facts(int count, int travel, int seq
   out.put(defects.circuit);
   out.put(defects.branch);
   out.put(defects.order);
-  const auto ranges = crank_ranges(links);
-  out.put(static_cast<double>(ranges.size()));
-  for (const CrankRange& range : ranges) out.put(Vec2d{range.from, range.to});
+  out.put(range ? Vec2d{range->from, range->to} : Vec2d{kNone, kNone});
   return out.count();
 }
 
@@ -124,7 +125,7 @@ COGNATE_EXPORT(four_bar_nearest) int four_bar_nearest(int count) {
     const Target target{{row[0], row[1]}, row[2], row[3]};
     const bool prescribed = row[5] != 0;
     out.put(prescribed ? row[4] : nearest_from(motion, target, row[4]));
-    out.put(prescribed ? row[4] : nearest(motion, target).value_or(row[4]));
+    out.put(prescribed ? row[4] : nearest(linkage, motion, target).value_or(row[4]));
   }
   return out.count();
 }

@@ -36,7 +36,38 @@ if(NOT can_build_wasm)
   return()
 endif()
 
-set(kernel_sources
+# cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources and of
+# what all modules need.
+function(cognate_page_kernel name)
+  set(objects "")
+  foreach(source IN LISTS ARGN ITEMS app/report/kernel/numbers.cpp app/report/kernel/runtime.cpp)
+    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}/${source}.o")
+    get_filename_component(folder "${object}" DIRECTORY)
+    file(MAKE_DIRECTORY "${folder}")
+    add_custom_command(
+      OUTPUT "${object}"
+      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
+              "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
+              -c "${PROJECT_SOURCE_DIR}/${source}" -o "${object}"
+      DEPENDS "${PROJECT_SOURCE_DIR}/${source}"
+      DEPFILE "${object}.d"
+      COMMENT "Building ${source} for the report pages"
+      VERBATIM)
+    list(APPEND objects "${object}")
+  endforeach()
+  set(module "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+  add_custom_command(
+    OUTPUT "${module}.wasm" "${module}.base64"
+    COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${objects}
+            -o "${module}.wasm"
+    COMMAND "${COGNATE_BASE64}" "${module}.wasm" > "${module}.base64"
+    DEPENDS ${objects}
+    COMMENT "Linking ${name} of the report pages"
+    VERBATIM)
+endfunction()
+
+set(COGNATE_PAGE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/kernel.base64")
+cognate_page_kernel(kernel
   analysis/defects.cpp
   analysis/four_bar.cpp
   analysis/frame_axes.cpp
@@ -44,33 +75,4 @@ set(kernel_sources
   analysis/motion.cpp
   app/report/design_motion.cpp
   app/report/kernel/four_bar.cpp
-  app/report/kernel/nearest.cpp
-  app/report/kernel/numbers.cpp
-  app/report/kernel/runtime.cpp)
-set(kernel_objects "")
-foreach(source IN LISTS kernel_sources)
-  set(object "${CMAKE_CURRENT_BINARY_DIR}/kernel/${source}.o")
-  get_filename_component(folder "${object}" DIRECTORY)
-  file(MAKE_DIRECTORY "${folder}")
-  add_custom_command(
-    OUTPUT "${object}"
-    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
-            "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
-            -c "${PROJECT_SOURCE_DIR}/${source}" -o "${object}"
-    DEPENDS "${PROJECT_SOURCE_DIR}/${source}"
-    DEPFILE "${object}.d"
-    COMMENT "Building ${source} for the report pages"
-    VERBATIM)
-  list(APPEND kernel_objects "${object}")
-endforeach()
-
-set(kernel_module "${CMAKE_CURRENT_BINARY_DIR}/kernel.wasm")
-set(COGNATE_PAGE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/kernel.base64")
-add_custom_command(
-  OUTPUT "${kernel_module}" "${COGNATE_PAGE_KERNEL}"
-  COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${kernel_objects}
-          -o "${kernel_module}"
-  COMMAND "${COGNATE_BASE64}" "${kernel_module}" > "${COGNATE_PAGE_KERNEL}"
-  DEPENDS ${kernel_objects}
-  COMMENT "Linking the kernel of the report pages"
-  VERBATIM)
+  app/report/kernel/nearest.cpp)

@@ -1,10 +1,11 @@
 #include "app/report/kernel/nearest.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "app/report/kernel/numbers.hpp"
+#include "analysis/mobility.hpp"
 
 namespace cognate::page {
 namespace {
@@ -67,15 +68,22 @@ double nearest_from(const Motion& motion, const Target& target, double start) {
   return at;
 }
 
-std::optional<double> nearest(const Motion& motion, const Target& target) {
+std::optional<double> nearest(const FourBar& linkage, const Motion& motion, const Target& target) {
   constexpr int kPlaces = 360;
+  constexpr double kHair = 1e-9;  // within a range, at whose ends rounding decides what closes
+  const double frame = frame_angle(linkage);
   double best = 0, value = kInfinite;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double crank = i * (kTurn / kPlaces);
-    const double here = miss(motion, target, crank);
-    if (here < value) {
-      best = crank;
-      value = here;
+  for (const CrankRange& range : crank_ranges(lengths(linkage))) {
+    const double half = 0.5 * (range.to - range.from) - kHair;
+    for (int i = 0; i <= kPlaces; ++i) {
+      // Closer together at the ends, where the linkage moves as the square root of the crank.
+      const double share = std::cos(std::numbers::pi * i / kPlaces);
+      const double crank = frame + 0.5 * (range.from + range.to) - half * share;
+      const double here = miss(motion, target, crank);
+      if (here < value) {
+        best = crank;
+        value = here;
+      }
     }
   }
   if (!std::isfinite(value)) return std::nullopt;

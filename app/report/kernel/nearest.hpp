@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "analysis/four_bar.hpp"
 #include "analysis/motion.hpp"
 
 namespace cognate::page {
@@ -23,8 +24,8 @@ double miss(const Motion& motion, const Target& target, double crank);
 /// itself where it is infinite there.
 double nearest_from(const Motion& motion, const Target& target, double start);
 
-/// The crank angle at which `miss` is least over the turn, looked for from its least value among
-/// 360; empty where it is infinite at all.
-std::optional<double> nearest(const Motion& motion, const Target& target);
+/// The crank angle at which `miss` is least over all ranges of the crank, downhill from its least
+/// value among 360 in each; empty where it is infinite at all.
+std::optional<double> nearest(const FourBar& linkage, const Motion& motion, const Target& target);
 
 }  // namespace cognate::page

@@ -41,7 +41,7 @@ class Kernel {
     const [mobility, excess, changePoint, rotates, least, greatest, acute, ratio, ...rest] = this.#numbers.slice(0, count);
     return { class: CLASSES[mobility], excess, changePoint: changePoint !== 0, rotates: rotates !== 0, least, greatest, acute,
       timeRatio: Number.isNaN(ratio) ? null : ratio, defects: DEFECTS.filter((_, i) => rest[i] !== 0),
-      ranges: Array.from({ length: rest[3] }, (_, i) => [rest[4 + 2 * i], rest[5 + 2 * i]]) };
+      used: Number.isNaN(rest[3]) ? null : [rest[3], rest[4]] };
   }
 
   // Where the linkage taken stands at crank angles; null where it does not close.

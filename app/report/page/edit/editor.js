@@ -158,12 +158,14 @@ class Editor {
 
   get title() { return say("edit.file.title", { title: this.page.problem.title || say("head.untitled") }); }
 
-  // The linkage as a file for `cognate analyze`, driven over its full turn or the range that is used.
+  // The linkage as a file for `cognate analyze`, driven as far as it is used.
   get toml() {
-    const { mechanism, motion } = this.now;
-    const inside = (k) => motion.crank_deg.at(k) + (k ? -1 : 1) * 1e-6;
-    const drive = motion.full_turn ? null : { start_deg: inside(0), end_deg: inside(-1), steps: 360 };
-    return analysisToml(this.title, mechanism, drive);
+    const { mechanism, facts: { used }, motion } = this.now;
+    const [a, d] = mechanism.fixed_pivots;
+    const frame = Math.atan2(d[1] - a[1], d[0] - a[0]);
+    const inside = 1e-6;
+    const [from, to] = used ? used.map((angle) => (angle + frame) / RADIANS) : [motion.crank_deg[0] + inside, motion.crank_deg.at(-1) - inside];
+    return analysisToml(this.title, mechanism, motion.full_turn && !used ? null : { start_deg: from, end_deg: to, steps: 360 });
   }
 }
 

@@ -49,17 +49,18 @@ class NoMeasure {
 
 // Points of the coupler curve, or poses of the coupler. `scale`: what one unit of the target is here.
 class TargetMeasure {
-  constructor(targets, sequence, scale) { Object.assign(this, { targets, sequence, scale }); }
+  constructor(targets, sequence, scale) { Object.assign(this, { targets, sequence, scale, turns: targets[0].angle !== undefined }); }
 
   evaluate(kernel) {
     const { near, anywhere } = kernel.nearest(this.targets);
     const found = [near, anywhere].map((stations) => this.#at(kernel, stations));
     const [local, global] = found;
-    // Another timing only where it is clearly the better, and as sound.
-    const sound = global.misses && kernel.facts(global.stations, [], this.sequence).defects.length === 0;
-    const better = sound && (!local.misses || sumOfSquares(global.misses) < (1 - 1e-6) * sumOfSquares(local.misses));
+    // Another timing where the first is out of reach, or where it is clearly the better and sound.
+    const less = global.misses && local.misses && sumOfSquares(global.misses) < (1 - 1e-6) * sumOfSquares(local.misses);
+    const better = less ? kernel.facts(global.stations, [], this.sequence).defects.length === 0 : global.misses && !local.misses;
     const { stations, misses, poses } = better ? global : local;
-    return { stations, travel: [], sequence: this.sequence, error: misses && errorFigures(misses), angular: false,
+    const turned = this.turns && misses ? { turned: Math.max(...poses.map((pose, i) => Math.abs(turnedBy(pose, this.targets[i])))) } : {};
+    return { stations, travel: [], sequence: this.sequence, error: misses && { ...errorFigures(misses), ...turned }, angular: false,
       drawn: { reached: poses.map((pose) => pose?.p ?? null) } };
   }
 
@@ -69,12 +70,14 @@ class TargetMeasure {
     return { stations, poses, misses };
   }
 
-  #miss({ b, c, p }, { at, angle, weight }) {
-    const place = Math.hypot(p[0] - at[0], p[1] - at[1]) / this.scale;
-    if (!weight) return place;
-    return Math.hypot(place, weight * wrapped(Math.atan2(c[1] - b[1], c[0] - b[0]) - angle));
+  #miss(pose, target) {
+    const place = Math.hypot(pose.p[0] - target.at[0], pose.p[1] - target.at[1]) / this.scale;
+    return target.weight ? Math.hypot(place, target.weight * turnedBy(pose, target)) : place;
   }
 }
+
+// By how much the coupler is turned from a pose that it is to take.
+const turnedBy = ({ b, c }, { angle }) => wrapped(Math.atan2(c[1] - b[1], c[0] - b[0]) - angle);
 
 // A function generator: the rocker's angle less what is wanted of it.
 class FunctionMeasure {

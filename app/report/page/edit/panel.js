@@ -33,7 +33,7 @@ class EditPanel {
     return { field, input, label };
   }
 
-  // `rows`: of values [name, before, now]; `checks`: [name, bound, now, met], met null where it is not known.
+  // `rows` as of editRows; `checks`: [name, bound, now, met], met null where it is not known.
   show(state, history, rows, checks) {
     for (const { field, input } of this.inputs) {
       if (document.activeElement !== input || input.valueAsNumber !== field.get(state)) input.value = field.get(state);
@@ -41,7 +41,9 @@ class EditPanel {
     this.buttons.undo.disabled = !history.canUndo;
     this.buttons.redo.disabled = !history.canRedo;
     this.buttons.reset.disabled = !history.changed;
-    this.values.replaceChildren(...rows.map(([name, before, now]) => element("tr", { class: before === now ? "" : "changed" }, element("td", {}, name), element("td", { class: "number" }, before), element("td", { class: "number" }, now))));
+    const cell = ({ text, value }) => element("td", { class: "number", "data-value": JSON.stringify(value) }, text);
+    this.values.replaceChildren(...rows.map(({ key, before, now }) => element("tr", { class: before.text === now.text ? "" : "changed", "data-row": key },
+      element("td", {}, say(`edit.${key}`)), cell(before), cell(now))));
     this.checks.parentElement.hidden = checks.length === 0;
     this.checks.replaceChildren(...checks.map(([name, bound, now, met]) => element("tr", { class: met === false ? "missed" : "" },
       element("td", {}, element("code", {}, ...breakable(name))), element("td", { class: "number" }, bound), element("td", { class: "number" }, now, ...(met === null ? [] : [" ", markOf(met ? "" : say("edit.missed"))])))));

@@ -1,27 +1,38 @@
 // What the panel says of an edited design beside what it was.
 
-function editRows(before, now) {
-  const rows = (text) => [text(before), text(now)];
-  const angle = (key) => rows(({ facts }) => degrees(facts[key] / RADIANS, 2));
-  const swing = ({ motion: { rocker_deg: list } }) => degrees(Math.max(...list) - Math.min(...list), 2);
-  const defects = ({ facts }) => facts.defects.map((name) => term(name)).join(say("list.comma")) || say("edit.none");
-  return [
-    [say("edit.class"), ...rows(({ facts }) => term(facts.class))],
-    [say("edit.grashof"), ...rows(({ facts }) => (facts.changePoint ? say("edit.change_point") : say(facts.excess < 0 ? "edit.holds" : "edit.fails")))],
-    [say("edit.rotates"), ...rows(({ facts }) => say(facts.rotates ? "edit.yes" : "edit.no"))],
-    [say("edit.least"), ...angle("least")],
-    [say("edit.greatest"), ...angle("greatest")],
-    [say("edit.time_ratio"), ...rows(({ facts }) => (facts.timeRatio === null ? "–" : fixed(facts.timeRatio, 4)))],
-    [say("edit.swing"), ...rows(swing)],
-    ...(before.error || now.error ? changedErrors(before, now) : []),
-    [say("edit.defects"), ...rows(defects)],
-  ];
+// A row: its key, and `show`'s text and whole value of what `value` takes from each of the two.
+function editRow(key, [before, now], value, show) {
+  const cell = (evaluated) => ({ value: value(evaluated), text: show(value(evaluated)) });
+  return { key, before: cell(before), now: cell(now) };
 }
 
+const shownAngle = (angle) => degrees(angle / RADIANS, 2);
+const yesOrNo = (is) => say(is ? "edit.yes" : "edit.no");
+
+function editRows(before, now) {
+  const row = (key, value, show) => editRow(key, [before, now], value, show);
+  return [
+    row("class", ({ facts }) => facts.class, term),
+    row("grashof", ({ facts }) => (facts.changePoint ? "change_point" : facts.excess < 0 ? "holds" : "fails"), (key) => say(`edit.${key}`)),
+    row("rotates", ({ facts }) => facts.rotates, yesOrNo),
+    row("least", ({ facts }) => facts.least, shownAngle),
+    row("greatest", ({ facts }) => facts.greatest, shownAngle),
+    row("time_ratio", ({ facts }) => facts.timeRatio, (ratio) => fixed(ratio, 4)),
+    row("swing", ({ motion: { rocker_deg: list } }) => Math.max(...list) - Math.min(...list), (deg) => degrees(deg, 2)),
+    ...changedErrors(before, now),
+    row("defects", ({ facts }) => facts.defects, (list) => list.map(term).join(say("list.comma")) || say("edit.none"))];
+}
+
+// None where the problem has no targets.
 function changedErrors(before, now) {
-  const text = (key) => [before, now].map(({ error, angular }) => (!error ? say("edit.unmet") : angular ? degreesShort(error[key] / RADIANS, 5) : number(error[key], 5)));
-  const sum = [before, now].map(({ error }) => (error ? number(error.sum_of_squares, 5) : say("edit.unmet")));
-  return [[say("edit.error.max"), ...text("max")], [say("edit.error.rms"), ...text("rms")], [say("edit.error.sum"), ...sum]];
+  const known = before.error ?? now.error;
+  if (!known) return [];
+  const angle = (value) => degreesShort(value / RADIANS, 5);
+  const length = (value) => number(value, 5);
+  const row = (key, member, show) => editRow(`error.${key}`, [before, now], ({ error }) => error?.[member] ?? null,
+    (value) => (value === null ? say("edit.unmet") : show(value)));
+  return [row("max", "max", before.angular ? angle : length), row("rms", "rms", before.angular ? angle : length), row("sum", "sum_of_squares", length),
+    ...(known.turned === undefined ? [] : [row("turned", "turned", angle)])];
 }
 
 // One constraint of the design: its name, bound, value now, and whether it is met (null: not known here).
