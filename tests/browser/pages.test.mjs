@@ -145,6 +145,20 @@ test("the other assembly and the cognates are linkages, and cognates carry the c
   assert.equal(await page.locator("#ghosts li").count(), 2);
 }));
 
+test("the other assembly of a slider-crank stands on the same slide, and is in the picture", () => visit("library-slider-crank-offset", async (page) => {
+  await toggle(page, "assembly");
+  for (const at of [20, 110, 200]) {
+    await turnTo(page, at);
+    const [b, c] = await Promise.all(["B", "C"].map((name) => circleAt(page, `.layer-pins [data-name="${name}"]`)));
+    const other = (await corners(page, ".assembly .ghost-links")).at(-1);
+    assert.ok(Math.abs(distance(b, other) - distance(b, c)) < 0.05 && Math.abs(other[1] - c[1]) < 0.05);
+    assert.ok(distance(other, c) > 50 && other[0] > 40, `${other} beside ${c}`);
+  }
+  const near = distance(...await Promise.all(["A", "B"].map((name) => circleAt(page, `.layer-pins [data-name="${name}"]`))));
+  await toggle(page, "assembly");
+  assert.ok(distance(...await Promise.all(["A", "B"].map((name) => circleAt(page, `.layer-pins [data-name="${name}"]`)))) > 1.2 * near);
+}));
+
 test("the point leaves a trace", () => visit("ellipse", async (page) => {
   await toggle(page, "trace");
   for (let at = 10; at <= 60; at += 2) await turnTo(page, at);

@@ -14,11 +14,12 @@ if (!folder) {
   process.exit(2);
 }
 
-// `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
   { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
+  { name: "magnifier", command: "solve", file: "path/ten-point-ellipse", drive: 125, press: ["velocity", "lens", "cognate3"], only: "#stage" },
   { name: "function", command: "solve", file: "function/log10-refined", drive: 90 },
   { name: "synthesis", command: "solve", file: "motion/four-poses", drive: 100 },
   { name: "straight-line", command: "solve", file: "straight-line/search-hoeken", drive: 180 },
@@ -74,6 +75,7 @@ for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.inc
   await page.setViewportSize(SIZE);
   await setDrive(page, drive);
   await showForces(page);
+  for (const extra of picture.press ?? []) await page.locator(`[data-extra=${extra}]`).click();
   await page.waitForTimeout(300);
   const target = path.join(folder, `${name}.png`);
   await photograph(page, picture, target);

@@ -19,9 +19,24 @@ class Extras {
   toggle(layer, on = !this.shown.has(layer)) {
     if (on) this.shown.add(layer); else this.shown.delete(layer);
     this.buttons.get(layer).setAttribute("aria-pressed", String(on));
+    this.#widen(layer, on);
     this.rebuilt(this.scene);
     if (this.drive !== undefined) this.move(this.drive);
     this.onToggle?.();
+  }
+
+  // What is switched on is seen whole, and the picture is as before when it is gone.
+  #widen(layer, on) {
+    const { scene } = this;
+    if (!layer.places || !scene?.view) return;
+    if (on ? scene.include(layer.places(scene)) : scene.camera.widened) {
+      if (!on) {
+        Object.assign(scene.camera, { factor: 1, shift: [0, 0], widened: false });
+        scene.view.look(scene.camera);
+        for (const other of this.shown) if (other.places && other.available(scene)) scene.include(other.places(scene));
+      }
+      this.redraw();
+    }
   }
 
   // After a picture has been built.

@@ -12,6 +12,19 @@ class Picture {
     this.camera = { factor: 1, shift: [0, 0] };
   }
 
+  // Looks from as far as shows `points` too. Returns whether anything changed.
+  include(points) {
+    const { view } = this;
+    const [left, top] = view.plane([view.middle[0] - view.width / 2 + view.margin, view.margin]);
+    const [right, bottom] = view.plane([view.width - view.margin, 2 * view.middle[1] - view.margin]);
+    const own = boxOf([[left, bottom], [right, top]]);
+    const box = boxOf([[left, bottom], [right, top], ...points]);
+    if (diagonal(box) <= 1.0001 * diagonal(own)) return false;
+    const fitting = new View(box, view.width, view.height, view.margin);
+    Object.assign(this.camera, { factor: fitting.scale / view.whole.scale, shift: fitting.centre.map((v, k) => v - view.whole.centre[k]), widened: true });
+    return true;
+  }
+
   // The points of the plane whose ways are followed, where the drive is at `drive`.
   marksAt() { return []; }
 

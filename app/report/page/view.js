@@ -20,7 +20,7 @@ class View {
     const [w, h] = [box.x1 - box.x0, box.y1 - box.y0];
     const room = height - SCALE_ROOM;
     const fit = Math.min((width - 2 * margin) / w, (room - 2 * margin) / h);
-    Object.assign(this, { width, height, middle: [width / 2, room / 2], scale: Number.isFinite(fit) && fit > 0 ? fit : 1 });
+    Object.assign(this, { width, height, margin, middle: [width / 2, room / 2], scale: Number.isFinite(fit) && fit > 0 ? fit : 1 });
     this.centre = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
     this.whole = { scale: this.scale, centre: this.centre };
   }

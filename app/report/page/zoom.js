@@ -76,7 +76,7 @@ class Zoom {
   }
 
   all() {
-    Object.assign(this.scene().camera, { factor: 1, shift: [0, 0] });
+    Object.assign(this.scene().camera, { factor: 1, shift: [0, 0], widened: false });
     this.#show();
   }
 
@@ -95,7 +95,7 @@ class Zoom {
   }
 
   #press(event) {
-    if (event.button !== 0 || event.target.closest(".handle, button, .lens")) return;
+    if (event.button !== 0 || event.target.closest("[class*=handle], button, .lens")) return;
     this.fingers.set(event.pointerId, this.#at(event));
     if (event.pointerType === "mouse") this.frame.setPointerCapture(event.pointerId);
   }

@@ -7,6 +7,7 @@ const state = { index: 0, deg: 0, turns: 0, byTime: false };
 const scene = new CamScene(byId("picture"), (deg) => goTo(deg, true));
 const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, true); }, (deg) => extras.point(deg));
 const extras = new Extras(document.querySelector(".layers"), [new Trace()]);
+extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
 const values = new CamValues();
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),

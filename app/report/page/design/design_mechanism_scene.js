@@ -4,6 +4,7 @@ class DesignMechanismScene extends MechanismScene {
   constructor(frame, design, onDrag) {
     super(frame, design.mechanism, onDrag, NO_TABLE, design.angular ? 1 / RADIANS : 1);
     this.design = design;
+    this.jointsAt = jointsOf(design.mechanism, design.entry.mechanism);
   }
 
   build(design, options) {

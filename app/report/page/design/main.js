@@ -151,6 +151,7 @@ function listen() {
 const notes = byId("ghosts");
 const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
+extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
 const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign,
   redraw: (crank) => redrawAt(crank ?? state.crank) }) : null;

@@ -39,12 +39,12 @@ class Scene extends Picture {
     return p ? [p] : [b, c];
   }
 
-  fourBarAt(crank) {
+  jointsAt(crank) {
     const { linkage } = this.design;
     return { a: linkage.a, d: linkage.d, ...linkage.pose(crank) };
   }
 
-  ratesAt(crank) { return fourBarRates(this.fourBarAt(crank)); }
+  ratesAt(crank) { return fourBarRates(this.jointsAt(crank)); }
 
   #paths() {
     const { linkage } = this.design;

@@ -10,6 +10,7 @@ class DesignPanel {
     byId("linkage").hidden = !this.scene;
     this.#place();
     this.extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+    this.extras.redraw = () => this.#draw();
     this.extras.onToggle = () => byId("legend").replaceChildren(...this.extras.legend());
     byId("drive").addEventListener("input", (event) => this.turn(Number(event.target.value) * RADIANS, true));
     for (const [id, by] of [["previous", -1], ["next", 1]]) byId(id).addEventListener("click", () => this.#step(by));

@@ -36,12 +36,12 @@ class LinkageScene extends Picture {
     return pose ? (pose.p ? [pose.p] : [pose.b, pose.c]) : [];
   }
 
-  fourBarAt(phase) {
+  jointsAt(phase) {
     const pose = this.linkage?.pose(phase);
     return pose ? { a: this.linkage.closure.a, d: this.linkage.closure.d, ...pose } : null;
   }
 
-  ratesAt(phase) { return this.linkage?.closes ? fourBarRates(this.fourBarAt(phase)) : []; }
+  ratesAt(phase) { return this.linkage?.closes ? fourBarRates(this.jointsAt(phase)) : []; }
 
   // The phase at which the point that is held is nearest to q.
   #phaseAt(q) {
