@@ -184,6 +184,7 @@ test("an analysed mechanism that cannot be assembled is refused, and comes back 
   assert.equal(await page.locator("#edit, .edit-layer").count(), 0);
 }));
 
-test("chains are not edited", () => visit("library-shaper", async (page) => {
+test("chains are not edited, and their pages bear no kernel", () => visit("library-shaper", async (page) => {
   assert.equal(await page.locator(".edit-toggle").count(), 0);
+  assert.match(await page.locator("script").last().textContent(), /const KERNEL = ``;/);
 }));
