@@ -33,6 +33,12 @@ std::string filled_page(std::string page, const ordered_json& data) {
   return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
 }
 
+std::string without_kernel(std::string page) {
+  constexpr std::string_view kBefore = "const KERNEL = `";
+  const auto begin = page.find(kBefore) + kBefore.size();
+  return page.erase(begin, page.find('`', begin) - begin);
+}
+
 bool is_large(const ordered_json& table, const char* member) {
   using Handler = ordered_json::error_handler_t;
   return table.contains(member) &&

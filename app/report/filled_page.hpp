@@ -9,6 +9,10 @@ namespace cognate::app {
 /// `page` (of page.hpp) with `data` in its place, as JSON that no text in it can break out of.
 std::string filled_page(std::string page, const nlohmann::ordered_json& data);
 
+/// `page` without the kernel that evaluates what is edited: it is large, and cannot edit
+/// everything.
+std::string without_kernel(std::string page);
+
 /// Takes `member` out of `table` where its JSON is so long that it would make a page too large.
 void erase_large(nlohmann::ordered_json& table, const char* member);
 

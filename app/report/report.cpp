@@ -48,7 +48,8 @@ std::string report_html(const ordered_json& result_document,
                         const problems::AnalysisResult& result) {
   ordered_json data = analysis_report_data(problem, result);
   data["result"] = without_large_tables(result_document);
-  return filled_page(analysis_page(), data);
+  const bool editable = problem.mechanism.type != problems::MechanismType::chain;
+  return filled_page(editable ? analysis_page() : without_kernel(analysis_page()), data);
 }
 
 std::string report_html(const ordered_json& result_document, const problems::CamProblem& problem,

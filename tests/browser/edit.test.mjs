@@ -143,3 +143,48 @@ test("what is no four-bar is not edited", () => visit("exact-motion", async (pag
   await page.locator("#design-1").check();
   assert.ok(await page.locator(".edit-toggle").isHidden());
 }));
+
+// The facts of the page's data, which are the program's, beside those of the kernel.
+const factsOf = (page) => page.evaluate(() => JSON.parse(document.getElementById("data").textContent).facts);
+
+async function hasFacts(page, facts, column) {
+  const rows = await page.locator("#edit-values tr").evaluateAll((all) => all.map((row) => row.dataset.row));
+  assert.ok(rows.length >= 4);
+  for (const name of rows) {
+    const [shown, { value: wanted }] = [await value(page, name, column), facts.find((fact) => fact.name === name)];
+    if (typeof shown === "number") near(shown, wanted, 1e-8 * (1 + Math.abs(wanted)), name); else assert.equal(shown, wanted, name);
+  }
+}
+
+for (const [name, joint] of [["library-slider-crank-offset", "C"], ["library-coupler-curve", "P"], ["library-guide-bar-rotating", "B"], ["library-oscillating-block", "D"], ["library-four-bar-forces", "B"],
+  ["library-scotch-yoke", "A"]]) {
+  test(`${name}: facts unchanged and changed are the program's`, () => visit(name, async (page) => {
+    await edit(page);
+    await hasFacts(page, await factsOf(page), "before");
+    await drag(page, joint, [6, 5]);
+    assert.ok(await page.locator("#edit-values tr.changed, [data-edit=undo]:enabled").count() > 0);
+    await page.locator('[data-edit="copy"]').click();
+    const { designs: [{ metrics }] } = analysed(await page.locator("#edit-toml").inputValue());
+    const flat = (table, above) => Object.entries(table).flatMap(([key, part]) => (part !== null && typeof part === "object" && !Array.isArray(part) ? flat(part, `${above}${key}.`) : [{ name: above + key, value: part }]));
+    await hasFacts(page, flat(metrics, ""), "now");
+  }));
+}
+
+test("an analysed mechanism that cannot be assembled is refused, and comes back as it was", () => visit("library-slider-crank-offset", async (page) => {
+  await edit(page);
+  const link = () => page.locator('[data-body="2"] path').first().getAttribute("d");
+  const shown = await link();
+  await type(page, "coupler", 1e-3);
+  assert.match(await page.locator(".edit-status").textContent(), /cannot be assembled/);
+  assert.equal(await link(), shown);
+  await type(page, "coupler", 500);
+  assert.notEqual(await link(), shown);
+  await page.locator(".edit-toggle").click();
+  assert.equal(await link(), shown);
+  assert.equal(await page.locator("#edit, .edit-layer").count(), 0);
+}));
+
+test("chains are not edited, and their pages bear no kernel", () => visit("library-shaper", async (page) => {
+  assert.equal(await page.locator(".edit-toggle").count(), 0);
+  assert.match(await page.locator("script").last().textContent(), /const KERNEL = ``;/);
+}));

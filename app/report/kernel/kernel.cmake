@@ -1,7 +1,9 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang, and
-# written as base64 text that the pages inline. Without the toolchain COGNATE_PAGE_KERNEL is empty,
+# written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
+# COGNATE_MECHANISM_KERNEL for mechanisms of the simple types. Without the toolchain both are empty,
 # and the pages offer no editing.
 set(COGNATE_PAGE_KERNEL "")
+set(COGNATE_MECHANISM_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
 mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64)
@@ -36,8 +38,8 @@ if(NOT can_build_wasm)
   return()
 endif()
 
-# cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources and of
-# what all modules need.
+# cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources
+# and of what all modules need.
 function(cognate_page_kernel name)
   set(objects "")
   foreach(source IN LISTS ARGN ITEMS app/report/kernel/numbers.cpp app/report/kernel/runtime.cpp)
@@ -76,3 +78,37 @@ cognate_page_kernel(kernel
   app/report/design_motion.cpp
   app/report/kernel/four_bar.cpp
   app/report/kernel/nearest.cpp)
+set(COGNATE_MECHANISM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/mechanism_kernel.base64")
+cognate_page_kernel(mechanism_kernel
+  analysis/change_point.cpp
+  analysis/double_slider.cpp
+  analysis/double_slider_travel.cpp
+  analysis/four_bar.cpp
+  analysis/frame_axes.cpp
+  analysis/guide_bar.cpp
+  analysis/guide_bar_mobility.cpp
+  analysis/mechanism/course.cpp
+  analysis/mechanism/course_probe.cpp
+  analysis/mechanism/dyad_reach.cpp
+  analysis/mechanism/joints.cpp
+  analysis/mechanism/kinematics.cpp
+  analysis/mechanism/output_limits.cpp
+  analysis/mechanism/sliding_pairs.cpp
+  analysis/mechanism/transmission_extremes.cpp
+  analysis/mechanism/travel.cpp
+  analysis/mobility.cpp
+  analysis/slider_crank.cpp
+  analysis/slider_crank_mobility.cpp
+  app/report/convex_hull.cpp
+  app/report/kernel/mechanism.cpp
+  app/report/mechanism_poses.cpp
+  app/report/mechanism_shapes.cpp
+  problems/analysis/joint_names.cpp
+  problems/analysis/motion_summary.cpp
+  problems/analysis/named_mechanism.cpp
+  problems/analysis/output_travel.cpp
+  problems/analysis/simple_parts.cpp
+  problems/analysis/type_facts.cpp
+  problems/analysis/whole_motion.cpp
+  problems/deadline.cpp
+  problems/names.cpp)

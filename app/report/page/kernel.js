@@ -10,7 +10,7 @@ class Kernel {
 
   static async load() {
     const bytes = Uint8Array.from(atob(KERNEL), (c) => c.charCodeAt(0));
-    return new Kernel((await WebAssembly.instantiate(bytes)).instance);
+    return new this((await WebAssembly.instantiate(bytes)).instance);
   }
 
   constructor({ exports }) {
@@ -20,25 +20,25 @@ class Kernel {
   }
 
   // The block of numbers that calls take and give; memory that has grown is another buffer.
-  get #numbers() { return new Float64Array(this.calls.memory.buffer, this.begin, 65536); }
+  get numbers() { return new Float64Array(this.calls.memory.buffer, this.begin, 65536); }
 
-  #put(values, at = 0) { this.#numbers.set(values, at); }
+  put(values) { this.numbers.set(values); }
 
   // Takes a four-bar as files have it. False where its links cannot be assembled, or a dimension is
   // none: lengths are positive, and A and D are two points.
   take({ fixed_pivots: [a, d], crank, coupler, rocker, assembly, coupler_point: point }) {
     const numbers = [...a, ...d, crank, coupler, rocker, assembly === "crossed" ? -1 : 1, point ? 1 : 0, ...(point ?? [0, 0])];
     if (!numbers.every(Number.isFinite) || !(Math.min(crank, coupler, rocker, Math.hypot(d[0] - a[0], d[1] - a[1])) > 0)) return false;
-    this.#put(numbers);
+    this.put(numbers);
     return this.calls.four_bar() === 1;
   }
 
   // What the linkage taken is, used at the crank angles `stations`, and moved between `travel`
   // besides.
   facts(stations, travel = [], sequence = "any") {
-    this.#put([...stations, ...travel]);
+    this.put([...stations, ...travel]);
     const count = this.calls.four_bar_facts(stations.length, travel.length, SEQUENCES[sequence]);
-    const [mobility, excess, changePoint, rotates, least, greatest, acute, ratio, ...rest] = this.#numbers.slice(0, count);
+    const [mobility, excess, changePoint, rotates, least, greatest, acute, ratio, ...rest] = this.numbers.slice(0, count);
     return { class: CLASSES[mobility], excess, changePoint: changePoint !== 0, rotates: rotates !== 0, least, greatest, acute,
       timeRatio: Number.isNaN(ratio) ? null : ratio, defects: DEFECTS.filter((_, i) => rest[i] !== 0),
       used: Number.isNaN(rest[3]) ? null : [rest[3], rest[4]] };
@@ -46,9 +46,9 @@ class Kernel {
 
   // Where the linkage taken stands at crank angles; null where it does not close.
   poses(cranks) {
-    this.#put(cranks);
+    this.put(cranks);
     const count = this.calls.four_bar_poses(cranks.length);
-    const all = this.#numbers.slice(0, count);
+    const all = this.numbers.slice(0, count);
     return cranks.map((crank, i) => {
       const [bx, by, cx, cy, px, py, rocker, transmission] = all.subarray(8 * i, 8 * i + 8);
       return Number.isNaN(bx) ? null : { crank, b: [bx, by], c: [cx, cy], p: Number.isNaN(px) ? null : [px, py], rocker, transmission };
@@ -58,17 +58,17 @@ class Kernel {
   // Of each target {at, angle, weight, crank, prescribed} the crank angle of the linkage taken that is
   // nearest to it downhill from `crank`, and over the turn.
   nearest(targets) {
-    this.#put(targets.flatMap(({ at, angle = 0, weight = 0, crank, prescribed }) => [...at, angle, weight, crank, prescribed ? 1 : 0]));
+    this.put(targets.flatMap(({ at, angle = 0, weight = 0, crank, prescribed }) => [...at, angle, weight, crank, prescribed ? 1 : 0]));
     this.calls.four_bar_nearest(targets.length);
-    const all = this.#numbers;
+    const all = this.numbers;
     return { near: targets.map((_, i) => all[2 * i]), anywhere: targets.map((_, i) => all[2 * i + 1]) };
   }
 
   // The motion of the linkage taken as a report draws it, in degrees.
   motion(stations, samples) {
-    this.#put(stations);
+    this.put(stations);
     const count = this.calls.four_bar_motion(stations.length, samples);
-    const all = this.#numbers;
+    const all = this.numbers;
     const list = (from) => Array.from(all.subarray(from, from + count), (angle) => angle / RADIANS);
     return { full_turn: all[0] !== 0, crank_deg: list(1), rocker_deg: list(1 + count) };
   }

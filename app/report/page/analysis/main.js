@@ -3,7 +3,8 @@
 const data = JSON.parse(byId("data").textContent);
 const { result, drive: driving } = data;
 const angular = driving.kind !== "slider";
-const mechanism = new Mechanism(data.mechanism, driving);
+const analysed = new Mechanism(data.mechanism, driving);
+let mechanism = analysed;
 const table = new Table(data.table, data.vectors, data.normals);
 const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
 const state = { drive: mechanism.start, parts: new Set() };
@@ -37,6 +38,7 @@ function goTo(drive, byHand = false) {
   state.drive = mechanism.within(drive);
   scene.move(state.drive);
   extras.move(state.drive);
+  editor?.place(scene.view);
   curves.move(state.drive);
   loci.move(state.drive);
   values.move(state.drive);
@@ -119,6 +121,16 @@ function drawScene() {
   goTo(state.drive);
 }
 
+// Draws another mechanism in place of the one analysed, which null brings back; its arrows and
+// centrodes are of the table.
+function showMechanism(shown, drive) {
+  controls.play(false);
+  mechanism = shown ?? analysed;
+  state.drive = drive;
+  Object.assign(scene, { mechanism }, shown ? { table: NO_TABLE, arrows: [] } : { table, arrows: scene.analysedArrows });
+  drawScene();
+}
+
 function listen() {
   set(byId("drive"), { min: mechanism.from, max: mechanism.to });
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
@@ -126,6 +138,9 @@ function listen() {
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
+scene.analysedArrows = scene.arrows;
+const editor = Kernel.available && isEditable(result.problem?.mechanism) && mechanism.closes
+  ? new MechanismEditor({ problem: result.problem, driving, drawn: data.mechanism, drive: () => state.drive, show: showMechanism }) : null;
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));

@@ -20,7 +20,7 @@ class EditOverlay {
       const scale = this.view.width / area.width;
       return this.view.plane([(event.clientX - area.left) * scale, (event.clientY - area.top) * scale]);
     };
-    handle.addEventListener("pointerdown", (event) => { event.preventDefault(); handle.focus(); handle.setPointerCapture(event.pointerId); on.begin(); });
+    handle.addEventListener("pointerdown", (event) => { event.preventDefault(); event.stopPropagation(); handle.focus(); handle.setPointerCapture(event.pointerId); on.begin(); });
     handle.addEventListener("pointermove", (event) => { if (handle.hasPointerCapture(event.pointerId)) on.drag(name, at(event)); });
     handle.addEventListener("lostpointercapture", () => on.end());
     handle.addEventListener("keydown", (event) => {

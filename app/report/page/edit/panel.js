@@ -28,7 +28,7 @@ class EditPanel {
 
   #input(field) {
     const input = element("input", { type: "number", step: "any", "data-field": field.key });
-    const label = element("label", {}, element("span", {}, say(`edit.field.${field.key}`)), input);
+    const label = element("label", {}, element("span", {}, field.label ?? say(`edit.field.${field.key}`)), input);
     input.addEventListener("change", () => this.on.field(field, input.valueAsNumber));
     return { field, input, label };
   }
@@ -42,8 +42,8 @@ class EditPanel {
     this.buttons.redo.disabled = !history.canRedo;
     this.buttons.reset.disabled = !history.changed;
     const cell = ({ text, value }) => element("td", { class: "number", "data-value": JSON.stringify(value) }, text);
-    this.values.replaceChildren(...rows.map(({ key, before, now }) => element("tr", { class: before.text === now.text ? "" : "changed", "data-row": key },
-      element("td", {}, say(`edit.${key}`)), cell(before), cell(now))));
+    this.values.replaceChildren(...rows.map(({ key, label, before, now }) => element("tr", { class: before.text === now.text ? "" : "changed", "data-row": key },
+      element("td", {}, label ?? say(`edit.${key}`)), cell(before), cell(now))));
     this.checks.parentElement.hidden = checks.length === 0;
     this.checks.replaceChildren(...checks.map(([name, bound, now, met]) => element("tr", { class: met === false ? "missed" : "" },
       element("td", {}, element("code", {}, ...breakable(name))), element("td", { class: "number" }, bound), element("td", { class: "number" }, now, ...(met === null ? [] : [" ", markOf(met ? "" : say("edit.missed"))])))));

@@ -25,3 +25,13 @@ function analysisToml(title, mechanism, drive) {
   return [`kind = "analysis"`, `title = ${tomlText(title)}`, ...tomlTable("mechanism", mechanism),
     ...(drive ? tomlTable("drive", drive) : []), ""].join("\n");
 }
+
+// A whole problem as results hold it: values first, then tables and lists of tables.
+function problemToml(problem) {
+  const rows = Object.entries(problem).filter(([, value]) => !(Array.isArray(value) && value.length === 0));
+  const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+  const own = rows.filter(([, value]) => !isTable(value) && !isTableList(value)).map(([key, value]) => `${key} = ${tomlValue(value)}`);
+  const tables = rows.filter(([, value]) => isTable(value)).flatMap(([key, table]) => tomlTable(key, table));
+  const lists = rows.filter(([, value]) => isTableList(value)).flatMap(([key, list]) => list.flatMap((part) => ["", `[[${key}]]`, ...Object.entries(part).map(([k, value]) => `${k} = ${tomlValue(value)}`)]));
+  return [...own, ...tables, ...lists, ""].join("\n");
+}
