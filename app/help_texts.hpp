@@ -8,7 +8,8 @@ inline constexpr const char* kDescription =
 analyses mechanisms, and maps what is possible.
 )";
 
-inline constexpr const char* kFooter = R"(First steps, with a file from problems/library or one as the README shows:
+inline constexpr const char* kFooter =
+    R"(First steps, with a file from problems/library or one as the README shows:
   cognate check rocker.toml       is the file sound? what would be solved?
   cognate solve rocker.toml       find designs; then open rocker.report.html
   cognate list                    every key that a file may have
