@@ -2,6 +2,7 @@
 #include "analysis/four_bar.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -121,7 +122,7 @@ COGNATE_EXPORT(four_bar_nearest) int four_bar_nearest(int count) {
   const Motion motion(linkage);
   Writer out;
   for (int i = 0; i < count; ++i) {
-    const double* row = given.data() + 6 * i;
+    const auto row = std::span(given).subspan(6 * static_cast<std::size_t>(i), 6);
     const Target target{{row[0], row[1]}, row[2], row[3]};
     const bool prescribed = row[5] != 0;
     out.put(prescribed ? row[4] : nearest_from(motion, target, row[4]));
