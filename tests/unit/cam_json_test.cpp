@@ -138,7 +138,9 @@ TEST(CamJson, DesignIsMadeAnewOfItsMechanism) {
   const auto result = planted_result(problem);
   const auto document = result_document(problem, result, 7);
   ASSERT_TRUE(document.has_value());
-  const auto made = parse_result_cam(write_json(*document), 1, "cam.result.json");
+  const auto given = parse_result_design(write_json(*document), 1, "cam.result.json");
+  ASSERT_TRUE(given.has_value()) << given.error();
+  const auto made = result_cam(*given);
   ASSERT_TRUE(made.has_value()) << made.error();
   const auto& planted = result.designs[0].cam;
   EXPECT_TRUE(made->problem.clockwise);
