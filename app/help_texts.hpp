@@ -87,16 +87,17 @@ Examples:
 
 inline constexpr const char* kExportFooter = R"(Output:
   One file in DIR, NAME being that of NAME.result.json. Of a linkage:
-    NAME.dxf   one position and the paths of the points, on layers FRAME, GUIDES,
-               LINKS, JOINTS, POINTS, PATHS, TARGET and LABELS
+    NAME.dxf   one position and the paths of the points, on layers FRAME,
+               GUIDES, LINKS, JOINTS, POINTS, PATHS, TARGET and LABELS
     NAME.svg   a picture with the same
     NAME.csv   where every point is over the drive, units in the header
     NAME.json  lengths, joints, paths and positions in one document
     NAME.dot   the chain for Graphviz: links as boxes, joints as edges
-  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the frame
-  with holes for pins and slots for sliders, side by side on layers OUTLINES,
-  HOLES, SLOTS and LABELS. The label says in which plane the part lies so that
-  links pass one another (1: the frame). Outlines are lines and true arcs.
+  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the
+  frame with holes for pins and slots for sliders, side by side on layers
+  OUTLINES, HOLES, SLOTS and LABELS. The label says in which plane the part
+  lies so that links pass one another (1: the frame). Outlines are lines and
+  true arcs.
   Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle on BASE_CIRCLE, a cross on CENTRE

@@ -49,12 +49,12 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
 }
 
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
-  if (arguments.file.ends_with(".toml")) {
+  const bool of_study = command.get_option("--row")->count() > 0;
+  if (!of_study && arguments.file.ends_with(".toml")) {
     complain(arguments.file + ": export takes a result; 'cognate solve " + arguments.file +
              "' writes one, NAME.result.json");
     return exit_bad_input;
   }
-  const bool of_study = command.get_option("--row")->count() > 0;
   const std::string other = arguments.exporting.any();
   if (of_study && !other.empty()) {
     complain(other + ": is for results; with --row no other option is wanted");

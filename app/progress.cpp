@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
-constexpr int kBarWidth = 24;
+constexpr int kLeastBar = 6, kGreatestBar = 24;  // cells: what the words leave of the line
 constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
 
 double share_of(std::int64_t done, std::int64_t total) {
@@ -112,9 +112,12 @@ std::string Progress::words() const {
 
 void Progress::write() {
   if (!terminal_) return write_standard_error("cognate: " + figures(share_, words()) + '\n');
-  const auto line = progress_bar(share_, words(), kBarWidth);
+  const auto room = error_width() - 1;
+  const auto said = words();
+  const auto others = static_cast<int>(progress_bar(share_, said, 0).size());
+  const int cells = std::clamp(static_cast<int>(room) - others, kLeastBar, kGreatestBar);
   unfinished_line() = true;
-  write_standard_error(kWipe + line.substr(0, error_width() - 1));
+  write_standard_error(kWipe + progress_bar(share_, said, cells).substr(0, room));
   bar_shown_ = true;
 }
 
