@@ -59,7 +59,7 @@ function sheetOf(key, columns, colours) {
   const lines = columns.map((column) => {
     const before = counts.get(column.of) ?? 0;
     counts.set(column.of, before + 1);
-    return { label: column.label, pressure: /_pressure(_deg)?$/.test(column.name), colour: colours.get(column.of), dash: [undefined, [7, 4], [2, 3], [9, 3, 2, 3]][before % 4],
+    return { label: column.label, pressure: /(^|_)pressure(_deg)?$/.test(column.name), colour: colours.get(column.of), dash: [undefined, [7, 4], [2, 3], [9, 3, 2, 3]][before % 4],
       y: exponent === 0 ? column.values : column.values.map((v) => (v === null ? null : v / perUnit)), show: (v) => number(v, 4) };
   });
   const shownUnit = exponent === 0 ? unit : `${powerOfTen(exponent)} ${unit}`;
