@@ -11,10 +11,10 @@ namespace cognate::app {
 namespace {
 
 // As shares of the width of the bars.
-constexpr double kHeight = 0.25, kClear = 0.06;
+constexpr double kHeight = 0.25, kClear = 0.1;
 
 /// Heights that are tried, as shares of the greatest.
-constexpr std::array kShares = {1.0, 0.85, 0.7, 0.55};
+constexpr std::array kShares = {1.0, 0.85, 0.7};
 
 constexpr int kPlacesAcross = 48, kPlacesUp = 24;  // that are tried over the box of a part
 
@@ -23,7 +23,10 @@ class Space {
  public:
   Space(const LinkPart& part, const Vec2d& direction, const PartOrder& order)
       : order_(order), clear_(kClear * order.width) {
-    for (const Vec2d& corner : part.hull) hull_.push_back(direction * corner);
+    for (const Vec2d& corner : part.hull) {
+      hull_.push_back(direction * corner);
+      middle_ = middle_ + (1.0 / static_cast<double>(part.hull.size())) * hull_.back();
+    }
     for (const PartHole& hole : part.holes) holes_.push_back(direction * hole.at);
     for (const PartSlot& slot : part.slots) {
       slots_.push_back({direction * slot.from, direction * slot.to});
@@ -42,13 +45,12 @@ class Space {
   std::optional<Vec2d> place_for(const Vec2d& size) const {
     const Vec2d room = high_ - low_ - size;
     if (room.x < 0 || room.y < 0) return std::nullopt;
-    const Vec2d middle = low_ + 0.5 * room;
     std::optional<Vec2d> best;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kPlacesAcross; ++i) {
       for (int k = 0; k <= kPlacesUp; ++k) {
         const Vec2d at = low_ + Vec2d{room.x * i / kPlacesAcross, room.y * k / kPlacesUp};
-        const double distance = norm(at - middle);
+        const double distance = norm(at + 0.5 * size - middle_);
         if (distance >= least || !is_free(at, size)) continue;
         least = distance;
         best = at;
@@ -80,6 +82,7 @@ class Space {
   double clear_;
   std::vector<Vec2d> hull_, holes_;
   std::vector<std::array<Vec2d, 2>> slots_;
+  Vec2d middle_{};        ///< of the corners
   Vec2d low_{}, high_{};  ///< of the part with its rim
 };
 
