@@ -96,7 +96,8 @@ class PlanMaker {
     const bool left = before % 4 >= 2, below = before % 2 == 1;
     const double x = left ? -aside - text_width(name, height) : aside;
     const double y = below ? -aside - 0.75 * height : aside;
-    const double further = 1.2 * height * (before / 4);
+    const int round = before / 4;
+    const double further = 1.2 * height * round;
     return {"LABELS", at + Vec2d{x, below ? y - further : y + further}, height, name};
   }
 
