@@ -17,7 +17,7 @@ constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
 constexpr int kLeastBar = 6, kGreatestBar = 24;  // cells: what the words leave of the line
-constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
+constexpr const char* kWipe = "\r\x1b[K";        // to the line's beginning, and erase to its end
 
 double share_of(std::int64_t done, std::int64_t total) {
   return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
