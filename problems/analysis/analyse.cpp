@@ -36,9 +36,9 @@ std::optional<std::string> ended_note(const AnalysisProblem& problem, const Swee
                                       const Deadline& deadline) {
   const int wanted = row_count(problem.drive);
   if (sweep.rows.size() >= static_cast<std::size_t>(wanted)) return std::nullopt;
-  return fmt::format("the {} ended the table after {} of {} positions",
-                     deadline.interrupted() ? "interruption" : "time limit", sweep.rows.size(),
-                     wanted);
+  const char* what = deadline.interrupted() ? "the interruption ended the table"
+                                            : "the time limit ended the table";
+  return fmt::format("{} after {} of {} positions", what, sweep.rows.size(), wanted);
 }
 
 std::vector<std::string> skipped(const AnalysisOutput& wanted) {
