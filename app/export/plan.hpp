@@ -36,7 +36,7 @@ struct PlanCircle {
   double radius = 0;
 };
 
-/// One line of ASCII text whose lower left corner is `at`.
+/// One line of text whose lower left corner is `at`.
 struct PlanLabel {
   std::string layer;
   Vec2d at{};
