@@ -96,8 +96,8 @@ inline constexpr const char* kExportFooter = R"(Output:
   With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the
   frame with holes for pins and slots for sliders, side by side on layers
   OUTLINES, HOLES, SLOTS and LABELS. The label says in which plane the part
-  lies so that links pass one another (1: the frame). Outlines are lines and
-  true arcs.
+  lies, from 1, so that links pass one another. Outlines are lines and true
+  arcs.
   Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle on BASE_CIRCLE, a cross on CENTRE

@@ -105,7 +105,18 @@ class LinkageExporter {
     return Exported{{{name, *std::move(text)}}, notes_, std::move(summary), std::move(facts)};
   }
 
+  /// Lets a drive that goes a hair beyond what can be assembled start and end with a position.
+  void pull_in_drive() {
+    constexpr double kInside = 1e-9;  // of the range: at its very ends rounding decides
+    const auto& runs = motion_.course().runs;
+    if (!linkage_.beyond || runs.empty()) return;
+    const double from = runs.front().from, to = runs.back().to;
+    linkage_.problem.drive.start = std::lerp(from, to, kInside);
+    linkage_.problem.drive.end = std::lerp(from, to, 1 - kInside);
+  }
+
   problems::AnalysisResult positions() {
+    pull_in_drive();
     problems::Run run;
     run.threads = options_.threads;
     run.time_limit = options_.time_limit;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,8 @@
 
 namespace cognate::app {
 namespace {
+
+constexpr double kThinWall = 0.1;  // of a hole
 
 /// A slider that bears nothing but its joint.
 bool is_mere_pin(const ShownLink& link) {
@@ -76,18 +79,17 @@ class PartsMaker {
   void add_guide_pins(LinkPart& part) {
     if (!link(part.link).shape.block) return;
     const double aside = guide_pin_distance(part);
-    for (const double side : {-aside, aside}) {
-      part.holes.push_back({fmt::format("{} guide", part.name), {side, 0}});
-    }
+    const std::array guides = {PartHole{part.name + " guide 1", {-aside, 0}},
+                               PartHole{part.name + " guide 2", {aside, 0}}};
+    part.holes.insert(part.holes.end(), guides.begin(), guides.end());
     for (LinkPart& bearer : made_.parts) {
       for (std::size_t i = 0; i < bearer.slots.size(); ++i) {
         const Rail& rail = link(bearer.link).shape.rails[i];
         if (rail.traveller != part.link) continue;
         lengthen(bearer.slots[i], rail, aside);
-        for (const double side : {-aside, aside}) {
-          made_.pins.push_back({fmt::format("{} guide", part.name),
-                                {part.link, {side, 0}},
-                                {part_of(part.link), part_of(bearer.link)}});
+        for (const PartHole& guide : guides) {
+          made_.pins.push_back(
+              {guide.name, {part.link, guide.at}, {part_of(part.link), part_of(bearer.link)}});
         }
       }
     }
@@ -193,6 +195,34 @@ void note_slots_over_holes(const LinkPart& part, const PartOrder& order,
   }
 }
 
+bool is_thin(double wall, const PartOrder& order) {
+  return wall > 0 && wall < kThinWall * order.hole * (1 - 1e-12);
+}
+
+void note_thin_walls(const LinkPart& part, const PartOrder& order,
+                     std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < part.holes.size(); ++i) {
+    for (std::size_t k = i + 1; k < part.holes.size(); ++k) {
+      const PartHole &a = part.holes[i], &b = part.holes[k];
+      const double wall = norm(b.at - a.at) - order.hole;
+      if (!is_thin(wall, order)) continue;
+      notes.push_back(
+          fmt::format("the wall between the holes {} and {} of {} is {:.3g} thick, less than a "
+                      "tenth of the hole: it may break",
+                      a.name, b.name, part.name, wall));
+    }
+  }
+}
+
+void note_thin_rims(const PartOrder& order, std::vector<std::string>& notes) {
+  const double rim = 0.5 * (order.width - order.hole);
+  if (!is_thin(rim, order)) return;
+  notes.push_back(
+      fmt::format("the rim about every hole is {:.3g} thick, less than a tenth of the hole: it may "
+                  "break",
+                  rim));
+}
+
 }  // namespace
 
 double distance_to_line(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
@@ -207,7 +237,9 @@ tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const P
   for (const LinkPart& part : made.parts) {
     if (const auto why = overlap(part, order)) return tl::unexpected(*why);
     note_slots_over_holes(part, order, made.notes);
+    note_thin_walls(part, order, made.notes);
   }
+  note_thin_rims(order, made.notes);
   return made;
 }
 

@@ -91,11 +91,23 @@ bool moves(const std::vector<Vec2d>& corners, double tolerance) {
       corners, [&](const Vec2d& corner) { return norm(corner - corners.front()) > tolerance; });
 }
 
-/// The ends of `run` that are drawn: no more than two turns, after which every path repeats itself
-/// (that of an antiparallelogram takes two).
-std::pair<double, double> drawn_range(const CourseRun& run, bool slides) {
-  if (slides) return {run.from, run.to};
-  return {run.from, std::min(run.to, run.from + 2 * kTurn)};
+bool is_closed(const std::vector<Vec2d>& corners, double tolerance) {
+  return corners.size() > 3 && norm(corners.front() - corners.back()) <= tolerance;
+}
+
+/// The point's places over what is drawn of `run`: one turn, and where that does not close (as in
+/// an antiparallelogram) the second, after which every path repeats itself.
+std::vector<Vec2d> drawn_way(PathMaker& maker, const CourseRun& run, bool slides,
+                             double tolerance) {
+  if (slides || run.to - run.from <= kTurn) return maker.follow(run.from, run.to);
+  std::vector<Vec2d> corners = maker.follow(run.from, run.from + kTurn);
+  if (is_closed(corners, tolerance)) return corners;
+  return maker.follow(run.from, std::min(run.to, run.from + 2 * kTurn));
+}
+
+/// Whether `run` is one of the first turn again, one or more turns later.
+bool is_repeated(const Course& course, const CourseRun& run) {
+  return run.from >= course.runs.front().from + kTurn;
 }
 
 }  // namespace
@@ -105,13 +117,14 @@ tl::expected<std::vector<PointPath>, std::string> linkage_paths(const ResultLink
                                                                 double tolerance) {
   FollowedMotion<0> motion(linkage.problem.mechanism.mechanism, course);
   std::vector<PointPath> paths;
+  const bool slides = is_driven_by_slider(linkage);
   std::size_t total = 0;
   for (const auto& point : linkage.problem.mechanism.points) {
     if (point.at.body == 0) continue;
     PathMaker maker(motion, point.at, tolerance);
     for (const CourseRun& run : course.runs) {
-      const auto [from, to] = drawn_range(run, is_driven_by_slider(linkage));
-      std::vector<Vec2d> corners = maker.follow(from, to);
+      if (!slides && is_repeated(course, run)) continue;
+      std::vector<Vec2d> corners = drawn_way(maker, run, slides, tolerance);
       total += corners.size();
       if (total > kMostCorners) {
         return tl::unexpected(fmt::format(
@@ -119,7 +132,7 @@ tl::expected<std::vector<PointPath>, std::string> linkage_paths(const ResultLink
             tolerance, kMostCorners));
       }
       if (!moves(corners, tolerance)) continue;
-      const bool closed = norm(corners.front() - corners.back()) <= tolerance && corners.size() > 3;
+      const bool closed = is_closed(corners, tolerance);
       if (closed) corners.pop_back();
       paths.push_back({point.name, std::move(corners), closed});
     }

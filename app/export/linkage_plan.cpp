@@ -1,7 +1,9 @@
 #include "app/export/linkage_plan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "problems/names.hpp"
 
@@ -69,18 +71,34 @@ class PlanMaker {
     plan_.outlines.push_back(std::move(outline));
   }
 
-  /// A joint is on two links: it is drawn and named once.
+  /// A joint is on two links: it is drawn and named once. What lies at another's position just now
+  /// is named beside it.
   void add_place(std::size_t link, const LinkPlace& place) {
     const Vec2d at = placed(link, place.at);
     if (link == 0 && place.joint) add_base(at);
-    const PlanCircle circle{place.joint ? "JOINTS" : "POINTS", at,
-                            (place.joint ? kJoint : kPoint) * size_};
-    for (const PlanCircle& other : plan_.circles) {
-      if (norm(other.centre - at) <= kOnePlace * (size_ + norm(at))) return;
+    if (!named_.insert(place.name).second) return;
+    const auto is_here = [&](const Vec2d& other) {
+      return norm(other - at) <= kOnePlace * (size_ + norm(at));
+    };
+    const auto before = std::ranges::count_if(places_, is_here);
+    places_.push_back(at);
+    if (before == 0) {
+      plan_.circles.push_back(
+          {place.joint ? "JOINTS" : "POINTS", at, (place.joint ? kJoint : kPoint) * size_});
     }
-    plan_.circles.push_back(circle);
-    const double aside = 1.5 * kJoint * size_;
-    plan_.labels.push_back({"LABELS", at + Vec2d{aside, aside}, kText * size_, place.name});
+    plan_.labels.push_back(label_at(at, place.name, static_cast<int>(before)));
+  }
+
+  /// The first label of a place is to the upper right of it, others to the lower right, to the
+  /// upper left, to the lower left and then farther off.
+  PlanLabel label_at(const Vec2d& at, const std::string& name, int before) const {
+    const double aside = 1.5 * kJoint * size_, height = kText * size_;
+    const bool left = before % 4 >= 2, below = before % 2 == 1;
+    const double x = left ? -aside - text_width(name, height) : aside;
+    const double y = below ? -aside - 0.75 * height : aside;
+    const int round = before / 4;
+    const double further = 1.2 * height * round;
+    return {"LABELS", at + Vec2d{x, below ? y - further : y + further}, height, name};
   }
 
   void add_base(const Vec2d& at) {
@@ -94,6 +112,8 @@ class PlanMaker {
   const ShownLinks& shown_;
   std::span<const BodyMotion<double, 0>> bodies_;
   double size_;
+  std::set<std::string> named_;
+  std::vector<Vec2d> places_;  ///< of what is named
   Plan plan_;
 };
 

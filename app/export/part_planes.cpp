@@ -1,7 +1,11 @@
 #include "app/export/part_planes.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/export/hull_distance.hpp"
 
@@ -9,7 +13,6 @@ namespace cognate::app {
 namespace {
 
 constexpr int kMostTrials = 200'000;
-constexpr std::size_t kMostSamples = 181;
 
 using Table = std::vector<std::vector<char>>;
 
@@ -34,9 +37,7 @@ class MeetingFinder {
   }
 
   Meetings find() {
-    const std::size_t samples = shown_.poses.size();
-    const std::size_t step = std::max<std::size_t>(1, samples / kMostSamples);
-    for (std::size_t k = 0; k < samples; k += step) {
+    for (std::size_t k = 0; k < shown_.poses.size(); ++k) {
       if (place_parts(k)) look_at(k);
     }
     return std::move(found_);
@@ -82,17 +83,21 @@ class MeetingFinder {
   Meetings found_;
 };
 
-/// Tries planes part by part, the frame in the lowest.
+/// Tries planes part by part.
 class Stacker {
  public:
   Stacker(const LinkParts& made, const Meetings& meetings)
       : made_(made), meetings_(meetings), planes_(made.parts.size(), -1) {}
 
-  /// The planes, from 0, of a stack of `count`; empty where none was found.
+  /// The planes, from 0, of a stack of `count`; empty where none was found. The frame is not tried
+  /// above the middle: that is the same stack upside down.
   std::vector<int> stack(int count) {
     std::ranges::fill(planes_, -1);
-    planes_.front() = 0;
-    return is_placed(1, count) ? planes_ : std::vector<int>();
+    for (int plane = 0; plane < (count + 1) / 2; ++plane) {
+      planes_.front() = plane;
+      if (is_placed(1, count)) return planes_;
+    }
+    return {};
   }
 
   bool gave_up() const { return trials_ >= kMostTrials; }
@@ -105,6 +110,23 @@ class Stacker {
       while (!is_free(i)) ++planes_[i];
     }
     return planes_;
+  }
+
+  /// A pin and a part that it meets between the planes of those that it connects.
+  std::optional<std::pair<std::size_t, std::size_t>> first_blocked() const {
+    for (std::size_t p = 0; p < made_.pins.size(); ++p) {
+      int low = static_cast<int>(planes_.size()), high = -1;
+      for (const int part : made_.pins[p].parts) {
+        const int plane = planes_[static_cast<std::size_t>(part)];
+        if (plane < 0) continue;
+        low = std::min(low, plane);
+        high = std::max(high, plane);
+      }
+      for (std::size_t i = 0; i < planes_.size(); ++i) {
+        if (meetings_.pins[p][i] && low < planes_[i] && planes_[i] < high) return std::pair(p, i);
+      }
+    }
+    return std::nullopt;
   }
 
  private:
@@ -126,21 +148,7 @@ class Stacker {
     return true;
   }
 
-  bool pins_are_free() const {
-    for (std::size_t p = 0; p < made_.pins.size(); ++p) {
-      int low = static_cast<int>(planes_.size()), high = -1;
-      for (const int part : made_.pins[p].parts) {
-        const int plane = planes_[static_cast<std::size_t>(part)];
-        if (plane < 0) continue;
-        low = std::min(low, plane);
-        high = std::max(high, plane);
-      }
-      for (std::size_t i = 0; i < planes_.size(); ++i) {
-        if (meetings_.pins[p][i] && low < planes_[i] && planes_[i] < high) return false;
-      }
-    }
-    return true;
-  }
+  bool pins_are_free() const { return !first_blocked(); }
 
   const LinkParts& made_;
   const Meetings& meetings_;
@@ -160,9 +168,12 @@ PartPlanes part_planes(const ShownLinks& shown, const LinkParts& made, const Par
   }
   if (found.planes.empty()) {
     found.planes = stacker.stack_without_pins();
-    found.notes.emplace_back(
-        "no stack of planes was found in which every pin passes all other parts: somewhere on the "
-        "way a pin meets a part between those that it connects");
+    if (const auto blocked = stacker.first_blocked()) {
+      found.notes.push_back(fmt::format(
+          "no stack of planes was found in which every pin passes all other parts: somewhere on "
+          "the way the pin {} meets the part {} between those that it connects",
+          made.pins[blocked->first].name, made.parts[blocked->second].name));
+    }
   }
   for (int& plane : found.planes) ++plane;
   found.count = *std::ranges::max_element(found.planes);

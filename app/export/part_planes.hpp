@@ -9,7 +9,7 @@
 namespace cognate::app {
 
 struct PartPlanes {
-  std::vector<int> planes;  ///< of each part, from 1: that of the frame
+  std::vector<int> planes;  ///< of each part, from 1
   int count = 0;            ///< how many there are
   std::vector<std::string> notes;
 };

@@ -7,11 +7,12 @@
 #include <limits>
 #include <numeric>
 
+#include "app/export/part_labels.hpp"
+
 namespace cognate::app {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kText = 0.25;   // of the width of the bars
 constexpr double kAspect = 1.4;  // of the sheet, about
 
 /// The rectangle about a part, turned, with its rim.
@@ -92,9 +93,14 @@ class SheetMaker {
  private:
   void lay_out() {
     std::vector<Box> boxes;
-    for (const LinkPart& part : made_.parts) {
-      sheet_.places.push_back({{}, lying(part.hull)});
-      boxes.push_back(box_of(part, sheet_.places.back().direction, 0.5 * order_.width));
+    for (std::size_t i = 0; i < made_.parts.size(); ++i) {
+      const LinkPart& part = made_.parts[i];
+      const Vec2d direction = lying(part.hull);
+      sheet_.places.push_back({{}, direction});
+      boxes.push_back(box_of(part, direction, 0.5 * order_.width));
+      const std::string text = label_text(i);
+      const auto within = label_within(part, direction, order_, text);
+      labels_.push_back(within ? *within : label_below(boxes.back(), text));
     }
     const auto corners = rows_of(boxes, order_.gap.value_or(0.5 * order_.width));
     for (std::size_t i = 0; i < boxes.size(); ++i) sheet_.places[i].at = corners[i] - boxes[i].low;
@@ -116,7 +122,7 @@ class SheetMaker {
     for (const PartHole& hole : part.holes) {
       sheet_.plan.circles.push_back({"HOLES", on_sheet(place, hole.at), 0.5 * order_.hole});
     }
-    add_label(i, hull);
+    add_label(i);
   }
 
   void add_rounded(const char* layer, const std::vector<Vec2d>& hull, double distance) {
@@ -124,20 +130,32 @@ class SheetMaker {
     if (hull.size() > 1) sheet_.plan.outlines.push_back(rounded_outline(layer, hull, distance));
   }
 
-  /// In the upper half of the bar between the first two corners, beside its holes.
-  void add_label(std::size_t i, const std::vector<Vec2d>& hull) {
-    if (hull.empty()) return;
-    const std::string text = fmt::format("{} (plane {})", made_.parts[i].name, planes_.planes[i]);
-    const double height = kText * order_.width;
-    const Vec2d middle = 0.5 * (hull.front() + hull[hull.size() > 1 ? 1 : 0]);
-    const double half = 0.3 * height * static_cast<double>(text.size());
-    sheet_.plan.labels.push_back({"LABELS", middle - Vec2d{half, 0.5 * height}, height, text});
+  std::string label_text(std::size_t i) const {
+    return fmt::format("{} (plane {})", made_.parts[i].name, planes_.planes[i]);
+  }
+
+  /// Room for a label below the part of `box`, which becomes greater by it.
+  PartLabel label_below(Box& box, const std::string& text) const {
+    if (!(box.low.x <= box.high.x)) return {};
+    constexpr double kLine = 1.6;  // of the height of a label, with what hangs below it
+    const double height = label_height(order_);
+    box.low.y -= kLine * height;
+    box.high.x = std::max(box.high.x, box.low.x + text_width(text, height));
+    return {box.low + Vec2d{0, 0.35 * height}, height};
+  }
+
+  void add_label(std::size_t i) {
+    const PartLabel& label = labels_[i];
+    if (!(label.height > 0)) return;
+    sheet_.plan.labels.push_back(
+        {"LABELS", sheet_.places[i].at + label.at, label.height, label_text(i)});
   }
 
   const LinkParts& made_;
   const PartPlanes& planes_;
   const PartOrder& order_;
   PartSheet sheet_;
+  std::vector<PartLabel> labels_;  ///< of each part, in its turned axes
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ struct PartSheet {
 
 /// The parts each turned so that its longest side lies along x, in rows, at least the gap apart:
 /// outlines on the layer OUTLINES, holes on HOLES, slots on SLOTS, and on LABELS the name of each
-/// with its plane.
+/// with its plane, on the part where it has room for it, else below.
 PartSheet part_sheet(const LinkParts& made, const PartPlanes& planes, const PartOrder& order);
 
 /// A point of a part on the sheet.

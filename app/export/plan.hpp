@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/vec2.hpp"
@@ -55,8 +56,11 @@ struct Plan {
 };
 
 /// Makes `low` and `high` the corners of the least rectangle that holds all outlines, circles and
-/// the beginnings of the labels, or a little more where an arc bulges.
+/// labels, or a little more where an arc bulges.
 void fit_to_shapes(Plan& plan);
+
+/// How wide a line of text is, about: fonts differ.
+double text_width(std::string_view text, double height);
 
 /// A straight line from `from` to `to`.
 PlanOutline plan_line(const std::string& layer, const Vec2d& from, const Vec2d& to);

@@ -94,6 +94,7 @@ tl::expected<void, std::string> choose_span(ResultLinkage& linkage) {
   linkage.problem.drive.start = span->from;
   linkage.problem.drive.end = span->to;
   linkage.round = span->round;
+  linkage.beyond = !span->round;
   return {};
 }
 
@@ -109,7 +110,7 @@ tl::expected<ResultLinkage, std::string> result_linkage(const ResultDesign& give
   };
   auto problem = problems::parse_analysis(toml_text(analysis_tables(given)));
   if (!problem) return refuse(problem.error().front().message);
-  ResultLinkage linkage{*std::move(problem), false, {}, targets(given.problem)};
+  ResultLinkage linkage{*std::move(problem), false, false, {}, targets(given.problem)};
   const bool slides = is_driven_by_slider(linkage);
   linkage.stations = stations(given, slides);
   const problems::DriveSweep& drive = linkage.problem.drive;

@@ -14,6 +14,7 @@ namespace cognate::app {
 struct ResultLinkage {
   problems::AnalysisProblem problem;  ///< its outputs are the positions alone
   bool round = false;                 ///< whether the drive ends where it starts
+  bool beyond = false;                ///< whether the drive goes a hair beyond what is assembled
   std::vector<double> stations;       ///< drive coordinates at the targets, where it has any
   std::vector<Vec2d> targets;         ///< points that it was to reach; of poses their origins
 };

@@ -3,24 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
+#include "app/export/slot_ends.hpp"
 #include "problems/analysis/joint_names.hpp"
 
 namespace cognate::app {
 namespace {
 
-constexpr int kSamples = 361;
+constexpr int kSamples = 721;
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// What is drawn of the drive, from its start: no more than two turns, after which every motion
+/// repeats itself (that of an antiparallelogram takes two).
+double shown_end(const ResultLinkage& linkage) {
+  const double start = linkage.problem.drive.start, end = linkage.problem.drive.end;
+  if (is_driven_by_slider(linkage) || std::abs(end - start) <= 2 * kTurn) return end;
+  return start + std::copysign(2 * kTurn, end - start);
+}
 
 class LinksMaker {
  public:
   explicit LinksMaker(const ResultLinkage& linkage) : named_(linkage.problem.mechanism) {
-    const auto& drive = linkage.problem.drive;
-    shown_.poses = sample_poses(named_.mechanism, drive.start, drive.end, kSamples);
+    const double start = linkage.problem.drive.start, end = shown_end(linkage);
+    shown_.poses = sample_poses(named_.mechanism, start, end, kSamples);
     const auto shapes = mechanism_shapes(named_, shown_.poses);
     for (std::size_t i = 0; i < shapes.bodies.size(); ++i) {
       shown_.links.push_back({named_.bodies[i], {}, shapes.bodies[i]});
     }
+    FollowedMotion<0> motion(named_.mechanism, follow(named_.mechanism, start, end));
+    reach_slot_ends(shown_, motion);
   }
 
   ShownLinks make() {

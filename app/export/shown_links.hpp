@@ -32,12 +32,13 @@ struct ShownJoint {
 };
 
 struct ShownLinks {
-  MechanismPoses poses;            ///< of the whole drive
+  MechanismPoses poses;            ///< of the drive, two turns at most
   std::vector<ShownLink> links;    ///< the frame first
   std::vector<ShownJoint> joints;  ///< in the order of the links
 };
 
-/// The links of `linkage`: guides are as long as the blocks travel over the drive.
+/// The links of `linkage`: guides are as long as the blocks travel over the drive, to
+/// rounding and no shorter.
 ShownLinks shown_links(const ResultLinkage& linkage);
 
 /// What is nearer counts as one place, as a share of the size of a linkage.

@@ -330,6 +330,98 @@ class ExportLinkagesTest(unittest.TestCase):
         self.assertTrue(all(low >= 1 and high <= told["planes"] and high > low
                             for low, high in (pin["planes"] for pin in told["pins"])))
 
+    def analysed(self, name, text):
+        """The result of an analysis of this text."""
+        (self.folder / f"{name}.toml").write_text('kind = "analysis"\n' + text)
+        done = run("analyze", f"{name}.toml", "--quiet", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / f"{name}.result.json"
+
+    def slots(self, result):
+        document = self.document(result)
+        return [slot for link in document["links"] for slot in link["slots"]]
+
+    def test_slots_are_as_long_as_the_stroke(self):
+        """No shorter, as the pin would jam, against what the analysis tells of the output."""
+        seen = 0
+        for result in self.results:
+            stroke = json.loads(result.read_text())["designs"][0]["metrics"].get("output_stroke")
+            lengths = [math.dist(slot["from"], slot["to"]) for slot in self.slots(result)]
+            if stroke is None or not lengths:
+                continue
+            with self.subTest(result.name):
+                nearest = min(lengths, key=lambda length: abs(length - stroke))
+                self.assertGreaterEqual(nearest, stroke)
+                self.assertLessEqual(nearest, stroke * (1 + 1e-6))
+                seen += 1
+        self.assertGreaterEqual(seen, 2)
+
+    def test_slots_of_many_turns(self):
+        """The stroke of an offset slider-crank by Pythagoras, whatever the number of turns."""
+        stroke = math.sqrt(230**2 - 25**2) - math.sqrt(30**2 - 25**2)
+        for start, end in [(0, 360), (0, 36000), (-32400, 32400), (7200, -100)]:
+            with self.subTest((start, end)):
+                result = self.analysed(
+                    "turns", '[mechanism]\ntype = "slider-crank"\npivot = [0, 0]\ncrank = 100\n'
+                    f'coupler = 130\noffset = 25\n[drive]\nstart_deg = {start}\nend_deg = {end}\n')
+                (slot,) = self.slots(result)
+                length = math.dist(slot["from"], slot["to"])
+                self.assertGreaterEqual(length, stroke * (1 - 1e-12))
+                self.assertLessEqual(length, stroke * (1 + 1e-8))
+                paths = [path["point"] for path in self.document(result)["paths"]]
+                self.assertEqual(len(paths), len(set(paths)))
+
+    def test_planes_with_the_frame_between(self):
+        """Cranks that turn fully on both sides of the frame: none meets a pin."""
+        for name in ("double-crank", "guide-bar-rotating"):
+            with self.subTest(name):
+                told = json.loads(self.cut(self.named(name), "json").read_text())
+                frame = next(part for part in told["parts"] if part["name"] == "frame")
+                self.assertLess(1, frame["plane"])
+                self.assertLess(frame["plane"], told["planes"])
+
+    def test_labels_keep_off_holes_and_cuts(self):
+        """Texts as boxes of 0.6 of their height for each letter, against all that is cut."""
+        for result in self.results:
+            with self.subTest(result.name):
+                told = json.loads(self.cut(result, "json").read_text())
+                root = xml.etree.ElementTree.parse(self.cut(result, "svg")).getroot()
+                labels = [text for text in root.iter("{http://www.w3.org/2000/svg}text")]
+                self.assertEqual(len(labels), len(told["parts"]))
+                view = [float(number) for number in root.get("viewBox").split()]
+                for label in labels:
+                    x, y, scale = map(float, re.match(
+                        r"translate\((\S+) (\S+)\) scale\((\S+) ", label.get("transform")).groups())
+                    height, width = 16 * scale, 9.6 * scale * len(label.text)
+                    self.assertLessEqual(x + width, view[0] + view[2])
+                    for part in told["parts"]:
+                        for hole in part["holes"]:
+                            dx = max(x - hole["at"][0], 0, hole["at"][0] - x - width)
+                            dy = max(y - hole["at"][1], 0, hole["at"][1] - y - height)
+                            self.assertGreaterEqual(math.hypot(dx, dy), 0.5 * told["hole"])
+
+    def test_names_of_parts_are_each_once(self):
+        for result in self.results:
+            with self.subTest(result.name):
+                told = json.loads(self.cut(result, "json").read_text())
+                for table in (told["pins"], *(part["holes"] for part in told["parts"])):
+                    names = [entry["name"] for entry in table]
+                    self.assertEqual(len(names), len(set(names)))
+
+    def test_every_place_is_named_in_the_drawing(self):
+        """Also what lies at another's position, as C of a scotch yoke."""
+        for result in self.results:
+            with self.subTest(result.name):
+                root = xml.etree.ElementTree.parse(self.export(result, "svg")).getroot()
+                labels = [text.text for text in root.iter("{http://www.w3.org/2000/svg}text")]
+                self.assertEqual(sorted(labels), sorted(self.document(result)["position"]["places"]))
+
+    def test_thin_walls_are_told(self):
+        done = run("export", self.named("crank-rocker"), "--format", "svg", "--parts", "--hole", 0.1,
+                   "--width", 0.119, "--out", "thin", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("less than a tenth of the hole", done.stdout + done.stderr)
+
     def test_designs_of_a_synthesis(self):
         (self.folder / "quick.toml").write_text(
             'kind = "quick-return"\n[target]\ntime_ratio = 1.4\n[mechanism]\n'
@@ -341,7 +433,10 @@ class ExportLinkagesTest(unittest.TestCase):
             done = run("solve", f"{name}.toml", "--quiet", cwd=self.folder)
             self.assertIn(done.returncode, (0, 1), done.stderr)
             result = self.folder / f"{name}.result.json"
-            self.assertGreater(len(self.document(result)["positions"]), 3)
+            positions = self.document(result)["positions"]
+            self.assertGreater(len(positions), 3)
+            for column in positions:
+                self.assertNotIn(None, (column["values"][0], column["values"][-1]))
             if ezdxf is None:
                 continue
             drawing = ezdxf.readfile(self.export(result, "dxf"))
