@@ -75,10 +75,14 @@ CLI::App& CommandLine::add_file_command(const char* name, const char* purpose, c
 void CommandLine::add_hidden_commands() {
   auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
   completion.group("");
-  completion.add_option("SHELL", arguments.shell, "bash, zsh or fish")->required();
+  completion.get_option("--help")->description("print this help");
+  completion.add_option("SHELL", arguments.shell, "which shell is to be taught")
+      ->type_name("bash|zsh|fish")
+      ->required();
   completion.footer(kCompletionFooter);
   auto& manual = *app.add_subcommand("manual", "Print the manual page, source for man.");
   manual.group("");
+  manual.get_option("--help")->description("print this help");
   manual.footer(kManualFooter);
 }
 

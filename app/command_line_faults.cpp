@@ -59,18 +59,24 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// Of words that are left over: the option nobody knows, else the first.
+/// Of words that are left over: the option nobody knows, else the first. Behind `--` no word is an
+/// option.
 std::string refusal_of_extra(const CLI::App& command, const std::vector<std::string>& extras,
                              const std::string& help) {
   const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
-  const auto option = std::ranges::find_if(extras, is_option);
+  const auto behind = std::ranges::find(extras, "--");
+  const auto option = std::find_if(extras.begin(), behind, is_option);
   const auto of = command.get_name() == "cognate" ? "" : " of " + command.get_name();
-  if (option == extras.end()) {
+  if (option == behind) {
     const auto takes_file = command.get_option_no_throw("FILE") != nullptr;
-    return fmt::format("'{}' is too much: {} takes {}; {}", extras.front(), command.get_name(),
+    const auto& word = behind == extras.begin() ? extras.at(1) : extras.front();
+    return fmt::format("'{}' is too much: {} takes {}; {}", word, command.get_name(),
                        takes_file ? "one FILE" : "no file", help);
   }
   const std::string name = option->substr(0, option->find('='));
+  if (names_a_file(*option)) {
+    return fmt::format("{0} is not an option{1}; for a file write ./{0}", *option, of);
+  }
   const auto known = meant(name, option_names(command));
   return fmt::format("{} is not an option{}; {}{}", name, of,
                      known ? "did you mean " + *known + "? " : "", help);
@@ -101,9 +107,9 @@ std::string refusal_of(const CLI::ParseError& error, const CommandLine& line) {
     return refusal_of_extra(command, extras, help);
   }
   const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  // An unknown option in front keeps the command from being seen, one in its place the file.
+  if (required && !extras.empty()) return refusal_of_extra(command, extras, help);
   if (called.empty() && required) {
-    // An unknown option in front keeps the command from being seen.
-    if (!extras.empty()) return refusal_of_extra(command, extras, help);
     return fmt::format("a command is missing; available are {}; 'cognate --help' says more",
                        enumeration(command_names(line)));
   }

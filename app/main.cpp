@@ -1,5 +1,6 @@
 /// @file The program `cognate`: what it is told on the command line, and how it ends.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <optional>
 #include <string>
@@ -126,6 +127,7 @@ ExitStatus run(int argc, char** argv, StudyProcesses& processes) {
 
 int main(int argc, char** argv) {
   cognate::app::hold_standard_descriptors();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk
   try {
     const auto processes = cognate::app::begin_processes(argc, argv);
     return processes ? cognate::app::run(argc, argv, *processes) : cognate::app::exit_bad_input;

@@ -2,16 +2,21 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "app/terminal.hpp"
 
 namespace cognate::app {
 
 std::string printable(std::string_view text) {
-  std::string safe(text);
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
-  std::ranges::replace_if(safe, is_control, '?');
+  std::string safe;
+  safe.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    // U+0080 to U+009F, of which terminals take U+009B for ESC [.
+    const bool high_control = byte == 0xc2 && next >= 0x80 && next < 0xa0;
+    if (high_control) ++i;
+    safe += high_control || byte < ' ' || byte == 0x7f ? '?' : text[i];
+  }
   return safe;
 }
 

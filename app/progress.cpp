@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
@@ -17,14 +18,15 @@ constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
 constexpr int kLeastBar = 6, kGreatestBar = 24;  // cells: what the words leave of the line
-constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
+constexpr const char* kWipe = "\r\x1b[K";        // to the line's beginning, and erase to its end
 
 double share_of(std::int64_t done, std::int64_t total) {
   return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
 }
 
 std::string figures(double share, std::string_view words) {
-  const auto percent = fmt::format("{:3.0f} %", 100 * share);
+  // 100 % is said of what is done, not of what is nearly done.
+  const auto percent = fmt::format("{:3.0f} %", std::floor(100 * share));
   return words.empty() ? percent : fmt::format("{}  {}", percent, words);
 }
 
@@ -78,7 +80,7 @@ Progress::~Progress() {
   }
   done_.notify_one();
   writer_.join();
-  if (bar_shown_) write_standard_error(kWipe);
+  if (bar_shown_ && error_takes_text()) write_standard_error(kWipe);
   unfinished_line() = false;
 }
 
@@ -97,7 +99,10 @@ void Progress::write_until_done() {
   std::unique_lock lock(mutex_);
   auto wait = terminal_ ? std::chrono::milliseconds(kBarDelay) : kLinePeriod;
   while (!done_.wait_for(lock, wait, [this] { return is_done_; })) {
-    write();
+    const std::string text = line();
+    lock.unlock();  // the run, which brings news, never waits for the terminal
+    show(text);
+    lock.lock();
     wait = terminal_ ? std::chrono::milliseconds(kBarPeriod) : kLinePeriod;
   }
 }
@@ -110,15 +115,20 @@ std::string Progress::words() const {
   return progress_words(std::llround(share_ * total), total_, rate.value_or(0) * total);
 }
 
-void Progress::write() {
-  if (!terminal_) return write_standard_error("cognate: " + figures(share_, words()) + '\n');
+void Progress::show(const std::string& text) {
+  if (!error_takes_text()) return;
+  unfinished_line() = terminal_;
+  write_standard_error(text);
+  bar_shown_ = terminal_;
+}
+
+std::string Progress::line() const {
+  if (!terminal_) return "cognate: " + figures(share_, words()) + '\n';
   const auto room = error_width() - 1;
   const auto said = words();
   const auto others = static_cast<int>(progress_bar(share_, said, 0).size());
   const int cells = std::clamp(static_cast<int>(room) - others, kLeastBar, kGreatestBar);
-  unfinished_line() = true;
-  write_standard_error(kWipe + progress_bar(share_, said, cells).substr(0, room));
-  bar_shown_ = true;
+  return kWipe + progress_bar(share_, said, cells).substr(0, room);
 }
 
 }  // namespace cognate::app

@@ -15,7 +15,8 @@ namespace cognate::app {
 
 /// Shows how far a run has come, how fast it comes on and how long it will still take: on a
 /// terminal as a bar that overwrites itself, elsewhere as a line every few seconds. A run that ends
-/// quickly shows nothing. A thread of its own writes, so that the line lives while the run is busy.
+/// quickly shows nothing. A thread of its own writes, so that the line lives while the run is busy;
+/// where the terminal takes no text, the line waits and the run goes on.
 class Progress {
  public:
   /// A run of which only the share done is known. `quiet`: show nothing at all. `stopping` is
@@ -37,7 +38,8 @@ class Progress {
  private:
   Progress(bool quiet, const std::atomic<bool>& stopping, double share, std::int64_t total);
   void write_until_done();
-  void write();
+  void show(const std::string& text);
+  std::string line() const;
   std::string words() const;
 
   const std::atomic<bool>& stopping_;

@@ -1,6 +1,7 @@
 #include "app/terminal.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -63,6 +64,11 @@ void hold_standard_descriptors() {
     const int mode = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (::open("/dev/null", mode) == -1) return;
   }
+}
+
+bool error_takes_text() {
+  pollfd descriptor{STDERR_FILENO, POLLOUT, 0};
+  return ::poll(&descriptor, 1, 0) != 0;
 }
 
 std::error_code write_standard_output(std::string_view text) {

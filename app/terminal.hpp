@@ -24,6 +24,10 @@ bool error_is_terminal();
 /// closed one of these. Writing to a closed one then still fails. To be called first.
 void hold_standard_descriptors();
 
+/// Whether text is taken at once by standard error: not where a terminal has been stopped (Ctrl-S)
+/// or nobody reads a pipe that is full.
+bool error_takes_text();
+
 /// Writes all of `text` to standard output, past every buffer; the error says why it could not.
 std::error_code write_standard_output(std::string_view text);
 

@@ -17,6 +17,7 @@ using problems::CamProblem;
 
 constexpr double kDefaultTolerance = 1e-4;  // of the base radius
 constexpr double kLeastTolerance = 1e-9;    // as many points as can be handled
+constexpr double kGreatestCutter = 1e6;     // of the base radius
 constexpr std::size_t kMostPoints = 2'000'000;
 
 /// A curve parallel to the one that the follower gives.
@@ -75,6 +76,11 @@ std::optional<std::string> refusal(const CamProblem& problem, const CamDesign& d
         tolerance, size, kLeastTolerance * size, size);
   }
   if (order.kind != ExportedCurve::cutter) return std::nullopt;
+  if (*order.cutter_radius > kGreatestCutter * size) {
+    return fmt::format(
+        "--cutter-radius: {} is too large for a base radius of {}; allowed is at most {:.6g}",
+        *order.cutter_radius, size, kGreatestCutter * size);
+  }
   auto why = gouging(problem, design.cam, *order.cutter_radius);
   if (!why && design.second) why = gouging(problem, *design.second, *order.cutter_radius);
   return why;

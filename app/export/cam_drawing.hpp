@@ -41,9 +41,9 @@ struct CamDrawing {
 /// The drawing of `design`, whose problem is `problem`: the walls of a groove are two curves, so
 /// are the cams of a conjugate pair; a cam that turns clockwise is the mirror image of the
 /// kernel's. The error says which part of the order is not possible and what is allowed: no pitch
-/// curve without a roller, no cutter larger than the least concave radius of the profile or than
-/// the groove, a chord tolerance from 1e-9 to 1 of the base radius that takes at most two million
-/// points.
+/// curve without a roller, no cutter larger than the least concave radius of the profile, than the
+/// groove or than a million base radii, a chord tolerance from 1e-9 to 1 of the base radius that
+/// takes at most two million points.
 tl::expected<CamDrawing, std::string> cam_drawing(const problems::CamProblem& problem,
                                                   const problems::CamDesign& design,
                                                   const DrawingOrder& order);

@@ -26,13 +26,13 @@ PlanOutline outline_of(const DrawnCurve& curve, const char* layer) {
 
 }  // namespace
 
-Plan cam_plan(const CamDrawing& drawing) {
+Plan cam_plan(const CamDrawing& drawing, const std::string& title) {
   const char* layer = layer_of(drawing.kind);
   const double reach = reach_of(drawing);
   const PlanColour colour =
       drawing.kind == ExportedCurve::profile ? PlanColour::foreground : PlanColour::accent;
   Plan plan{
-      .title = "Cam",
+      .title = title.empty() ? "Cam" : title,
       .low = {-reach, -reach},
       .high = {reach, reach},
       .layers = {

@@ -14,12 +14,14 @@ std::string named_after_curve(std::string name, ExportedCurve curve) {
   return name;
 }
 
-std::vector<ExportedFile> files_of(const CamDrawing& drawing, const ExportOptions& wanted,
-                                   const std::string& stem) {
+std::vector<ExportedFile> files_of(const CamDrawing& drawing, const std::string& title,
+                                   const ExportOptions& wanted, const std::string& stem) {
   if (wanted.format == ExportFormat::dxf) {
-    return {{stem + ".dxf", dxf_text(cam_plan(drawing), wanted.version)}};
+    return {{stem + ".dxf", dxf_text(cam_plan(drawing, title), wanted.version)}};
   }
-  if (wanted.format == ExportFormat::svg) return {{stem + ".svg", svg_text(cam_plan(drawing))}};
+  if (wanted.format == ExportFormat::svg) {
+    return {{stem + ".svg", svg_text(cam_plan(drawing, title))}};
+  }
   std::vector<ExportedFile> files;
   for (const auto& curve : drawing.curves) {
     files.push_back(
@@ -50,11 +52,12 @@ tl::expected<Exported, std::string> export_cam(const ResultCam& given, const Exp
   const auto drawing = cam_drawing(given.problem, given.design, wanted.order);
   if (!drawing) return tl::unexpected(drawing.error());
   const std::size_t points = point_count(*drawing);
-  return Exported{files_of(*drawing, wanted, named_after_curve(stem, wanted.order.kind)),
-                  drawing->notes,
-                  fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
-                              drawing->chord_tolerance),
-                  {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};
+  return Exported{
+      files_of(*drawing, given.problem.title, wanted, named_after_curve(stem, wanted.order.kind)),
+      drawing->notes,
+      fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
+                  drawing->chord_tolerance),
+      {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};
 }
 
 }  // namespace cognate::app

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/csv.hpp"
@@ -73,6 +74,7 @@ class LinkageExporter {
                             ": is for cams; of a linkage --position, --steps and "
                             "--parts are allowed");
     }
+    if (const auto idle = idle_tolerance()) return tl::unexpected(*idle);
     const auto position = shown_position(linkage_, wanted_.position, motion_);
     if (!position) return tl::unexpected(position.error());
     if (wanted_.parts) return parts();
@@ -82,6 +84,15 @@ class LinkageExporter {
   }
 
  private:
+  /// Why a tolerance that is given has nothing to do.
+  std::optional<std::string> idle_tolerance() const {
+    const bool has_paths = !wanted_.parts && wanted_.format != ExportFormat::csv &&
+                           wanted_.format != ExportFormat::dot;
+    if (has_paths || !wanted_.order.chord_tolerance) return std::nullopt;
+    return "--chord-tolerance: is that of the paths of a linkage; --format dxf, svg or json "
+           "without --parts is wanted with it";
+  }
+
   static Course course_of(const ResultLinkage& linkage) {
     const auto& drive = linkage.problem.drive;
     return follow(linkage.problem.mechanism.mechanism, drive.start, drive.end);
@@ -160,7 +171,8 @@ class LinkageExporter {
     const auto made = link_parts(shown_, order);
     if (!made) return tl::unexpected(made.error());
     const auto planes = part_planes(shown_, *made, order);
-    const auto sheet = part_sheet(*made, planes, order);
+    auto sheet = part_sheet(*made, planes, order);
+    if (!linkage_.problem.title.empty()) sheet.plan.title = linkage_.problem.title + ": parts";
     notes_ = made->notes;
     notes_.insert(notes_.end(), planes.notes.begin(), planes.notes.end());
     const ordered_json told = parts_json({*made, planes, sheet, order});

@@ -1,5 +1,7 @@
 #include "app/export/export_options.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -162,9 +164,8 @@ class OptionReader {
       faults_.push_back(
           fmt::format("--width: {} leaves nothing about a hole of {}; allowed is more than that",
                       options_.parts->width, options_.parts->hole));
-    }
-    if (options_.parts &&
-        !(options_.parts->hole + options_.parts->clearance < options_.parts->width)) {
+    } else if (options_.parts &&
+               !(options_.parts->hole + options_.parts->clearance < options_.parts->width)) {
       faults_.push_back(
           fmt::format("--clearance: {} makes slots as wide as the bars; allowed is less than {}",
                       options_.parts->clearance, options_.parts->width - options_.parts->hole));

@@ -19,13 +19,15 @@ namespace {
 using nlohmann::ordered_json;
 using problems::CamProblem;
 
-/// The problem file that gives `mechanism` and leaves nothing free.
-ordered_json problem_tables(const ordered_json& mechanism) {
+/// The problem file that gives the mechanism of `given` and leaves nothing free.
+ordered_json problem_tables(const ResultDesign& given) {
   constexpr std::array<std::string_view, 7> kOfMechanism = {
       "base_radius", "offset",   "roller_radius", "centre_distance",
       "arm",         "rotation", "face_offset"};
-  ordered_json tables = {{"kind", "cam"}, {"follower", ordered_json::object()}};
-  for (const auto& [key, value] : mechanism.items()) {
+  ordered_json tables = {{"kind", "cam"},
+                         {"title", text_under(given.problem, "title")},
+                         {"follower", ordered_json::object()}};
+  for (const auto& [key, value] : given.table["mechanism"].items()) {
     if (key == "type" || key == "preload") continue;
     if (key == "follower") {
       tables["follower"]["type"] = value;
@@ -68,8 +70,7 @@ tl::expected<ResultCam, std::string> result_cam(const ResultDesign& given) {
     return tl::unexpected(
         fmt::format("{}: designs[{}].mechanism: {}", given.name, given.design - 1, what));
   };
-  const auto& mechanism = given.table["mechanism"];
-  const auto problem = problems::parse_cam(toml_text(problem_tables(mechanism)));
+  const auto problem = problems::parse_cam(toml_text(problem_tables(given)));
   if (!problem) return refuse(problem.error().front().message);
   if (!is_whole(*problem)) {
     return refuse("it is not whole; a table with every dimension of the follower is wanted");

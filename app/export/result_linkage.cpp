@@ -67,7 +67,9 @@ std::vector<Vec2d> targets(const ordered_json& problem) {
 /// The analysis of the design's mechanism, as a file would ask for it.
 ordered_json analysis_tables(const ResultDesign& given) {
   const ordered_json& mechanism = given.table["mechanism"];
-  ordered_json tables = {{"kind", "analysis"}, {"mechanism", mechanism}};
+  ordered_json tables = {{"kind", "analysis"},
+                         {"title", text_under(given.problem, "title")},
+                         {"mechanism", mechanism}};
   if (is_analysis(given)) {
     tables["drive"] = member(given.problem, "drive");
   } else if (mechanism.contains("slider")) {

@@ -17,6 +17,35 @@ double greater_side(const Plan& plan) {
   return std::max(plan.high.x - plan.low.x, plan.high.y - plan.low.y);
 }
 
+/// Browsers reckon in single precision, and paint what is very small or very large wrongly.
+constexpr double kLeastSide = 1e-2, kGreatestSide = 1e6;
+
+/// The power of ten by which lengths are multiplied so that they are painted rightly.
+int shift_of(const Plan& plan) {
+  constexpr int kDigits = 2;  // the greater side becomes one from 100 to 1000
+  const double side = greater_side(plan);
+  const bool fits = side == 0 || (side >= kLeastSide && side <= kGreatestSide);
+  return fits ? 0 : kDigits - static_cast<int>(std::floor(std::log10(side)));
+}
+
+Plan scaled(Plan plan, double by) {
+  const auto scale = [&](Vec2d& at) { at = by * at; };
+  scale(plan.low);
+  scale(plan.high);
+  for (auto& outline : plan.outlines) {
+    for (auto& corner : outline.corners) scale(corner.at);
+  }
+  for (auto& circle : plan.circles) {
+    scale(circle.centre);
+    circle.radius *= by;
+  }
+  for (auto& label : plan.labels) {
+    scale(label.at);
+    label.height *= by;
+  }
+  return plan;
+}
+
 const char* paint(PlanColour colour) {
   switch (colour) {
     case PlanColour::accent:
@@ -114,15 +143,15 @@ void append_label(std::string& text, const PlanLabel& label) {
                  class_of(label.layer), label.at.x, label.at.y, scale, -scale, escaped(label.text));
 }
 
-}  // namespace
-
-std::string svg_text(const Plan& plan) {
+/// The document of a plan whose lengths are painted as they are; `description` says what they are.
+std::string document(const Plan& plan, const std::string& description) {
   const Vec2d size = plan.high - plan.low;
   const double margin = kMargin * greater_side(plan);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", plan.low.x - margin,
       -plan.high.y - margin, size.x + 2 * margin, size.y + 2 * margin);
   text += "<title>" + escaped(plan.title) + "</title>\n";
+  text += description;
   text += style(plan);
   text += "<g transform=\"scale(1 -1)\">\n";
   for (const auto& outline : plan.outlines) append_outline(text, outline);
@@ -130,6 +159,16 @@ std::string svg_text(const Plan& plan) {
   for (const auto& label : plan.labels) append_label(text, label);
   text += "</g>\n</svg>\n";
   return text;
+}
+
+}  // namespace
+
+std::string svg_text(const Plan& plan) {
+  const int shift = shift_of(plan);
+  if (shift == 0) return document(plan, "");
+  return document(
+      scaled(plan, std::pow(10.0, shift)),
+      fmt::format("<desc>Lengths are those of the problem times 1e{}.</desc>\n", shift));
 }
 
 }  // namespace cognate::app

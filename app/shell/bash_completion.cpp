@@ -70,8 +70,12 @@ std::string value_cases(const CommandWords& command) {
 std::string word_case(const CommandWords& command) {
   std::string files;
   for (const auto& ending : command.endings) files += " " + ending;
-  const auto otherwise =
-      files.empty() ? std::string() : fmt::format("_cognate_files \"$current\"{}", files);
+  std::string otherwise;
+  if (!files.empty()) otherwise = fmt::format("_cognate_files \"$current\"{}", files);
+  if (!command.argument_values.empty()) {
+    otherwise =
+        fmt::format("_cognate_words '{}' \"$current\"", joined(command.argument_values, " "));
+  }
   return fmt::format("    {0}:-*) _cognate_words '{1}' \"$current\" ;;\n    {0}:*) {2} ;;\n",
                      command.name, names_of(command), otherwise);
 }
@@ -82,16 +86,17 @@ std::string bash_completion(const CommandTree& tree) {
   CommandWords program = tree.program;
   program.name.clear();
   std::vector<std::string> names;
-  for (const auto& command : tree.commands) names.push_back(command.name);
+  const auto commands = tree.all_commands();
+  for (const auto& command : commands) names.push_back(command.name);
 
   std::string text = kHead;
   text += fmt::format("      {}) command=$word; break ;;\n    esac\n  done\n", joined(names, "|"));
   text += "  case $command:$previous in\n" + value_cases(program);
-  for (const auto& command : tree.commands) text += value_cases(command);
+  for (const auto& command : commands) text += value_cases(command);
   text += "  esac\n  case $command:$current in\n";
   text += fmt::format("    :-*) _cognate_words '{}' \"$current\" ;;\n", names_of(program));
   text += fmt::format("    :*) _cognate_words '{}' \"$current\" ;;\n", joined(names, " "));
-  for (const auto& command : tree.commands) text += word_case(command);
+  for (const auto& command : commands) text += word_case(command);
   return text + "  esac\n" + kTail;
 }
 

@@ -1,6 +1,7 @@
 #include "app/shell/command_tree.hpp"
 
 #include <sstream>
+#include <utility>
 
 #include "app/command_line.hpp"
 
@@ -34,6 +35,7 @@ CommandWords words_of(const CLI::App& app) {
     if (option->get_positional()) {
       words.argument = option->get_name(true);
       words.argument_meaning = option->get_description();
+      words.argument_values = values_in(option->get_type_name());
     } else {
       words.options.push_back(words_of(*option));
     }
@@ -46,12 +48,18 @@ CommandWords words_of(const CLI::App& app) {
 CommandTree command_tree(const CommandLine& line) {
   CommandTree tree{.program = words_of(line.app)};
   for (const CLI::App* command : line.app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_group().empty()) continue;  // it is hidden
-    tree.commands.push_back(words_of(*command));
-    const auto endings = line.endings.find(command->get_name());
-    if (endings != line.endings.end()) tree.commands.back().endings = endings->second;
+    auto words = words_of(*command);
+    const auto endings = line.endings.find(words.name);
+    if (endings != line.endings.end()) words.endings = endings->second;
+    (command->get_group().empty() ? tree.hidden : tree.commands).push_back(std::move(words));
   }
   return tree;
+}
+
+std::vector<CommandWords> CommandTree::all_commands() const {
+  auto all = commands;
+  all.insert(all.end(), hidden.begin(), hidden.end());
+  return all;
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {

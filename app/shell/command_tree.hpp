@@ -27,14 +27,19 @@ struct CommandWords {
   std::string purpose;
   std::string more;  ///< what its help says after the options
   std::vector<OptionWords> options;
-  std::string argument;  ///< what the file is called; empty: it takes none
+  std::string argument;  ///< what its file or word is called; empty: it takes none
   std::string argument_meaning;
-  std::vector<std::string> endings;  ///< of files that it reads, ".toml"
+  std::vector<std::string> argument_values;  ///< the only ones allowed; empty where any may be
+  std::vector<std::string> endings;          ///< of files that it reads, ".toml"
 };
 
 struct CommandTree {
   CommandWords program;
   std::vector<CommandWords> commands;  ///< those that help shows, in its order
+  std::vector<CommandWords> hidden;    ///< those that are called once: completion and manual
+
+  /// Both, those that help shows first.
+  std::vector<CommandWords> all_commands() const;
 };
 
 /// The tree of what `line` defines.

@@ -33,11 +33,15 @@ std::string fish_completion(const CommandTree& tree) {
       "# Completion of cognate for fish, made by 'cognate completion fish'.\n"
       "complete -c cognate -f\n";
   for (const auto& option : tree.program.options) text += line_of(option, "__fish_use_subcommand");
-  for (const auto& command : tree.commands) {
+  for (const auto& command : tree.all_commands()) {
     const auto condition = "__fish_seen_subcommand_from " + command.name;
     text += fmt::format("\ncomplete -c cognate -n '__fish_use_subcommand' -a {} -d {}\n",
                         command.name, quoted(command.purpose));
     for (const auto& option : command.options) text += line_of(option, condition);
+    if (!command.argument_values.empty()) {
+      text += fmt::format("complete -c cognate -n {} -a {}\n", quoted(condition),
+                          quoted(joined(command.argument_values, " ")));
+    }
     for (const auto& ending : command.endings) {
       text += fmt::format("complete -c cognate -n {} -k -a '(__fish_complete_suffix {})'\n",
                           quoted(condition), ending);

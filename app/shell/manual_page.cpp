@@ -125,9 +125,20 @@ std::string option_text(const OptionWords& option) {
   return fmt::format(".TP\n{}\n{}\n", names, roff(option.meaning));
 }
 
-bool is_common(const OptionWords& option, const CommandWords& program) {
-  return std::ranges::any_of(program.options,
+bool has_option(const CommandWords& command, const OptionWords& option) {
+  return std::ranges::any_of(command.options,
                              [&](const OptionWords& other) { return other.names == option.names; });
+}
+
+/// The options of the program: those that its commands take too, then those without a command.
+std::string common_options(const CommandTree& tree) {
+  std::string taken, alone;
+  for (const auto& option : tree.program.options) {
+    const bool by_all = std::ranges::all_of(
+        tree.commands, [&](const CommandWords& command) { return has_option(command, option); });
+    (by_all ? taken : alone) += option_text(option);
+  }
+  return "Every command takes these.\n" + taken + ".PP\nWithout a command:\n" + alone;
 }
 
 std::string command_text(const CommandWords& command, const CommandWords& program) {
@@ -138,7 +149,7 @@ std::string command_text(const CommandWords& command, const CommandWords& progra
     text += fmt::format(".TP\n.I {}\n{}\n", command.argument, roff(command.argument_meaning));
   }
   for (const auto& option : command.options) {
-    if (!is_common(option, program)) text += option_text(option);
+    if (!has_option(program, option)) text += option_text(option);
   }
   return text + ".PP\n" + HelpPage().of(command.more);
 }
@@ -151,9 +162,9 @@ std::string manual_page(const CommandTree& tree, std::string_view version) {
       ".TH COGNATE 1 \"\" \"Cognate {}\" \"User Commands\"\n"
       ".SH NAME\ncognate \\- synthesis and analysis of planar linkages and cams\n"
       ".SH SYNOPSIS\n.B cognate\n.I COMMAND\n[\\fIOPTIONS\\fR] [\\fIFILE\\fR]\n"
-      ".SH DESCRIPTION\n{}.SH OPTIONS\nEvery command takes these.\n",
+      ".SH DESCRIPTION\n{}.SH OPTIONS\n",
       version, HelpPage().of(tree.program.purpose));
-  for (const auto& option : tree.program.options) text += option_text(option);
+  text += common_options(tree);
   text += ".SH COMMANDS\n";
   for (const auto& command : tree.commands) text += command_text(command, tree.program);
   return text + ".SH MORE\n" + HelpPage().of(tree.program.more);

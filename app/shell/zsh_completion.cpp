@@ -56,6 +56,10 @@ std::string command_case(const CommandWords& command) {
     text += fmt::format(" \\\n            '1:{}:_files -g \"{}\"'", escaped(command.argument),
                         joined(patterns, " "));
   }
+  if (!command.argument_values.empty()) {
+    text += fmt::format(" \\\n            '1:{}:({})'", escaped(command.argument),
+                        joined(command.argument_values, " "));
+  }
   return text + " ;;\n";
 }
 
@@ -69,7 +73,8 @@ std::string zsh_completion(const CommandTree& tree) {
       "  local context state state_descr line\n"
       "  typeset -A opt_args\n"
       "  local -a commands=(\n";
-  for (const auto& command : tree.commands) {
+  const auto commands = tree.all_commands();
+  for (const auto& command : commands) {
     text += fmt::format("    '{}:{}'\n", command.name, escaped(command.purpose));
   }
   text += "  )\n  _arguments -C" + specifications(tree.program, "    ");
@@ -79,7 +84,7 @@ std::string zsh_completion(const CommandTree& tree) {
       "    command) _describe -t commands command commands ;;\n"
       "    argument)\n"
       "      case $line[1] in\n";
-  for (const auto& command : tree.commands) text += command_case(command);
+  for (const auto& command : commands) text += command_case(command);
   return text +
          "      esac ;;\n"
          "  esac\n"

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -27,6 +29,16 @@ int closed_rows(const Sweep& sweep) {
 Status status_of(const Sweep& sweep, const Deadline& deadline, bool whole) {
   if (!whole) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
   return closed_rows(sweep) > 0 ? Status::solved : Status::no_solution;
+}
+
+/// Where the table was ended early; nothing where it is whole.
+std::optional<std::string> ended_note(const AnalysisProblem& problem, const Sweep& sweep,
+                                      const Deadline& deadline) {
+  const int wanted = row_count(problem.drive);
+  if (sweep.rows.size() >= static_cast<std::size_t>(wanted)) return std::nullopt;
+  const char* what = deadline.interrupted() ? "the interruption ended the table"
+                                            : "the time limit ended the table";
+  return fmt::format("{} after {} of {} positions", what, sweep.rows.size(), wanted);
 }
 
 std::vector<std::string> skipped(const AnalysisOutput& wanted) {
@@ -144,6 +156,7 @@ AnalysisResult analyse(const AnalysisProblem& problem, const Run& run) {
   AnalysisResult result;
   result.closed_rows = closed_rows(rows);
   result.notes = open_row_notes(problem, rows);
+  if (const auto note = ended_note(problem, rows, deadline)) result.notes.push_back(*note);
   append(result.facts, type_facts(problem.mechanism, problem.drive.start));
   const bool whole = summarise_into(result, problem, rows, deadline);
   result.status = status_of(rows, deadline, whole);

@@ -125,6 +125,10 @@ class CommandLine(unittest.TestCase):
         done = run("check", file)
         self.expect_refusal(done)
         self.assertNotIn("\x1b", done.stderr)
+        file.write_text('kind = "path-\\u009b31mé"\n')
+        done = run("check", file)
+        self.expect_refusal(done, "path-?31mé")
+        self.assertNotIn("\x9b", done.stderr)
 
     def test_a_problem_may_come_through_a_pipe(self):
         pipe = self.folder / "pipe.toml"
@@ -214,6 +218,20 @@ class CommandLine(unittest.TestCase):
         )
         self.assertEqual(closed.returncode, 2)
         self.assertIn("cannot write to standard output", closed.stderr)
+
+    def test_a_limit_on_the_size_of_files_is_told(self):
+        done = subprocess.run(
+            ["/bin/sh", "-c", 'ulimit -f 1; "$0" analyze "$1" --quiet', PROGRAM,
+             LIBRARY / "analysis" / "shaper.toml"],
+            cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.expect_one_line_refusal(done, "cannot write", "File too large")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_time_limit_that_ends_a_table_is_told(self):
+        done = run("analyze", LIBRARY / "analysis" / "shaper.toml", "--time-limit", "1e-9", "--json",
+                   cwd=self.folder)
+        notes = json.loads(done.stdout)["notes"]
+        self.assertIn("the time limit ended the table after 0 of 361 positions", notes)
 
     def test_places_that_cannot_be_written_to(self):
         file = self.folder / "file"

@@ -445,6 +445,23 @@ class ExportLinkagesTest(unittest.TestCase):
                        for circle in drawing.modelspace().query('CIRCLE[layer=="TARGET"]')]
             self.assertEqual(len(targets), 4 if name == "path" else 0)
 
+    def test_drawings_and_sketches_carry_the_title(self):
+        document = json.loads(self.named("crank-rocker").read_text())
+        document["problem"]["title"] = "Presse <1> – 压力机"
+        result = self.folder / "titled.result.json"
+        result.write_text(json.dumps(document))
+        parts = ("--parts", "--hole", ".01", "--width", ".02")
+        for options, title in [((), "Presse <1> – 压力机"), (parts, "Presse <1> – 压力机: parts")]:
+            root = xml.etree.ElementTree.parse(self.export(result, "svg", *options)).getroot()
+            self.assertEqual(root.find("{http://www.w3.org/2000/svg}title").text, title)
+        self.assertTrue(self.export(result, "dot").read_text().startswith('graph "Presse <1> – 压力机" {'))
+
+    def test_a_table_that_the_time_limit_ended_is_told(self):
+        done = run("export", self.named("crank-rocker"), "--format", "csv", "--steps", 100000,
+                   "--time-limit", "1e-9", "--out", "late", cwd=self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("note: the time limit ended the table after 0 of 100001 positions", done.stderr)
+
     def test_position(self):
         result = self.named("crank-rocker")
         places = self.document(result, "--position", 90)["position"]
@@ -473,10 +490,15 @@ class ExportLinkagesTest(unittest.TestCase):
             (("--format", "csv", "--position", "9"), "--position: is that of a drawing"),
             ((*dxf, "--position", "east"), "--position: 'east' is not possible"),
             ((*dxf, "--chord-tolerance", "1e9"), "--chord-tolerance: 1000000000 is not possible"),
+            (("--format", "csv", "--chord-tolerance", "1"), "--chord-tolerance: is that of the paths"),
+            (("--format", "dot", "--chord-tolerance", "1"), "--chord-tolerance: is that of the paths"),
+            ((*parts, "--hole", ".1", "--width", ".2", "--chord-tolerance", "1"), "without --parts"),
             ((*dxf, "--design", "2"), "there is no design 2; allowed is --design from 1 to 1"),
         ]:
             with self.subTest(options):
-                self.assertIn(message, self.refusal(result, *options))
+                said = self.refusal(result, *options)
+                self.assertIn(message, said)
+                self.assertEqual(said.count("\n"), 2 if options == parts else 1)
         self.assertIn("allowed is ", self.refusal(self.named("double-rocker"), *dxf, "--position", 180))
 
     def test_damaged_documents_end_in_a_message_or_a_drawing(self):

@@ -360,6 +360,8 @@ class ExportTest(unittest.TestCase):
         self.export(result, "svg")
         root = xml.etree.ElementTree.parse(self.folder / "cam.svg").getroot()
         names = {"svg": "http://www.w3.org/2000/svg"}
+        self.assertEqual(root.find("svg:title", names).text, "Cam")
+        self.assertIsNone(root.find("svg:desc", names))
         (group,) = root.findall("svg:g", names)
         self.assertEqual(group.get("transform"), "scale(1 -1)")
         (path,) = group.findall("svg:path[@class='profile']", names)
@@ -370,6 +372,22 @@ class ExportTest(unittest.TestCase):
         reach = max(max(abs(x), abs(y)) for x, y in points)
         self.assertLess(left, -reach)
         self.assertEqual((top, width, height), (left, -2 * left, -2 * left))
+
+    def test_pictures_of_tiny_and_huge_cams_are_scaled_by_a_power_of_ten(self):
+        names = {"svg": "http://www.w3.org/2000/svg"}
+        for scale in (1e-7, 1e8):
+            result = self.solve(problem(['type = "translating-flat"'], 10 * scale, {"base_radius": 40 * scale}))
+            self.export(result, "svg")
+            root = xml.etree.ElementTree.parse(self.folder / "cam.svg").getroot()
+            power = float(re.search(r"times (1e-?\d+)", root.find("svg:desc", names).text).group(1))
+            side = float(root.get("viewBox").split()[2])
+            self.assertTrue(100 <= side <= 1100, side)
+            path = root.find("svg:g/svg:path[@class='profile']", names)
+            numbers = [float(text) for text in re.findall(r"[-+.e\d]+", path.get("d"))]
+            points = self.points(result)
+            self.assertEqual(len(numbers), 2 * len(points))
+            for drawn, true in zip(numbers, (number for point in points for number in point)):
+                self.assertAlmostEqual(drawn, power * true, 9)
 
     def test_files_and_words(self):
         result = self.solve(roller_problem())
@@ -431,6 +449,8 @@ class ExportTest(unittest.TestCase):
             (["--curve", "cutter"], "--cutter-radius R is missing"),
             (["--cutter-radius", "3"], "--curve cutter is wanted"),
             (["--curve", "cutter", "--cutter-radius", "0"], "--cutter-radius: '0'"),
+            (["--curve", "cutter", "--cutter-radius", "1e9"],
+             "--cutter-radius: 1000000000 is too large for a base radius of 40; allowed is at most 4e+07"),
             (["--chord-tolerance", "nan"], "--chord-tolerance: 'nan'"),
             (["--chord-tolerance", "1e-12"], "allowed is a length from 4e-08 to 40"),
             (["--chord-tolerance", "50"], "--chord-tolerance: 50"),

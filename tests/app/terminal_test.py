@@ -126,7 +126,11 @@ class AtTheTerminal(unittest.TestCase):
         (self.folder / "folder").mkdir()
         problems = {"a.toml", "b file.toml", "folder"}
         for words, offered in [
-            (["cognate", ""], set(COMMANDS)),
+            (["cognate", ""], {*COMMANDS, "completion", "manual"}),
+            (["cognate", "completion", ""], {"bash", "zsh", "fish"}),
+            (["cognate", "completion", "f"], {"fish"}),
+            (["cognate", "completion", "--"], {"--help"}),
+            (["cognate", "manual", ""], set()),
             (["cognate", "s"], {"solve", "sweep"}),
             (["cognate", "--ver"], {"--version"}),
             (["cognate", "solve", ""], problems),
@@ -189,6 +193,11 @@ class AtTheTerminal(unittest.TestCase):
         for part in ("cognate solve rocker.toml --out results", "SYNOPSIS", "Exit status:",
                      "cognate list --metrics"):
             self.assertIn(part, text)
+        common = text[text.index("Every command takes"):text.index("Without a command")]
+        for option in re.findall(r"--[a-z-]+", common):
+            for command in COMMANDS:
+                self.assertIn(option, run(command, "--help").stdout)
+        self.assertIn("--version", text)
 
     # Tables and progress
 
@@ -232,6 +241,20 @@ class AtTheTerminal(unittest.TestCase):
         lines = shown(terminal.read())
         self.assertEqual(lines[0], "cognate: interrupted; what was found until then is reported")
         self.assertNotIn("left, ", "\n".join(lines))
+
+    def test_a_terminal_that_is_stopped_does_not_stop_the_run(self):
+        terminal = Terminal("solve", self.write("endless.toml", ENDLESS), "--time-limit", "2",
+                            cwd=self.folder)
+        terminal.read_until(r"left, ")
+        os.write(terminal.terminal, b"\x13")  # Ctrl-S
+        result = self.folder / "endless.result.json"
+        ends = time.monotonic() + 60
+        while not result.exists() and time.monotonic() < ends:
+            time.sleep(0.05)
+        written = result.exists()
+        os.write(terminal.terminal, b"\x11")  # Ctrl-Q
+        self.assertIn("wrote ", terminal.read())
+        self.assertTrue(written)
 
     def test_the_second_interrupt_leaves_a_clean_line(self):
         terminal = Terminal("solve", self.write("endless.toml", ENDLESS), cwd=self.folder)
@@ -282,6 +305,10 @@ class AtTheTerminal(unittest.TestCase):
             (solved("--seed"), "--seed wants a value"),
             (solved("--time-limit", "3s"), "number of seconds"),
             (["list", "solvers"], "list takes no file"),
+            (["check", "--", "line.toml", "b"], "'b' is too much: check takes one FILE"),
+            (["check", "--weird.toml"], "--weird.toml is not an option of check; for a file write ./--"),
+            (["export", "-weird.result.json", "--format", "dxf"], "-weird.result.json is not an option"),
+            (["check", "--sed", "--", "line.toml", "b"], "did you mean --seed"),
         ]:
             with self.subTest(arguments):
                 done = run(*arguments, cwd=self.folder)

@@ -45,6 +45,7 @@ TEST(ProgressBar, FillsWithTheShare) {
   EXPECT_EQ(progress_bar(0.5, "0:10 left", 10), "[#####.....]  50 %  0:10 left");
   EXPECT_EQ(progress_bar(0, "", 4), "[....]   0 %");
   EXPECT_EQ(progress_bar(1.5, "", 4), "[####] 100 %");
+  EXPECT_EQ(progress_bar(0.999, "", 4), "[####]  99 %");
 }
 
 }  // namespace

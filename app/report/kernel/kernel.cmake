@@ -33,7 +33,7 @@ cognate_check_wasm(can_build_wasm)
 if(NOT can_build_wasm)
   message(WARNING "Clang cannot build for WebAssembly here: report pages will offer no editing. "
                   "Install clang-19, lld-19, wasi-libc, libc++-19-dev-wasm32, "
-                  "libc++abi-19-dev-wasm32 and libclang-rt-19-dev-wasm32 and run cmake again to "
+                  "libc++abi-19-dev-wasm32 and libclang-rt-19-dev-wasm32 and configure anew to "
                   "have it.")
   return()
 endif()

@@ -64,6 +64,7 @@ class DesignTable {
     const head = element("tr", {}, element("th", { scope: "col" }, say("designs.design")),
       ...columns.map((c) => element("th", { scope: "col", class: c.kind ?? "", ...(c.title ? { title: c.title } : {}) }, c.name)));
     const table = byId("designs");
+    table.classList.toggle("many", columns.length > 5);
     table.tHead.replaceChildren(head);
     this.rows = designs.map((design, i) => this.#row(design.entry, i, columns, onChoose));
     table.append(...this.rows);
