@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/golden_section.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -15,23 +17,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Where `f` is greatest on [low, high], taken to have one peak there (golden section).
 template <class F>
 double peak(const F& f, double low, double high) {
-  const double ratio = 1 / std::numbers::phi;
-  double a = high - ratio * (high - low), b = low + ratio * (high - low);
-  double at_a = f(a), at_b = f(b);
-  for (int i = 0; i < 30; ++i) {
-    if (at_a > at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      at_a = f(a = high - ratio * (high - low));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      at_b = f(b = low + ratio * (high - low));
-    }
-  }
-  return 0.5 * (low + high);
+  constexpr int kSteps = 30;
+  return golden_section([&](double at) { return -f(at); }, low, high, kSteps).middle();
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 #include <numeric>
 #include <optional>
 
+#include "analysis/golden_section.hpp"
 #include "analysis/mechanism/zeros.hpp"
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
 #include "problems/straight_line_model.hpp"
-#include "problems/straight_line_neighbour.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -27,10 +27,6 @@ constexpr int kCoarseCells = 20, kCoarseIterations = 60;
 constexpr int kFineCells = 32, kFineIterations = 80;
 /// Rounds in which peaks between the nodes join them.
 constexpr int kExchangeRounds = 4;
-/// Around how many of the best to look for better ones, how often, from how many neighbours each
-/// time, and how far away these are.
-constexpr int kCentres = 8, kLooks = 2, kNeighbours = 6;
-constexpr double kNear = 0.04, kFar = 0.15;
 /// δ/L up to this is rounding: the line is exact.
 constexpr double kExact = 1e-12;
 constexpr double kSameOptimum = 1e-4;
@@ -74,13 +70,9 @@ void add_peaks(const Value& value, const std::vector<double>& nodes, double more
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
     const double here = value(places[i]);
     if (here < value(places[i - 1]) || here <= value(places[i + 1])) continue;
-    double low = places[i - 1], high = places[i + 1];
-    constexpr double kGolden = 0.6180339887498949;
-    for (int step = 0; step < 40; ++step) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      (value(a) < value(b) ? low : high) = value(a) < value(b) ? a : b;
-    }
-    const double peak = 0.5 * (low + high);
+    const auto depth = [&](double place) { return -value(place); };
+    constexpr int kSteps = 40;
+    const double peak = golden_section(depth, places[i - 1], places[i + 1], kSteps).middle();
     if (value(peak) > most + more + 1e-9 * std::abs(most)) peaks.push_back(peak);
   }
 }
@@ -131,7 +123,6 @@ class Search {
   std::vector<StretchStart> draw(int wanted);
   void begin(const std::vector<LineStretch>& known, const std::vector<StretchStart>& starts);
   void deepen(std::size_t reserve);
-  void look_around(std::size_t reserve);
   void finish(std::size_t reserve);
   StretchSearchResult take() && {
     work_.gradients += gradients_;
@@ -361,31 +352,6 @@ void Search::deepen(std::size_t reserve) {
   });
 }
 
-/// Refines neighbours of the best: an optimum that is bounded by a limit on its kind often lies
-/// beside a better one (Leary, "Global optimization on funneling landscapes", 2000).
-void Search::look_around(std::size_t reserve) {
-  const std::vector<double> nodes = stretch_nodes(kFineCells);
-  for (int look = 0; look < kLooks && !deadline_.reached(); ++look) {
-    keep_best(std::max<std::size_t>(kept(reserve), kCentres));
-    const int centres = std::min<int>(kCentres, static_cast<int>(all_.size()));
-    std::vector<std::optional<FoundStretch>> near(static_cast<std::size_t>(centres * kNeighbours));
-    parallel_for(centres * kNeighbours, run_.threads, [&](int i, int) {
-      if (deadline_.reached()) return;
-      const FoundStretch& centre = all_[static_cast<std::size_t>(i % centres)];
-      const double share = i / centres % 2 == 0 ? kNear : kFar;
-      const auto stream = static_cast<std::uint64_t>(look * kCentres * kNeighbours + i);
-      const auto stretch = neighbour(centre.stretch, share, run_.seed, stream);
-      if (!stretch) return;
-      FoundStretch found{*stretch, 0, 0, 0, centre.origin};
-      refine(found, nodes, Backend::slsqp, kFineIterations);
-      near[static_cast<std::size_t>(i)] = found;
-    });
-    for (const auto& found : near) {
-      if (found) all_.push_back(*found);
-    }
-  }
-}
-
 /// Remez's exchange: the peaks between the nodes join them until no peak is higher.
 void Search::exchange(FoundStretch& found) const {
   std::vector<double> nodes = stretch_nodes(kFineCells);
@@ -455,7 +421,6 @@ StretchSearchResult search_stretches(const StraightLineProblem& problem,
   // Few starts are worth few of the dearer refinements.
   const std::size_t share = 1 + (starts.size() + known.size()) / 8;
   search.deepen(std::min(effort.deepened, share));
-  search.look_around(effort.finished);
   search.finish(effort.finished);
   return std::move(search).take();
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
+#include "analysis/golden_section.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 
@@ -21,23 +21,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 template <class Function>
 double least_between(const Function& function, double from, double to) {
   constexpr int kSteps = 64;
-  constexpr double kGolden = 1 / std::numbers::phi;
-  double low = to - kGolden * (to - from), high = from + kGolden * (to - from);
-  double at_low = function(low), at_high = function(high);
-  for (int step = 0; step < kSteps; ++step) {
-    if (at_low < at_high) {
-      to = std::exchange(high, low);
-      at_high = at_low;
-      low = to - kGolden * (to - from);
-      at_low = function(low);
-    } else {
-      from = std::exchange(low, high);
-      at_low = at_high;
-      high = from + kGolden * (to - from);
-      at_high = function(high);
-    }
-  }
-  return std::isfinite(at_low) && std::isfinite(at_high) ? std::min(at_low, at_high) : -kInfinity;
+  const auto found = golden_section(function, from, to, kSteps);
+  const bool known = std::isfinite(found.at_low) && std::isfinite(found.at_high);
+  return known ? found.least() : -kInfinity;
 }
 
 /// The least value of `function` over a turn of the crank; −∞ where it has none at some angle. The

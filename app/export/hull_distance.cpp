@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/export/link_parts.hpp"
+#include "analysis/segment.hpp"
 
 namespace cognate::app {
 namespace {
@@ -25,8 +25,8 @@ bool cross_each_other(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2
 
 double line_distance(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
   if (cross_each_other(a, b, c, d)) return 0;
-  return std::min({distance_to_line(a, c, d), distance_to_line(b, c, d), distance_to_line(c, a, b),
-                   distance_to_line(d, a, b)});
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d),
+                   distance_to_segment(c, a, b), distance_to_segment(d, a, b)});
 }
 
 }  // namespace

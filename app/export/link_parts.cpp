@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/segment.hpp"
 #include "app/report/convex_hull.hpp"
 
 namespace cognate::app {
@@ -23,12 +24,12 @@ bool is_close(const Vec2d& p, const LinkPart& part, double distance) {
   return std::ranges::any_of(part.holes,
                              [&](const PartHole& hole) { return norm(hole.at - p) < distance; }) ||
          std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
-           return distance_to_line(p, slot.from, slot.to) < distance;
+           return distance_to_segment(p, slot.from, slot.to) < distance;
          });
 }
 
 bool runs_into(const PartSlot& slot, const PartHole& hole, const PartOrder& order) {
-  return distance_to_line(hole.at, slot.from, slot.to) <= order.hole + 0.5 * order.clearance;
+  return distance_to_segment(hole.at, slot.from, slot.to) <= order.hole + 0.5 * order.clearance;
 }
 
 class PartsMaker {
@@ -224,13 +225,6 @@ void note_thin_rims(const PartOrder& order, std::vector<std::string>& notes) {
 }
 
 }  // namespace
-
-double distance_to_line(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-  const Vec2d way = b - a;
-  const double square = squared_norm(way);
-  const double share = square > 0 ? std::clamp(dot(p - a, way) / square, 0.0, 1.0) : 0;
-  return norm(p - a - share * way);
-}
 
 tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const PartOrder& order) {
   LinkParts made = PartsMaker(shown, order).make();

@@ -65,7 +65,4 @@ tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const P
 PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& hull,
                             double distance);
 
-/// The distance of `p` from the straight line between `a` and `b`.
-double distance_to_line(const Vec2d& p, const Vec2d& a, const Vec2d& b);
-
 }  // namespace cognate::app

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/segment.hpp"
 
 namespace cognate::app {
 namespace {
@@ -16,13 +17,6 @@ constexpr int kFewestPieces = 24;  // of a range of the drive
 constexpr int kMostHalvings = 24;
 constexpr std::size_t kMostCorners = 500'000;
 constexpr double kTurn = 2 * std::numbers::pi;
-
-double distance_to_chord(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-  const Vec2d chord = b - a;
-  const double square = squared_norm(chord);
-  const double share = square > 0 ? std::clamp(dot(p - a, chord) / square, 0.0, 1.0) : 0;
-  return norm(p - a - share * chord);
-}
 
 /// Follows one point.
 class PathMaker {
@@ -76,7 +70,7 @@ class PathMaker {
     return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double share) {
       Vec2d place;
       return !at(std::lerp(from, to, share), place) ||
-             distance_to_chord(place, first, last) <= tolerance_;
+             distance_to_segment(place, first, last) <= tolerance_;
     });
   }
 

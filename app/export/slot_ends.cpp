@@ -3,38 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
+
+#include "analysis/golden_section.hpp"
 
 namespace cognate::app {
 namespace {
 
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
+constexpr int kGoldenSteps = 40;   // beyond them a maximum is flat to rounding
 constexpr double kRoundUp = 1e-9;  // of a rail, for what golden section leaves
-
-/// The greatest value of `f` between `low` and `high`, where it has one maximum.
-template <class Function>
-double greatest_between(double low, double high, const Function& f) {
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSteps = 40;  // beyond them a maximum is flat to rounding
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = f(a), at_b = f(b), greatest = std::max(at_a, at_b);
-  for (int i = 0; i < kSteps; ++i) {
-    if (at_a > at_b) {
-      high = std::exchange(b, a);
-      at_b = at_a;
-      a = high - kGolden * (high - low);
-      at_a = f(a);
-    } else {
-      low = std::exchange(a, b);
-      at_a = at_b;
-      b = low + kGolden * (high - low);
-      at_b = f(b);
-    }
-    greatest = std::max({greatest, at_a, at_b});
-  }
-  return greatest;
-}
 
 /// One block on its rail.
 class Travel {
@@ -67,7 +45,9 @@ class Travel {
     for (std::size_t k = 0; k < at.size(); ++k) {
       const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, at.size() - 1);
       if (at[k] == kNowhere || at[k] < at[before] || at[k] < at[after]) continue;
-      greatest = std::max(greatest, greatest_between(drive_[before], drive_[after], reach));
+      const auto shortfall = [&](double drive) { return -reach(drive); };
+      const auto peak = golden_section(shortfall, drive_[before], drive_[after], kGoldenSteps);
+      greatest = std::max(greatest, -peak.least());
     }
     return greatest;
   }

@@ -231,6 +231,18 @@ TEST(StraightLineSearch, KeepsTheSpeedBetweenNodes) {
 }
 
 /// A smaller linkage is never straighter.
+/// What a narrower range of the crank allows, a wider one allows too.
+TEST(StraightLineSearch, FindsInAWiderRangeWhatANarrowerOneHolds) {
+  const auto deviation = [](const std::string& range) {
+    const Result result = solve_text(
+        "target.length = 1\nconstraints = {class = \"crank-rocker\", size_over_length_max = 1.5, "
+        "crank_range_deg = " +
+        range + "}");
+    return result.designs.empty() ? NAN : fact(result.designs[0], "deviation_relative");
+  };
+  EXPECT_LE(deviation("[90, 180]"), 1.001 * deviation("[90, 110]"));
+}
+
 TEST(StraightLineSearch, HasAFrontThatFalls) {
   const Result result = solve_text(
       "[constraints]\nclass = \"crank-rocker\"\nsize_over_length_max = 1.5\n[solve]\nstarts = "

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/golden_section.hpp"
 #include "analysis/mobility.hpp"
 
 namespace cognate::page {
@@ -12,28 +13,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2 * std::numbers::pi;
-
-/// The minimum of `f` between `low` and `high`, where it has one alone (golden section).
-template <class F>
-double least(const F& f, double low, double high) {
-  const double ratio = 1 / std::numbers::phi;
-  double a = high - ratio * (high - low), b = low + ratio * (high - low);
-  double at_a = f(a), at_b = f(b);
-  while (high - low > 1e-10) {
-    if (at_a < at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      at_a = f(a = high - ratio * (high - low));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      at_b = f(b = low + ratio * (high - low));
-    }
-  }
-  return 0.5 * (low + high);
-}
+constexpr int kGoldenSteps = 50;  // from a quarter turn to 1e-10
 
 }  // namespace
 
@@ -58,7 +38,8 @@ double nearest_from(const Motion& motion, const Target& target, double start) {
     const double next = at + sense * step;
     const double beyond = f(next);
     if (!(beyond < value)) {
-      const double found = least(f, std::min(behind, next), std::max(behind, next));
+      const double found =
+          golden_section(f, std::min(behind, next), std::max(behind, next), kGoldenSteps).middle();
       return f(found) <= here ? found : start;
     }
     behind = at;
