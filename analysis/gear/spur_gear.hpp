@@ -1,0 +1,69 @@
+/// @file An external involute spur gear as a rack cuts it, in its transverse section.
+///
+/// The gear is that of Li & Xu 2011, chapter 5, with profile shift (ISO 21771): its flank is an
+/// involute above the form circle and the envelope of the rack's rounded tip, a trochoid's
+/// parallel, below. Lengths in the unit of the module; angles in radians.
+#pragma once
+
+#include <numbers>
+
+namespace cognate::gear {
+
+/// The rack that cuts, with its lengths in modules. `addendum` is the depth of its straight flank
+/// below the pitch line, which reaches to where the tip is rounded: what cuts the root also makes
+/// the tip of the mating gear possible. `clearance`: how much deeper its tip is.
+struct BasicRack {
+  double pressure_angle = std::numbers::pi / 9;
+  double addendum = 1;
+  double clearance = 0.25;
+};
+
+/// Radius of the rack's tip corner in modules: the one that meets the straight flank where the
+/// addendum ends and the tip line tangentially, c*/(1 − sin α) (0.38 of the standard rack).
+double tip_radius(const BasicRack& rack);
+
+/// Half the width, in modules, of the straight part of the rack's tip. Negative: there is no such
+/// rack, its rounded corners overlap.
+double tip_half_width(const BasicRack& rack);
+
+/// `teeth` is a whole number but for virtual gears. `tip_reduction`: by how many modules the tip
+/// circle is smaller than (z/2 + h_a* + x) m. `thinning`: by how much the tooth is thinner at the
+/// reference circle than m (π/2 + 2 x tan α), a length.
+struct SpurGear {
+  double teeth = 0;
+  double module = 1;
+  double profile_shift = 0;
+  BasicRack rack;
+  double tip_reduction = 0;
+  double thinning = 0;
+};
+
+double reference_radius(const SpurGear& gear);  ///< m z / 2
+double base_radius(const SpurGear& gear);       ///< r cos α
+double tip_radius(const SpurGear& gear);        ///< (z/2 + h_a* + x − tip_reduction) m
+double root_radius(const SpurGear& gear);       ///< (z/2 − h_a* − c* + x) m
+
+/// The radius at which the involute begins: where the end of the rack's straight flank leaves it;
+/// of an undercut gear where the trochoid of the rack's tip cuts the involute. It is that of the
+/// flank as cut, not (z/2 − h_a*) m, which is larger or even inside the base circle.
+double form_radius(const SpurGear& gear);
+
+/// Whether the rack's straight flank reaches beyond the point where the base circle touches the
+/// line of action: h_a* − x > ½ z sin²α, to rounding.
+bool is_undercut(const SpurGear& gear);
+
+/// z_min = 2 (h_a* − x)/sin²α: from this number of teeth on nothing is undercut.
+double least_teeth(const BasicRack& rack, double profile_shift);
+
+/// x_min = h_a* − ½ z sin²α.
+double least_profile_shift(const BasicRack& rack, double teeth);
+
+/// Arc thickness of the tooth at `radius` ≥ the base radius: r_y (s/r + 2 (inv α − inv α_y)).
+/// Negative beyond the radius where the flanks meet.
+double tooth_thickness(const SpurGear& gear, double radius);
+
+/// Where the flanks of a tooth meet, cos α_p = r_b / r_p; infinite where no tooth is so thick that
+/// this radius is a number, the base radius where the tooth has no thickness there already.
+double pointed_radius(const SpurGear& gear);
+
+}  // namespace cognate::gear
