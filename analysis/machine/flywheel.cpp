@@ -140,4 +140,9 @@ double greatest_excess_work(const Machine& machine, double phi0, double omega,
   return (greatest - least) * size;
 }
 
+Flywheel flywheel_for(const std::function<Machine(double inertia)>& machine_with, double wanted,
+                      const SteadyGuess& guess, const Accuracy& accuracy, int steps) {
+  return FlywheelSearch(machine_with, wanted, guess, accuracy).find(steps);
+}
+
 }  // namespace cognate::machine
