@@ -44,24 +44,32 @@ constexpr KeyedEntry kTables[] = {
     {"[run]", "which motions are wanted", kRun}};
 
 constexpr Metric kMetrics[] = {
-    {"speed_mean", "rad/s", "of the steady motion: half the sum of greatest and least"},
-    {"speed_max", "rad/s", "greatest speed of the drive, with its angle as speed_max_at_deg"},
-    {"speed_min", "rad/s", "least speed of the drive, with its angle as speed_min_at_deg"},
-    {"speed_max_at_deg, speed_min_at_deg", "deg", "where they are"},
+    {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of greatest and least"},
+    {"speed_max_rad_s", "rad/s", "greatest speed of the drive"},
+    {"speed_max_at_deg", "deg", "the drive's angle there, of its period"},
+    {"speed_min_rad_s", "rad/s", "least speed of the drive"},
+    {"speed_min_at_deg", "deg", "the drive's angle there, of its period"},
     {"fluctuation", "1", "(greatest - least)/mean of the speed"},
-    {"period", "s", "of the steady motion"},
-    {"flywheel_inertia", "kg m2", "with which the fluctuation is what is wanted, exactly"},
-    {"flywheel_inertia_approximate", "kg m2", "by the textbooks' formula, for comparison"},
-    {"greatest_excess_work", "J", "greatest less least work done since the period began"},
-    {"motor_power_mean", "W", "of the motor over a period"},
-    {"motor_power_max", "W", "its greatest"},
-    {"energy_residual", "1", "work of all torques in a period over that of the motor"},
+    {"fluctuation_without_flywheel", "1", "where a flywheel is to be found: without it"},
+    {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is what is wanted, exactly"},
+    {"flywheel_inertia_approximate_kg_m2", "kg m2",
+     "by the textbooks' formula, for comparison: excess work over mean speed squared and "
+     "fluctuation, less the equivalent inertia"},
+    {"greatest_excess_work_J", "J", "on which that formula stands, of the motion without flywheel"},
+    {"period_s", "s", "of the steady motion"},
+    {"energy_swing_J", "J", "greatest less least kinetic energy in a period"},
     {"multiplier", "1", "what is left of a small deviation after a period; below 1: stable"},
-    {"start_time", "s", "of the start"},
+    {"energy_residual", "1",
+     "balance of the works in a period, relative, by a second integration of other equations"},
+    {"motor_work_J", "J", "of the motor in a period"},
+    {"motor_power_mean_W", "W", "of the motor over a period"},
+    {"motor_power_max_W", "W", "its greatest"},
+    {"start_time_s", "s", "of the start"},
     {"start_turns", "1", "turns of the drive meanwhile"},
-    {"start_speed_end", "rad/s", "speed at its end"},
-    {"stop_time", "s", "of the stop"},
-    {"stop_turns", "1", "turns of the drive meanwhile"}};
+    {"start_end_speed_rad_s", "rad/s", "speed at its end"},
+    {"stop_time_s", "s", "of the stop"},
+    {"stop_turns", "1", "turns of the drive meanwhile"},
+    {"stop_end_speed_rad_s", "rad/s", "speed at its end"}};
 
 constexpr Metric kColumns[] = {
     {"task", "", "in the CSV, before the others: which motion the row is of"},

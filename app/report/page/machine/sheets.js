@@ -26,7 +26,7 @@ function machineSheets(motion, facts) {
 function levels(motion, facts) {
   const level = (name, words, colour) => (typeof facts.get(name) === "number"
     ? [{ label: say(words), colour, dash: [4, 4], y: motion.times.map(() => facts.get(name)) }] : []);
-  return [...level("speed_max", "machine.greatest", "--good"), ...level("speed_mean", "machine.mean", "--ground"), ...level("speed_min", "machine.least", "--bad")];
+  return [...level("speed_max_rad_s", "machine.greatest", "--good"), ...level("speed_mean_rad_s", "machine.mean", "--ground"), ...level("speed_min_rad_s", "machine.least", "--bad")];
 }
 
 // Where the speed is greatest and least, in the turn that is plotted.
