@@ -7,6 +7,9 @@ constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
     {"cam", "a follower is to move by given laws over a turn of a cam"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
+    {"machine",
+     "what a motor, loads and inertias make of a mechanism's motion: steady, start, stop (cognate "
+     "analyze)"},
     {"motion-generation", "a body is to be carried through poses"},
     {"path-generation",
      "a point of the coupler is to pass through given points or follow a closed curve"},

@@ -7,6 +7,7 @@
 #include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
+#include "app/machine_catalogue.hpp"
 #include "app/mechanism_catalogue.hpp"
 #include "app/messages.hpp"
 #include "app/problem_catalogue.hpp"
@@ -110,7 +111,8 @@ std::string capabilities_text() {
          keyed_section(
              "dyads of a chain (dyad.type = ...; names = [\"...\", \"...\"] of the bodies)",
              dyads()) +
-         '\n' + keyed_section("tables of an analysis", analysis_tables()) + '\n' + study_text();
+         '\n' + keyed_section("tables of an analysis", analysis_tables()) + '\n' +
+         keyed_section("tables of a machine", machine_tables()) + '\n' + study_text();
 }
 
 std::string metrics_section(const std::string& heading, std::span<const Metric> all) {
@@ -133,7 +135,9 @@ std::string metrics_text() {
          metrics_section("fact of a synthesis", facts()) + '\n' +
          metrics_section("further metric of a study", study_extras()) + '\n' +
          metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
-         metrics_section("column of an analysis", analysis_columns());
+         metrics_section("column of an analysis", analysis_columns()) + '\n' +
+         metrics_section("metric of a machine", machine_metrics()) + '\n' +
+         metrics_section("column of a machine", machine_columns());
 }
 
 ordered_json entries_json(std::span<const Entry> entries) {
@@ -190,6 +194,8 @@ ordered_json list_json(bool with_metrics) {
     document["study_metrics"] = metrics_json(study_extras());
     document["analysis_metrics"] = metrics_json(analysis_metrics());
     document["analysis_columns"] = metrics_json(analysis_columns());
+    document["machine_metrics"] = metrics_json(machine_metrics());
+    document["machine_columns"] = metrics_json(machine_columns());
     return document;
   }
   document["problem_kinds"] = entries_json(problem_kinds());
@@ -201,6 +207,7 @@ ordered_json list_json(bool with_metrics) {
   document["mechanisms"] = keyed_json(mechanisms());
   document["dyads"] = keyed_json(dyads());
   document["analysis_tables"] = keyed_json(analysis_tables());
+  document["machine_tables"] = keyed_json(machine_tables());
   document["study_tables"] = keyed_json(study_tables());
   document["samplings"] = entries_json(samplings());
   document["solvers"] = entries_json(solvers());

@@ -7,6 +7,7 @@
 
 #include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
+#include "app/machine_catalogue.hpp"
 #include "app/study/study_metrics.hpp"
 
 namespace cognate::app {
@@ -35,7 +36,8 @@ std::string unit_in(std::string_view name) {
 
 std::string metric_unit(std::string_view name) {
   if (name.ends_with("_at_deg")) return "deg";
-  for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras()}) {
+  for (const auto listed :
+       {metrics(), cam_metrics(), analysis_metrics(), machine_metrics(), study_extras()}) {
     for (const Metric& metric : listed) {
       const auto keys = single_keys(metric.key);
       if (std::ranges::find(keys, name) == keys.end()) continue;

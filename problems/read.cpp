@@ -31,7 +31,8 @@ tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
       "is that of a design problem, which 'cognate solve' solves",
       "is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this mechanism",
       "is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
-      "given"};
+      "given",
+      "is \"machine\": there is nothing to solve, 'cognate analyze' runs this machine"};
   return tl::unexpected(
       Faults{{read.kind.line, read.kind.column,
               fmt::format("kind {}; {} is wanted", kAsked[read.task.index()], wanted)}});
@@ -47,6 +48,10 @@ tl::expected<AnalysisProblem, Faults> only_analysis(Reading read) {
 
 tl::expected<CamProblem, Faults> only_cam(Reading read) {
   return only<CamProblem>(std::move(read), "kind = \"cam\"");
+}
+
+tl::expected<MachineProblem, Faults> only_machine(Reading read) {
+  return only<MachineProblem>(std::move(read), "kind = \"machine\"");
 }
 
 tl::expected<Reading, Faults> read(const std::filesystem::path& file) {
@@ -75,6 +80,10 @@ tl::expected<CamProblem, Faults> parse_cam(std::string_view text) {
   return parse(text).and_then(only_cam);
 }
 
+tl::expected<MachineProblem, Faults> parse_machine(std::string_view text) {
+  return parse(text).and_then(only_machine);
+}
+
 tl::expected<Task, Faults> read_task(const std::filesystem::path& file) {
   return read(file).and_then(any_task);
 }
@@ -85,6 +94,10 @@ tl::expected<Problem, Faults> read_problem(const std::filesystem::path& file) {
 
 tl::expected<AnalysisProblem, Faults> read_analysis(const std::filesystem::path& file) {
   return read(file).and_then(only_analysis);
+}
+
+tl::expected<MachineProblem, Faults> read_machine(const std::filesystem::path& file) {
+  return read(file).and_then(only_machine);
 }
 
 tl::expected<CamProblem, Faults> read_cam(const std::filesystem::path& file) {

@@ -10,6 +10,7 @@
 
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
+#include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {
@@ -21,8 +22,9 @@ struct Fault {
   std::string message;  ///< what is wrong; what is allowed
 };
 
-/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, or a cam.
-using Task = std::variant<Problem, AnalysisProblem, CamProblem>;
+/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, or
+/// what a machine does.
+using Task = std::variant<Problem, AnalysisProblem, CamProblem, MachineProblem>;
 
 /// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
@@ -39,6 +41,10 @@ tl::expected<Problem, std::vector<Fault>> read_problem(const std::filesystem::pa
 /// The same where an analysis is wanted.
 tl::expected<AnalysisProblem, std::vector<Fault>> parse_analysis(std::string_view text);
 tl::expected<AnalysisProblem, std::vector<Fault>> read_analysis(const std::filesystem::path& file);
+
+/// The same where a running machine is wanted.
+tl::expected<MachineProblem, std::vector<Fault>> parse_machine(std::string_view text);
+tl::expected<MachineProblem, std::vector<Fault>> read_machine(const std::filesystem::path& file);
 
 /// The same where a cam is wanted.
 tl::expected<CamProblem, std::vector<Fault>> parse_cam(std::string_view text);

@@ -8,6 +8,8 @@
 
 #include "app/analysis_problem_json.hpp"
 #include "app/cam_catalogue.hpp"
+#include "app/machine_catalogue.hpp"
+#include "app/machine_json.hpp"
 #include "app/mechanism_catalogue.hpp"
 #include "app/study/design_values.hpp"
 #include "problems/analysis/analysis_result.hpp"
@@ -141,6 +143,12 @@ struct NamesOf {
     names.names.push_back({"time_ratio"});
     for (const char* word : {"class", "defects", "origin"}) names.names.push_back({word, true});
     add_cam_mechanism(names);
+    return names;
+  }
+  MetricNames operator()(const problems::MachineProblem& base) const {
+    MetricNames names;
+    add(names, machine_metrics());
+    add_values(names.names, machine_mechanism_json(base), "mechanism");
     return names;
   }
   MetricNames operator()(const AnalysisProblem& base) const {

@@ -9,6 +9,7 @@
 #include "problems/reading/cam_problem.hpp"
 #include "problems/reading/file_text.hpp"
 #include "problems/reading/function_problem.hpp"
+#include "problems/reading/machine_problem.hpp"
 #include "problems/reading/motion_problem.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/path_problem.hpp"
@@ -27,7 +28,7 @@ using Folder = std::filesystem::path;
 constexpr std::string_view kTaskKinds[] = {"path-generation",   "function-generation",
                                            "motion-generation", "quick-return",
                                            "straight-line",     "cam",
-                                           "analysis"};
+                                           "analysis",          "machine"};
 
 constexpr std::string_view kBase = "base";
 
@@ -86,6 +87,10 @@ std::optional<PlacedTask> read_document(TableReader& document, const Folder& fol
     read.task = std::move(problem);
   } else if (*kind == "cam") {
     CamProblem problem = read_cam_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "machine") {
+    MachineProblem problem = read_machine_problem(document);
     problem.title = title;
     read.task = std::move(problem);
   } else {
