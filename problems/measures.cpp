@@ -88,9 +88,9 @@ constexpr MeasureRule kRules[] = {
      false, metric_of<&Metrics::speed_fluctuation>,
      limit_metric<&Constraints::speed_fluctuation_max>},
     {Measure::flywheel_inertia, "flywheel_inertia", "the inertia of the flywheel", false, 0, false,
-     metric_of<&Metrics::flywheel_inertia>, limit_metric<&Constraints::flywheel_inertia_max>, true},
+     metric_of<&Metrics::flywheel_inertia>, limit_metric<&Constraints::flywheel_inertia_max>},
     {Measure::motor_power, "motor_power", "the greatest power of the drive", false, 0, false,
-     metric_of<&Metrics::motor_power>, limit_metric<&Constraints::motor_power_max>, true}};
+     metric_of<&Metrics::motor_power>, limit_metric<&Constraints::motor_power_max>}};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ constexpr double kEven = 1.2;
 constexpr double kSameError = 1e-9;
 /// A level counts as kept by what checks allow.
 constexpr double kSameLevel = 2 * kCheckTolerance;
-/// What is this share of the first value counts as nothing, where a measure may vanish.
+/// What is this share of the least value counts as nothing, where a measure vanishes.
 constexpr double kNothing = 1e-3;
 
 bool is_as_good(const FrontPoint& a, const FrontPoint& b) {
@@ -60,8 +60,15 @@ void FrontSearch::report() {
   if (run_.progress) run_.progress(share_, kInfinity);
 }
 
-double FrontSearch::level_of(const Design& design) const {
-  return problem_.rule.level(std::max(problem_.rule.value(design), nothing_));
+double FrontSearch::level_of(const Design& design) {
+  const double value = problem_.rule.value(design);
+  if (problem_.rule.greatest_is_best) return problem_.rule.level(value);
+  if (value > 0) {
+    least_ = std::min(least_, value);
+  } else if (nothing_ == 0 && std::isfinite(least_)) {
+    nothing_ = kNothing * least_;
+  }
+  return problem_.rule.level(std::max(value, nothing_));
 }
 
 Result FrontSearch::begin() {
@@ -72,7 +79,6 @@ Result FrontSearch::begin() {
   if (!first.designs.empty() && all_satisfied(first.designs.front().constraints)) {
     const Design& best = first.designs.front();
     const double error = problem_.error(best);
-    if (problem_.rule.may_vanish) nothing_ = kNothing * problem_.rule.value(best);
     const double level = level_of(best);
     insert({-kInfinity, level, error <= problem_.met ? 0 : error, first.designs});
   }
@@ -84,6 +90,7 @@ std::optional<FrontPoint> FrontSearch::solved(double bound, const std::vector<De
                                               bool afresh) {
   if (deadline_.reached()) return std::nullopt;
   DesignLimits limits = problem_.limits;
+  if (nothing_ > 0 && bound > top_level()) return std::nullopt;
   const bool bounded = std::isfinite(bound);
   if (bounded && !problem_.rule.limit(limits, problem_.rule.value_at(bound))) return std::nullopt;
   // Each search has draws of its own: what one misses the next may find.

@@ -81,7 +81,7 @@ class FrontSearch {
   FrontPoint stepped_back(const FrontPoint& last, double way);
   std::vector<Design> beside(double level) const;
   void insert(FrontPoint point);
-  double level_of(const Design& design) const;
+  double level_of(const Design& design);
   double top_level() const;
   bool has_top() const;
   double top(double from) const;
@@ -99,9 +99,11 @@ class FrontSearch {
   const Deadline& deadline_;
   Work& work_;
   bool ended_by_error_ = false;
-  int searches_ = 0;    ///< problems solved
-  double share_ = 0;    ///< done, for progress
-  double nothing_ = 0;  ///< values up to this count as this; see MeasureRule::may_vanish
+  int searches_ = 0;  ///< problems solved
+  double share_ = 0;  ///< done, for progress
+  /// Where least is best, the least value above 0 until one of 0 is found; then a thousandth of it,
+  /// which what is less counts as, so that levels have an end.
+  double least_ = std::numeric_limits<double>::infinity(), nothing_ = 0;
   std::vector<FrontPoint> points_;
 };
 
