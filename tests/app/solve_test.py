@@ -65,6 +65,8 @@ SLOW = {
     "ellipse-front",
     "ellipse-with-envelope",
     "ellipse-with-even-torque",
+    "ellipse-with-steady-crank",
+    "logarithm-small-flywheel",
     "search-chebyshev",
     "search-constant-velocity",
     "search-evans",

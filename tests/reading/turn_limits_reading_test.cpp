@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::string motion(const std::string& method, const std::string& lines) {
          "\"crank-rocker\"\n" +
          lines;
 }
+
+const std::string kMachine =
+    "[drive]\nspeed = 2\n[[link]]\nname = \"crank\"\nmass_per_length = 1\n";
 
 const PathProblem& as_path(const Task& task) {
   return std::get<PathProblem>(std::get<Problem>(task));
@@ -78,6 +82,46 @@ torque = 4
   EXPECT_TRUE(operation.loads[0].at.at_coupler_point);
   EXPECT_EQ(operation.loads[1].at.link, MovingLink::rocker);
   EXPECT_EQ(operation.loads[1].at.offset, (Vec2d{0.5, 0}));
+}
+
+TEST(TurnLimitsReading, TakesTheRunningMachine) {
+  const auto task = parse_task(path(R"(speed_fluctuation_max = 0.1
+flywheel_inertia_max = 7
+motor_power_max = 300
+[drive]
+speed = -12
+[flywheel]
+inertia = 5
+fluctuation = 0.05
+[[link]]
+name = "crank"
+mass_per_length = 0.5
+[[load]]
+on = "C"
+force = [1, -2]
+when = "return"
+)"));
+  ASSERT_TRUE(task) << task.error().front().message;
+  const Constraints& read = as_path(*task).constraints;
+  EXPECT_EQ(read.speed_fluctuation_max, 0.1);
+  EXPECT_EQ(read.flywheel_inertia_max, 7);
+  EXPECT_EQ(read.motor_power_max, 300);
+  EXPECT_FALSE(read.torque_ripple_max);
+  EXPECT_EQ(read.operation.speed, -12);
+  EXPECT_EQ(read.operation.flywheel, 5);
+  EXPECT_EQ(read.operation.fluctuation, 0.05);
+  EXPECT_EQ(read.operation.loads.at(0).sense, LoadSense::retreat);
+}
+
+TEST(TurnLimitsReading, TakesWhatIsAnObjectiveAlone) {
+  const auto task = parse_task(path(kMachine + R"([flywheel]
+fluctuation = 0.05
+[solve]
+objectives = ["error", "flywheel_inertia"]
+)"));
+  ASSERT_TRUE(task) << task.error().front().message;
+  EXPECT_EQ(as_path(*task).constraints.flywheel_inertia_max, INFINITY);
+  EXPECT_EQ(as_path(*task).constraints.operation.fluctuation, 0.05);
 }
 
 class TurnLimitsFaults : public testing::TestWithParam<FaultCase> {};
@@ -138,9 +182,40 @@ INSTANTIATE_TEST_SUITE_P(
         {"NoLink",
          path("torque_ripple_max = 1\n[[link]]\nbetween = [\"A\", \"C\"]\nmass_per_length = 1\n"),
          {{8, 11, "which are not the joints of one moving link"}}},
-        {"LoadSometimes",
-         path("torque_ripple_max = 1\n[[load]]\non = \"C\"\nforce = [1, 0]\nwhen = \"advance\"\n"),
-         {{10, 8, "loads of a design problem act all the time"}}},
+        {"LoadOfAStrokeOnTheCoupler",
+         path("torque_ripple_max = 1\n[[load]]\non = \"coupler-point\"\nforce = [1, 0]\nwhen = "
+              "\"advance\"\n"),
+         {{10, 8, "names a stroke of the rocker, on which the load is not; \"always\" is wanted"}}},
+        {"LoadOfAStrokeThatIsNone",
+         kPath + "[constraints]\nclass = \"double-crank\"\ntorque_ripple_max = 1\n[[load]]\non = "
+                 "\"C\"\nforce = [1, 0]\nwhen = \"return\"\n",
+         {{10, 8, "which needs constraints.class = \"crank-rocker\""}}},
+        {"LoadInAnInterval",
+         path("torque_ripple_max = 1\n[[load]]\non = \"C\"\nforce = [1, 0]\nwhen = [0, 90]\n"),
+         {{10, 8, "\"always\", \"advance\" or \"return\" is wanted"}}},
+        {"NoSpeed",
+         path("speed_fluctuation_max = 0.1\n" + kRods),
+         {{1, 1, "speed is missing; the crank's mean speed in rad/s is wanted"}}},
+        {"NoSpeedForPower",
+         path("motor_power_max = 10\n[drive]\n" + kRods),
+         {{7, 1, "speed is missing; the crank's mean speed in rad/s is wanted"}}},
+        {"FluctuationOfTwo",
+         path("speed_fluctuation_max = 2\n" + kMachine),
+         {{6, 25, "is 2; a number below 2, at least 1e-12, is wanted"}}},
+        {"NoFluctuationForAFlywheel",
+         path("flywheel_inertia_max = 4\n" + kMachine + "[flywheel]\ninertia = 3\n"),
+         {{12, 1, "fluctuation is missing; the fluctuation that the flywheel is to leave"},
+          {13, 11, "no limit depends on it; add constraints.speed_fluctuation_max"}}},
+        {"FluctuationForNothing",
+         path("speed_fluctuation_max = 0.1\n" + kMachine + "[flywheel]\nfluctuation = 0.1\n"),
+         {{13, 15, "no limit depends on it; add constraints.flywheel_inertia_max"}}},
+        {"NothingKeepsUpTheSpeed",
+         path("speed_fluctuation_max = 0.1\n[drive]\nspeed = 2\n[[load]]\non = \"C\"\nforce = [1, "
+              "0]\n"),
+         {{1, 1, "[[link]] with masses or a flywheel is wanted"}}},
+        {"FluctuationWithoutClass",
+         kPath + "[constraints]\nspeed_fluctuation_max = 0.1\n" + kMachine,
+         {{5, 25, "class = \"crank-rocker\" or \"double-crank\" is wanted besides"}}},
         {"LoadOnNothing",
          path("torque_ripple_max = 1\n[[load]]\non = \"P\"\nforce = [1, 0]\n"),
          {{8, 6, "allowed are \"coupler-point\", \"B\", \"C\", \"crank\", \"coupler\", "}}},

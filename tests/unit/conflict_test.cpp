@@ -86,6 +86,30 @@ TEST(Conflict, NamesLimitsOverTheTurn) {
   EXPECT_LT(most, 31);
 }
 
+TEST(Conflict, NamesLimitsOfTheRunningMachine) {
+  Constraints constraints = loose();
+  constraints.required_class = RequiredClass::crank_rocker;
+  constraints.speed_fluctuation_max = 0.1;
+  constraints.flywheel_inertia_max = 5;
+  constraints.motor_power_max = 40;
+  const std::string text = explained(constraints, {}, [](const Constraints& c, const Bounds&) {
+    EXPECT_EQ(c.required_class, RequiredClass::crank_rocker);
+    return !c.speed_fluctuation_max || *c.speed_fluctuation_max >= 0.2 || !c.flywheel_inertia_max ||
+           *c.flywheel_inertia_max >= 8;
+  });
+  EXPECT_EQ(text.find("motor_power"), text.npos) << text;
+  double fluctuation = 0, flywheel = 0;
+  ASSERT_EQ(std::sscanf(text.c_str() + text.find("speed_fluctuation_max"),
+                        "speed_fluctuation_max = %lf; flywheel_inertia_max = %lf", &fluctuation,
+                        &flywheel),
+            2)
+      << text;
+  EXPECT_GE(fluctuation, 0.2);
+  EXPECT_LT(fluctuation, 0.21);
+  EXPECT_GE(flywheel, 8);
+  EXPECT_LT(flywheel, 8.3);
+}
+
 TEST(Conflict, NamesTheFewestThatMustGiveWayTogether) {
   Constraints constraints = loose();
   constraints.required_class = RequiredClass::crank_rocker;
