@@ -57,9 +57,9 @@ double value_or_worst(const std::optional<double>& value) {
 }
 
 /// A metric of a finished design.
-template <std::optional<double> Metrics::*metric>
+template <std::optional<double> Metrics::*Metric>
 double metric_of(const Design& design) {
-  return value_or_worst(design.metrics.*metric);
+  return value_or_worst(design.metrics.*Metric);
 }
 
 /// Keeps `limit` to `greatest`.
@@ -68,9 +68,9 @@ bool tighten(std::optional<double>& limit, double greatest) {
   return *limit > 0;
 }
 
-template <std::optional<double> Constraints::*limit>
+template <std::optional<double> Constraints::*Limit>
 bool limit_metric(DesignLimits& limits, double greatest) {
-  return tighten(limits.constraints.*limit, greatest);
+  return tighten(limits.constraints.*Limit, greatest);
 }
 
 constexpr MeasureRule kRules[] = {

@@ -81,7 +81,7 @@ class TurnWork {
   template <class T>
   static T within_stroke(const Stroke& stroke, const T& all, bool active, const TurnState<T>& at) {
     const T begun = as<T>(stroke.at_from);
-    const T whole = as<T>(stroke.at_to) - begun;
+    T whole = as<T>(stroke.at_to) - begun;
     const bool late = at.crank.angle > T(0.5 * (stroke.from + stroke.to));
     if (stroke.from < stroke.to) return active ? T(all - begun) : (late ? whole : T(0));
     if (!active) return whole;

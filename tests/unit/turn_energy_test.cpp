@@ -355,11 +355,11 @@ TEST(TurnEnergy, AFrontGetsSteadierAsItsErrorGrows) {
   constraints.speed_fluctuation_max = INFINITY;
   constraints.operation = machine(MobilityClass::crank_rocker, 3);
   problem.solve.objectives = {Measure::error, Measure::speed_fluctuation};
-  problem.solve.designs = 4;
-  problem.solve.starts = 10;
+  problem.solve.designs = 3;
+  problem.solve.starts = 6;
   const Result result = solve(problem, {.threads = 2});
   ASSERT_EQ(result.status, Status::solved);
-  ASSERT_EQ(result.designs.size(), 4);
+  ASSERT_EQ(result.designs.size(), 3);
   const double begin = speed_fluctuation(planted, constraints.operation);
   EXPECT_NEAR(*result.designs.front().metrics.speed_fluctuation, begin, 1e-5);
   for (std::size_t i = 1; i < result.designs.size(); ++i) {

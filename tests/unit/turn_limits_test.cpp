@@ -65,7 +65,12 @@ Constraints all_limits() {
                             {MovingPoint::c, true, {{-3, -1}, {2, 2}}}};
   constraints.peak_acceleration_max = 2;
   constraints.torque_ripple_max = 30;
+  constraints.speed_fluctuation_max = 0.4;
+  constraints.flywheel_inertia_max = 50;
+  constraints.motor_power_max = 20;
   constraints.operation = machine();
+  constraints.operation.fluctuation = 0.1;
+  constraints.operation.flywheel = 30;
   return constraints;
 }
 
