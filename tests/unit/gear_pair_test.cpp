@@ -6,6 +6,7 @@
 
 #include "analysis/gear/spur_pair.hpp"
 #include "analysis/vec2.hpp"
+#include "count_allocations.hpp"
 
 namespace cognate {
 namespace {
@@ -234,6 +235,18 @@ TEST(SpurPair, PathsEndAtPointedTipsAndFormCircles) {
   EXPECT_EQ(apart.contact_ratio, 0);
   EXPECT_EQ(apart.path_length, 0);
   EXPECT_TRUE(std::isfinite(apart.gears[0].sliding_start));
+}
+
+TEST(SpurPair, AllocatesNothing) {
+  for (const SpurPair& pair : pairs()) {
+    const std::size_t before = test::allocations();
+    const PairGeometry result = geometry(pair);
+    const double shift = balanced_shift(pair, -1, 1);
+    const auto fault = tooth_fault(pair.gears[0]);
+    EXPECT_EQ(test::allocations(), before);
+    EXPECT_EQ(fault, gear::ToothFault::none);
+    EXPECT_TRUE(std::isfinite(shift + result.contact_ratio));
+  }
 }
 
 TEST(SpurPair, BalancedSlidingIsEqualAtBothFeet) {

@@ -42,6 +42,22 @@ TEST(SpurGear, UndercutBeginsWhereTheLeastShiftAndTheLeastTeethSay) {
   EXPECT_FALSE(gear::is_undercut({.teeth = 18}));
 }
 
+/// Where trochoid and involute cross, with 40 digits, from the equations of both.
+TEST(SpurGear, FormCircleOfUndercutGears) {
+  struct Known {
+    double teeth, shift, radius, tolerance;
+  };
+  for (const auto& [teeth, shift, radius, tolerance] :
+       {Known{5, 0, 2.4489354413393343, 1e-15}, Known{9, 0, 4.2651927176641368, 1e-15},
+        Known{12, 0, 5.6513535632741068, 1e-15}, Known{17, 0, 7.9873915890797525, 1e-14},
+        Known{9, 0.47, 4.2286200538941178, 1e-14}, Known{30, -0.76, 14.095391463448289, 1e-14},
+        // The curves touch nearly where undercut begins.
+        Known{9, 0.4735, 4.2286167960631396, 1e-12}}) {
+    const double computed = gear::form_radius({.teeth = teeth, .profile_shift = shift});
+    EXPECT_NEAR(computed, radius, tolerance * radius) << teeth << " " << shift;
+  }
+}
+
 TEST(SpurGear, FormCircleOfAnUndercutGearRisesAsTheShiftFalls) {
   double before = 0;
   for (double shift = 0.47; shift > -0.3; shift -= 0.005) {
