@@ -65,8 +65,8 @@ class QuadInvolute {
 };
 
 const QuadInvolute& quad_involute() {
-  static const QuadInvolute kInvolute;
-  return kInvolute;
+  static const QuadInvolute involute;
+  return involute;
 }
 
 double ulp(double value) {
@@ -88,7 +88,7 @@ Quad angle_error(double angle, double value) {
     return (involute - value) / (tangent * tangent);
   }
   // β = π/2 − α, cot β = value + α: so large that β is 1/cot β less a third of its cube.
-  const Quad right = boost::math::constants::half_pi<Quad>();
+  const Quad& right = boost::math::constants::half_pi<Quad>();
   const Quad cotangent = value + right - 1 / (value + right);
   const Quad beta = 1 / cotangent - 1 / (3 * cotangent * cotangent * cotangent);
   return angle - (right - beta);
