@@ -24,14 +24,6 @@ std::vector<std::string> worm_notes(const GearPairDesign& design);
 /// Gear 0 or 1 of a settled cylindrical pair, with its own hand of helix.
 gear::HelicalGear helical_gear(const GearPairProblem& settled, std::size_t index);
 
-/// The centre distance at which these gears have `backlash` on their working pitch circles; not a
-/// number where they have none so small.
-double centre_distance_with(const std::array<gear::SpurGear, 2>& gears, double backlash);
-
-/// The sum of profile shifts, of the section, with which they have it at `centre_distance`.
-double shift_sum_with(const std::array<gear::SpurGear, 2>& gears, double centre_distance,
-                      double backlash);
-
 /// Of a pair whose contact ratio is below 1 the greatest centre distance at which it is 1, teeth
 /// and shifts kept; empty where it is below 1 even without backlash.
 std::optional<double> greatest_continuous_distance(const GearPairDesign& design);

@@ -15,6 +15,10 @@ using gear::SpurPair;
 /// Of what is no number.
 constexpr double kNoNumber = 1e9;
 
+double sum_of_base_radii(const SpurPair& pair) {
+  return gear::base_radius(pair.gears[0]) + gear::base_radius(pair.gears[1]);
+}
+
 double along_tangent(double radius, double base) {
   return std::sqrt(std::max(0.0, (radius - base) * (radius + base)));
 }
@@ -47,6 +51,14 @@ SpurPair section_of(const GearPairProblem& problem, const GearPairNumbers& numbe
   return pair;
 }
 
+std::optional<PairGeometry> mesh_of(const SpurPair& pair) {
+  if (!(pair.centre_distance > sum_of_base_radii(pair))) return std::nullopt;
+  for (const auto& gear : pair.gears) {
+    if (gear::tooth_fault(gear) != gear::ToothFault::none) return std::nullopt;
+  }
+  return gear::geometry(pair);
+}
+
 double GearLimit::violation() const {
   if (std::isnan(value)) return kNoNumber;
   const double missing = (at_least ? bound - value : value - bound) / scale;
@@ -54,21 +66,30 @@ double GearLimit::violation() const {
 }
 
 GearLimits::GearLimits(const GearPairProblem& problem, const GearPairNumbers& numbers,
-                       const SpurPair& pair, const PairGeometry& mesh)
+                       const SpurPair& pair, const std::optional<PairGeometry>& mesh)
     : problem_(problem), numbers_(numbers), pair_(pair), mesh_(mesh) {
   const GearConstraints& c = problem_.constraints;
   add_bounds();
-  const double bases = gear::base_radius(pair.gears[0]) + gear::base_radius(pair.gears[1]);
-  if (!(pair.centre_distance >= bases)) {  // no mesh of which anything could be demanded
-    at_least("centre_distance", pair.centre_distance, bases, bases);
-    return;
-  }
-  at_least("contact_ratio_min", total_contact_ratio(problem_, numbers_.module, mesh_),
+  add_possibility();
+  if (!mesh_) return;
+  at_least("contact_ratio_min", total_contact_ratio(problem_, numbers_.module, *mesh_),
            c.contact_ratio_min);
-  at_least("backlash", mesh_.backlash, 0, numbers_.module);
+  at_least("backlash", mesh_->backlash, 0, numbers_.module);
   add_gear(0);
   add_gear(1);
-  if (c.sliding_max) at_most("sliding_max", greatest_sliding(mesh_), *c.sliding_max);
+  if (c.sliding_max) at_most("sliding_max", greatest_sliding(*mesh_), *c.sliding_max);
+}
+
+void GearLimits::add_possibility() {
+  constexpr const char* kTeeth[] = {"teeth.pinion", "teeth.wheel"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto fault = gear::tooth_fault(pair_.gears[i]);
+    if (fault != gear::ToothFault::none) at_most(kTeeth[i], double(fault), 0);
+  }
+  const double least = sum_of_base_radii(pair_);
+  if (!(pair_.centre_distance > least)) {
+    at_least("centre_distance", pair_.centre_distance, least, numbers_.module);
+  }
 }
 
 void GearLimits::add_bounds() {
@@ -124,7 +145,7 @@ void GearLimits::add_gear(std::size_t index) {
   if (c.no_interference) {
     at_least(names.interference, reached_radius(pair_, index), gear::form_radius(own), module);
   }
-  at_least(names.clearance, mesh_.gears[index].tip_clearance / module,
+  at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "analysis/gear/spur_pair.hpp"
@@ -21,6 +22,10 @@ struct GearPairNumbers {
 /// Its transverse sections.
 gear::SpurPair section_of(const GearPairProblem& problem, const GearPairNumbers& numbers);
 
+/// What holds of the pair where there is one: neither gear is impossible, and the centres are
+/// farther apart than the base circles reach.
+std::optional<gear::PairGeometry> mesh_of(const gear::SpurPair& pair);
+
 /// A demand: value ≥ bound, or value ≤ bound. `scale` is what counts as a whole violation.
 struct GearLimit {
   const char* name = "";
@@ -37,7 +42,7 @@ struct GearLimit {
 class GearLimits {
  public:
   GearLimits(const GearPairProblem& problem, const GearPairNumbers& numbers,
-             const gear::SpurPair& pair, const gear::PairGeometry& mesh);
+             const gear::SpurPair& pair, const std::optional<gear::PairGeometry>& mesh);
 
   std::span<const GearLimit> all() const { return {limits_.data(), count_}; }
   /// The greatest of all.
@@ -50,13 +55,14 @@ class GearLimits {
   void at_most(const char* name, double value, double bound, double scale = 1) {
     limits_.at(count_++) = {name, value, bound, false, scale};
   }
+  void add_possibility();
   void add_gear(std::size_t index);
   void add_bounds();
 
   const GearPairProblem& problem_;
   const GearPairNumbers& numbers_;
   const gear::SpurPair& pair_;
-  const gear::PairGeometry& mesh_;
+  const std::optional<gear::PairGeometry>& mesh_;
   std::array<GearLimit, 28> limits_{};
   std::size_t count_ = 0;
 };
