@@ -9,6 +9,9 @@ constexpr Entry kProblemKinds[] = {
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
     {"gear", "a gear as its rack cuts it is evaluated (cognate analyze)"},
     {"gear-pair", "two gears are to mesh; teeth, shifts or centre distance are found"},
+    {"machine",
+     "what a motor, loads and inertias make of a mechanism's motion: steady, start, stop (cognate "
+     "analyze)"},
     {"motion-generation", "a body is to be carried through poses"},
     {"path-generation",
      "a point of the coupler is to pass through given points or follow a closed curve"},

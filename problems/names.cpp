@@ -91,6 +91,8 @@ constexpr Named<DyadType> kDyadTypes[] = {{"RRR", DyadType::rrr},
                                           {"RPP", DyadType::rpp}};
 constexpr Named<LoadSense> kLoadSenses[] = {
     {"always", LoadSense::always}, {"advance", LoadSense::advance}, {"return", LoadSense::retreat}};
+constexpr Named<MachineTask> kMachineTasks[] = {
+    {"steady", MachineTask::steady}, {"start", MachineTask::start}, {"stop", MachineTask::stop}};
 constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
                                        {"infeasible", Status::infeasible},
                                        {"no-solution", Status::no_solution},
@@ -221,6 +223,11 @@ std::span<const Named<DyadType>> names<DyadType>() {
 template <>
 std::span<const Named<LoadSense>> names<LoadSense>() {
   return kLoadSenses;
+}
+
+template <>
+std::span<const Named<MachineTask>> names<MachineTask>() {
+  return kMachineTasks;
 }
 
 template <>
