@@ -1,348 +1,257 @@
-/// Gear pairs found, against textbook formulas written out here and every pair of a fine grid.
+/// Pairs of spur gears against their motion: points of the flanks followed while both gears turn.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <string>
-#include <vector>
+#include <limits>
+#include <optional>
 
-#include "problems/gear/gear_result.hpp"
-#include "problems/read.hpp"
-#include "problems/verify.hpp"
+#include "analysis/gear/spur_pair.hpp"
+#include "analysis/vec2.hpp"
 
-namespace cognate::problems {
+namespace cognate {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kAlpha = kPi / 9;
+using gear::PairGeometry;
+using gear::SpurGear;
+using gear::SpurPair;
 
-double inv(double angle) {
-  return std::tan(angle) - angle;
+std::vector<SpurPair> pairs() {
+  return {
+      {{SpurGear{.teeth = 20, .module = 5}, SpurGear{.teeth = 80, .module = 5}}, 250},
+      {{SpurGear{.teeth = 20, .module = 5}, SpurGear{.teeth = 80, .module = 5}}, 255},
+      {{SpurGear{.teeth = 18, .profile_shift = 0.5}, SpurGear{.teeth = 31, .profile_shift = 0.2}},
+       25.2},
+      {{SpurGear{.teeth = 40, .profile_shift = -0.3}, SpurGear{.teeth = 19, .profile_shift = 0.4}},
+       29.7},
+      {{SpurGear{.teeth = 12}, SpurGear{.teeth = 60}}, 36},
+      {{SpurGear{.teeth = 9, .tip_reduction = 0.1}, SpurGear{.teeth = 9}}, 9.1},
+      {{SpurGear{.teeth = 9, .profile_shift = 0.9}, SpurGear{.teeth = 25, .profile_shift = 0.5}},
+       18.2}};
 }
 
-/// A spur pair of the standard rack by Li & Xu 2011, chapter 5, and ISO 21771.
-struct Textbook {
-  int z1, z2;
-  double m, x1, x2, a;
+/// A point of a flank: the gear's centre at the origin, the tooth's middle on the y axis, the flank
+/// on its left. The involute as textbooks have it, by the cosine of its pressure angle.
+Vec2d flank_point(const SpurGear& g, double radius) {
+  const double alpha = g.rack.pressure_angle;
+  const double there = std::acos(0.5 * g.module * g.teeth * std::cos(alpha) / radius);
+  const double angle =
+      (0.5 * std::numbers::pi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) /
+          g.teeth +
+      std::tan(alpha) - alpha - std::tan(there) + there;
+  return {-radius * std::sin(angle), radius * std::cos(angle)};
+}
 
-  double rb(int z) const { return 0.5 * m * z * std::cos(kAlpha); }
-  double ra(int z, double x) const { return m * (0.5 * z + 1 + x); }
-  double working() const { return std::acos((rb(z1) + rb(z2)) / a); }
-  double tangent(int z, double x) const { return std::sqrt(ra(z, x) * ra(z, x) - rb(z) * rb(z)); }
-
-  double contact_ratio() const {
-    const double t1 = tangent(z1, x1) / rb(z1), t2 = tangent(z2, x2) / rb(z2);
-    const double t = std::tan(working());
-    return (z1 * (t1 - t) + z2 * (t2 - t)) / (2 * kPi);
-  }
-  /// Where the wheel's tip touches the pinion, from the pinion's base tangent; and the reverse.
-  double foot1() const { return a * std::sin(working()) - tangent(z2, x2); }
-  double foot2() const { return a * std::sin(working()) - tangent(z1, x1); }
-  double sliding1() const { return 1 - tangent(z2, x2) * z1 / (foot1() * z2); }
-  double sliding2() const { return 1 - tangent(z1, x1) * z2 / (foot2() * z1); }
-  double sliding() const {
-    if (foot1() <= 0 || foot2() <= 0) return HUGE_VAL;
-    return std::max(std::abs(sliding1()), std::abs(sliding2()));
-  }
-  double thickness(int z, double x, double radius) const {
-    const double s = m * (kPi / 2 + 2 * x * std::tan(kAlpha));
-    return radius * (s / (0.5 * m * z) + 2 * (inv(kAlpha) - inv(std::acos(rb(z) / radius))));
-  }
-  double tip_thickness() const {
-    return std::min(thickness(z1, x1, ra(z1, x1)), thickness(z2, x2, ra(z2, x2))) / m;
-  }
-  double backlash() const {
-    const double r1 = a * z1 / (z1 + z2), r2 = a - r1;
-    return 2 * kPi * r1 / z1 - thickness(z1, x1, r1) - thickness(z2, x2, r2);
-  }
-  double clearance() const { return a / m - 0.5 * (z1 + z2) - (x1 + x2) + 0.25; }
-  bool is_undercut() const {
-    const double share = 0.5 * std::sin(kAlpha) * std::sin(kAlpha);
-    return x1 < 1 - z1 * share - 1e-12 || x2 < 1 - z2 * share - 1e-12;
-  }
-  bool interferes() const {
-    const auto form = [&](int z, double x) {
-      return 0.5 * m * z * std::sin(kAlpha) - m * (1 - x) / std::sin(kAlpha);
-    };
-    const double slack = 1e-9 * m;
-    return foot1() < form(z1, x1) - slack || foot2() < form(z2, x2) - slack;
-  }
-  /// Within the limits that `limits` sets.
-  bool is_sound(const GearConstraints& limits) const {
-    constexpr double kSlack = 1e-9;
-    return contact_ratio() >= limits.contact_ratio_min - kSlack &&
-           tip_thickness() >= limits.tip_thickness_min - kSlack && !is_undercut() &&
-           !interferes() && clearance() >= limits.tip_clearance_min.value_or(0) - kSlack;
-  }
-  double objective(GearObjective wanted) const {
-    if (wanted == GearObjective::size) return a;
-    return wanted == GearObjective::contact_ratio ? -contact_ratio() : sliding();
-  }
+/// The flank in mesh when its normal passes through the pitch point; the pinion's centre at the
+/// origin, the wheel's at (0, a′).
+struct Touch {
+  double turn = 0;  ///< of the pinion, counter-clockwise
+  Vec2d at{};       ///< the point of contact
+  Vec2d tangent{};  ///< of the flanks
+  double other_radius = 0;
 };
 
-Textbook textbook(const GearPairDesign& design) {
-  const GearPairProblem& s = design.settled;
-  return {*s.teeth[0],         *s.teeth[1],         *s.module,
-          *s.profile_shift[0], *s.profile_shift[1], *s.centre_distance};
+Touch touch(const SpurPair& pair, double radius) {
+  const SpurGear& g = pair.gears[0];
+  const double step = 1e-5 * radius;
+  const Vec2d point = flank_point(g, radius);
+  const Vec2d along = flank_point(g, radius + step) - flank_point(g, radius - step);
+  const Vec2d tangent = (1 / norm(along)) * along;
+  // The pitch point seen from the turned gear is at distance r_w on the normal: on the left.
+  const double pitch = pair.centre_distance * g.teeth / (g.teeth + pair.gears[1].teeth);
+  const double across = dot(point, tangent);
+  const Vec2d foot = across * tangent;
+  const Vec2d normal = perp(tangent);
+  Vec2d seen = foot + std::sqrt(pitch * pitch - across * across) * normal;
+  if (seen.y < 0) seen = foot - std::sqrt(pitch * pitch - across * across) * normal;
+  const double turn = std::atan2(seen.x, seen.y);
+  const Vec2d turned{std::cos(turn), std::sin(turn)};
+  const Vec2d at = turned * point;
+  return {turn, at, turned * tangent, norm(Vec2d{0, pair.centre_distance} - at)};
 }
 
-/// The centre distance with `backlash`, by halving: backlash grows with it.
-double distance_with(Textbook pair, double backlash) {
-  double low = pair.rb(pair.z1) + pair.rb(pair.z2), high = 2 * low;
-  for (int i = 0; i < 50; ++i) {
-    pair.a = 0.5 * (low + high);
-    (pair.backlash() < backlash ? low : high) = pair.a;
+double own_end(const SpurGear& g) {
+  return flank_end_radius(g);
+}
+
+/// Radii of the pinion's flank that touch the wheel's, by trying many.
+std::optional<std::array<double, 2>> touching(const SpurPair& pair) {
+  const double from = form_radius(pair.gears[0]) * (1 + 1e-9);
+  const double to = own_end(pair.gears[0]);
+  const auto on_wheel = [&](double radius) {
+    const double other = touch(pair, radius).other_radius;
+    return other >= form_radius(pair.gears[1]) && other <= own_end(pair.gears[1]);
+  };
+  constexpr int kSteps = 2000;
+  std::optional<std::array<double, 2>> range;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double radius = from + (to - from) * i / kSteps;
+    if (!on_wheel(radius)) continue;
+    if (!range) range = {radius, radius};
+    (*range)[1] = radius;
   }
-  return low;
-}
-
-GearPairProblem spur_problem(GearObjective objective) {
-  GearPairProblem problem;
-  problem.rack.pressure_angle = kAlpha;
-  problem.objective = objective;
-  problem.constraints.contact_ratio_min = 1.2;
-  problem.constraints.tip_thickness_min = 0.25;
-  problem.profile_shift_bounds = {-0.5, 1};
-  return problem;
-}
-
-GearPairProblem given_pair(int z1, int z2, double module, double centre_distance) {
-  GearPairProblem problem;
-  problem.teeth = {z1, z2};
-  problem.module = module;
-  problem.profile_shift = {0, 0};
-  problem.centre_distance = centre_distance;
-  return problem;
-}
-
-double fact(const std::vector<Fact>& facts, const std::string& name) {
-  for (const Fact& each : facts) {
-    if (each.name == name) return std::get<double>(each.value);
-  }
-  ADD_FAILURE() << "no fact " << name;
-  return NAN;
-}
-
-constexpr GearObjective kAll[] = {GearObjective::balanced_sliding, GearObjective::contact_ratio,
-                                  GearObjective::size};
-
-// Li & Xu 2011, example 5-4, to more digits than the 0.765 that is printed.
-TEST(GearPair, ThatOfTheTextbookCannotDriveContinuously) {
-  const auto result = solve(given_pair(20, 80, 5, 255), {});
-  EXPECT_EQ(result.status, Status::infeasible);
-  ASSERT_EQ(result.designs.size(), 1u);
-  const auto& metrics = result.designs[0].metrics;
-  EXPECT_NEAR(fact(metrics, "contact_ratio"), 0.7650371785946412, 1e-12);
-  EXPECT_NEAR(fact(metrics, "working_pressure_angle_deg"), 22.88794225358765, 1e-11);
-  EXPECT_NEAR(fact(metrics, "backlash"), 3.9750554756351124, 1e-10);
-  EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), 253.67123369285025, 1e-9);
-  EXPECT_NEAR(fact(metrics, "pinion.tip_clearance"), 6.25, 1e-12);
-  ASSERT_EQ(result.notes.size(), 1u);
-  EXPECT_NE(result.notes[0].find("cannot drive continuously: its contact ratio is 0.765037"),
-            std::string::npos);
-  EXPECT_NE(result.notes[0].find("253.671234"), std::string::npos);
-}
-
-TEST(GearPair, WithoutACentreDistanceHasTheBacklashAskedFor) {
-  GearPairProblem problem = given_pair(20, 80, 5, 0);
-  problem.centre_distance.reset();
-  EXPECT_NEAR(fact(solve(problem, {}).designs[0].metrics, "centre_distance"), 250, 1e-12);
-  problem.profile_shift = {0.3, 0.4};
-  problem.backlash = 0.2;
-  const auto pair = textbook(solve(problem, {}).designs[0]);
-  EXPECT_NEAR(pair.backlash(), 0.2, 1e-10);
-}
-
-TEST(GearPair, WhoseTeethOverlapIsRefused) {
-  const auto result = solve(given_pair(20, 80, 5, 249), {});
-  EXPECT_EQ(result.status, Status::infeasible);
-  EXPECT_NE(result.notes.at(0).find("overlap"), std::string::npos);
-  const auto closer = solve(given_pair(20, 80, 5, 200), {});  // base circles of 234.9 together
-  EXPECT_EQ(closer.status, Status::infeasible);
-  EXPECT_NE(closer.notes.at(0).find("base circles overlap"), std::string::npos);
-}
-
-TEST(GearPair, SlidesAlikeAtBothFeetWhereTheCentreDistanceIsGiven) {
-  GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth = {14, 43};
-  problem.module = 3;
-  problem.centre_distance = 87;
-  problem.backlash = 0.1;
-  const auto result = solve(problem, {});
-  ASSERT_EQ(result.status, Status::solved);
-  const Textbook found = textbook(result.designs[0]);
-  EXPECT_NEAR(found.sliding1(), found.sliding2(), 1e-9);
-  EXPECT_NEAR(found.backlash(), 0.1, 1e-10);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "sliding_max"), found.sliding(), 1e-9);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "contact_ratio"), found.contact_ratio(), 1e-12);
-  EXPECT_TRUE(found.is_sound(problem.constraints));
-}
-
-/// Every pair of the given teeth and module in a grid of shifts, if it is sound.
-template <class Visit>
-void visit_grid(const GearPairProblem& problem, int z1, int z2, double m, const Visit& visit) {
-  constexpr double kStep = 0.03;
-  const auto& [low, high] = problem.profile_shift_bounds;
-  const double backlash = problem.backlash.value_or(0);
-  for (double x1 = low; x1 <= high + 1e-9; x1 += kStep) {
-    Textbook pair{z1, z2, m, x1, 0, 0};
-    if (problem.centre_distance) {
-      pair.a = *problem.centre_distance;
-      // Backlash falls by the same for each shift: two values tell the one that is wanted.
-      const double none = pair.backlash();
-      pair.x2 = 1;
-      pair.x2 = (none - backlash) / (none - pair.backlash());
-      if (pair.x2 < low || pair.x2 > high) continue;
-      if (pair.is_sound(problem.constraints)) visit(pair);
-      continue;
+  // The ends between the last that do and the first that don't.
+  const double step = (to - from) / kSteps;
+  for (int end = 0; range && end < 2; ++end) {
+    double inside = (*range)[end];
+    double outside = std::clamp(inside + (end == 0 ? -step : step), from, to);
+    for (int i = 0; i < 60 && !on_wheel(outside); ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (on_wheel(middle) ? inside : outside) = middle;
     }
-    for (pair.x2 = low; pair.x2 <= high + 1e-9; pair.x2 += kStep) {
-      pair.a = distance_with(pair, backlash);
-      if (pair.is_sound(problem.constraints)) visit(pair);
+    (*range)[end] = on_wheel(outside) ? outside : inside;
+  }
+  return range;
+}
+
+TEST(SpurPair, ContactRatioIsTheTurnOfAToothInContactOverThePitch) {
+  for (const SpurPair& pair : pairs()) {
+    const PairGeometry result = geometry(pair);
+    const auto radii = touching(pair);
+    ASSERT_TRUE(radii);
+    const double turn = touch(pair, (*radii)[1]).turn - touch(pair, (*radii)[0]).turn;
+    const double pitch = 2 * std::numbers::pi / pair.gears[0].teeth;
+    EXPECT_NEAR(result.contact_ratio, turn / pitch, 2e-7) << pair.centre_distance;
+    EXPECT_NEAR(result.gears[0].contact_start, (*radii)[0], 1e-7 * (*radii)[0]);
+    EXPECT_NEAR(result.gears[0].contact_end, (*radii)[1], 1e-7 * (*radii)[1]);
+    const Touch first = touch(pair, (*radii)[0]);
+    const Touch last = touch(pair, (*radii)[1]);
+    EXPECT_NEAR(result.gears[1].contact_end, first.other_radius, 1e-7 * first.other_radius);
+    EXPECT_NEAR(result.gears[1].contact_start, last.other_radius, 1e-7 * last.other_radius);
+    EXPECT_NEAR(result.path_length, norm(last.at - first.at), 1e-6 * pair.centre_distance);
+  }
+}
+
+/// Velocities of the two points that touch, the pinion turning by 1.
+std::array<Vec2d, 2> velocities(const SpurPair& pair, const Vec2d& at) {
+  const double ratio = pair.gears[0].teeth / pair.gears[1].teeth;
+  return {perp(at), -ratio * perp(at - Vec2d{0, pair.centre_distance})};
+}
+
+TEST(SpurPair, SlidingIsThatOfTheTouchingPoints) {
+  for (const SpurPair& pair : pairs()) {
+    const PairGeometry result = geometry(pair);
+    const double pitch_speed = result.gears[0].working_radius;
+    double greatest = 0;
+    const auto sliding = [&](double radius, int own) {
+      const Touch contact = touch(pair, radius);
+      const auto v = velocities(pair, contact.at);
+      greatest = std::max(greatest, norm(v[0] - v[1]) / pitch_speed);
+      // Along the normal they are the same: the flanks stay in touch.
+      EXPECT_NEAR(cross(v[0] - v[1], contact.tangent), 0, 1e-6 * pitch_speed);
+      return 1 - dot(v[1 - own], contact.tangent) / dot(v[own], contact.tangent);
+    };
+    const auto& [pinion, wheel] = result.gears;
+    const auto near = [](double value) { return 1e-5 * std::max(1.0, value * value); };
+    EXPECT_NEAR(sliding(pinion.contact_end, 0), pinion.sliding_end, near(pinion.sliding_end));
+    EXPECT_NEAR(sliding(pinion.contact_end, 1), wheel.sliding_start, near(wheel.sliding_start));
+    if (pinion.sliding_start > -100) {
+      EXPECT_NEAR(sliding(pinion.contact_start, 0), pinion.sliding_start,
+                  near(pinion.sliding_start));
+      EXPECT_NEAR(sliding(pinion.contact_start, 1), wheel.sliding_end, near(wheel.sliding_end));
+      EXPECT_NEAR(result.greatest_sliding_speed, greatest, 1e-6);
     }
   }
 }
 
-TEST(GearPair, NoPairOfAGridIsBetterWithShiftsAndDistanceFree) {
-  std::vector<double> best;
-  GearPairProblem problem = spur_problem(GearObjective::size);
-  problem.teeth = {13, 29};
-  problem.module = 2;
-  problem.backlash = 0.05;
-  for (const GearObjective objective : kAll) {
-    problem.objective = objective;
-    const auto result = solve(problem, {});
-    ASSERT_EQ(result.status, Status::solved);
-    const Textbook found = textbook(result.designs[0]);
-    EXPECT_TRUE(found.is_sound(problem.constraints));
-    EXPECT_NEAR(found.backlash(), 0.05, 1e-9);
-    best.push_back(found.objective(objective));
+TEST(SpurPair, BacklashIsWhatTheTeethLeaveOfThePitch) {
+  for (SpurPair pair : pairs()) {
+    pair.gears[0].thinning = 0.03;
+    pair.gears[1].thinning = 0.01;
+    const PairGeometry result = geometry(pair);
+    const auto& [pinion, wheel] = result.gears;
+    const double pitch = 2 * std::numbers::pi * pinion.working_radius / pair.gears[0].teeth;
+    const double left = pitch - tooth_thickness(pair.gears[0], pinion.working_radius) -
+                        tooth_thickness(pair.gears[1], wheel.working_radius);
+    EXPECT_NEAR(result.backlash, left, 1e-12 * pair.centre_distance);
+    EXPECT_DOUBLE_EQ(result.normal_backlash,
+                     result.backlash * std::cos(result.working_pressure_angle));
+    EXPECT_DOUBLE_EQ(pinion.working_radius + wheel.working_radius, pair.centre_distance);
   }
-  int count = 0;
-  visit_grid(problem, 13, 29, 2, [&](const Textbook& pair) {
-    ++count;
-    for (std::size_t i = 0; i < best.size(); ++i) {
-      EXPECT_GE(pair.objective(kAll[i]), best[i] - 1e-6) << pair.x1 << ' ' << pair.x2;
+}
+
+TEST(SpurPair, NoBacklashIsNothingRatherThanRounding) {
+  for (int teeth = 10; teeth < 60; ++teeth) {
+    const SpurPair pair{{SpurGear{.teeth = 20}, SpurGear{.teeth = static_cast<double>(teeth)}},
+                        10 + 0.5 * teeth};
+    EXPECT_EQ(geometry(pair).backlash, 0);
+  }
+}
+
+TEST(SpurPair, CentreDistanceAndShiftsAreInverse) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    SpurPair pair;
+    for (SpurGear& g : pair.gears) {
+      g.teeth = std::floor(8 + 60 * share(random));
+      g.module = 2.5;
+      g.profile_shift = -0.4 + share(random);
+      g.thinning = 0.1 * share(random);
     }
-  });
-  EXPECT_GT(count, 200);
-}
-
-TEST(GearPair, NoPairOfAGridIsBetterWithTeethAndModuleFree) {
-  for (const GearObjective objective : {kAll[0], kAll[1]}) {
-    GearPairProblem problem = spur_problem(objective);
-    problem.teeth_bounds = {{{12, 20}, {26, 40}}};
-    problem.modules = {2, 2.5};
-    problem.centre_distance = 56;
-    problem.ratio = 2.1;
-    problem.ratio_tolerance = 0.1;
-    const auto result = solve(problem, {});
-    ASSERT_EQ(result.status, Status::solved);
-    const Textbook found = textbook(result.designs[0]);
-    EXPECT_TRUE(found.is_sound(problem.constraints));
-    EXPECT_NEAR(found.backlash(), 0, 1e-10);
-    int count = 0, outside = 0;
-    for (const double m : problem.modules) {
-      for (int z1 = 12; z1 <= 20; ++z1) {
-        for (int z2 = 26; z2 <= 40; ++z2) {
-          if (std::abs(double(z2) / z1 / 2.1 - 1) > 0.1) {
-            ++outside;
-            continue;
-          }
-          visit_grid(problem, z1, z2, m, [&](const Textbook& pair) {
-            ++count;
-            EXPECT_GE(pair.objective(objective), found.objective(objective) - 1e-9);
-          });
-        }
-      }
-    }
-    EXPECT_GT(count, 100);
-    EXPECT_EQ(fact(result.facts, "combinations"), 2 * 9 * 15);
-    EXPECT_EQ(fact(result.facts, "refused_by_ratio"), outside);
+    const double shifts = pair.gears[0].profile_shift + pair.gears[1].profile_shift;
+    const double play = i % 2 == 0 ? 0 : share(random);
+    pair.centre_distance = centre_distance_with_backlash(pair.gears, play);
+    if (std::isnan(pair.centre_distance)) continue;
+    EXPECT_NEAR(geometry(pair).backlash, play, 1e-12 * pair.centre_distance);
+    // Near the base circles shifts hardly move the centres, and are not as well known.
+    EXPECT_NEAR(profile_shift_sum(pair.gears, pair.centre_distance, play), shifts, 1e-11);
   }
 }
 
-TEST(GearPair, DesignsAreTheSameWithAnyNumberOfThreads) {
-  GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth_bounds = {{{14, 20}, {30, 44}}};
-  problem.modules = {2};
-  problem.solve.designs = 4;
-  const auto alone = solve(problem, {.threads = 1}), together = solve(problem, {.threads = 3});
-  ASSERT_EQ(alone.designs.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(alone.designs[i].settled.teeth, together.designs[i].settled.teeth);
-    EXPECT_EQ(alone.designs[i].settled.profile_shift, together.designs[i].settled.profile_shift);
-    EXPECT_EQ(alone.designs[i].settled.centre_distance,
-              together.designs[i].settled.centre_distance);
+TEST(SpurPair, TeethCutByTheirMatesOverlapWithoutRoom) {
+  const std::array<SpurGear, 2> gears{SpurGear{.teeth = 20}, SpurGear{.teeth = 30}};
+  EXPECT_LT(gear::geometry({gears, 24.9}).backlash, 0);
+  const double base = base_radius(gears[0]) + base_radius(gears[1]);
+  EXPECT_TRUE(std::isnan(gear::geometry({gears, 0.99 * base}).working_pressure_angle));
+  EXPECT_TRUE(std::isnan(profile_shift_sum(gears, 0.99 * base)));
+  std::array<SpurGear, 2> negative = gears;
+  for (SpurGear& g : negative) g.profile_shift = -2;  // no involute is negative
+  EXPECT_TRUE(std::isnan(centre_distance_without_backlash(negative)));
+  EXPECT_TRUE(std::isnan(centre_distance_with_backlash(gears, -0.1)));
+}
+
+TEST(SpurPair, PathsEndAtPointedTipsAndFormCircles) {
+  // The wheel's tip is prolonged until it meets the pinion's fillet.
+  SpurPair pair{{SpurGear{.teeth = 20}, SpurGear{.teeth = 60}}, 40};
+  EXPECT_FALSE(geometry(pair).gears[0].interferes);
+  pair.gears[1].tip_reduction = -0.2;
+  const PairGeometry deep = geometry(pair);
+  EXPECT_TRUE(deep.gears[0].interferes);
+  EXPECT_FALSE(deep.gears[1].interferes);
+  EXPECT_LT(deep.gears[0].reached_radius, form_radius(pair.gears[0]));
+  EXPECT_NEAR(deep.gears[0].contact_start, form_radius(pair.gears[0]), 1e-12);
+  // No interference that rounding alone would make: both tips reach to the form circle exactly.
+  for (int teeth = 18; teeth < 80; ++teeth) {
+    const SpurGear g{.teeth = static_cast<double>(teeth)};
+    EXPECT_FALSE(gear::geometry({{g, g}, static_cast<double>(teeth)}).gears[0].interferes);
   }
+  // A pointed tooth ends where it is pointed.
+  const SpurGear sharp{.teeth = 8, .profile_shift = 0.9};
+  const SpurPair pointed{{sharp, SpurGear{.teeth = 30}},
+                         gear::centre_distance_without_backlash({sharp, SpurGear{.teeth = 30}})};
+  EXPECT_NEAR(geometry(pointed).gears[0].contact_end, pointed_radius(sharp), 1e-12);
+  // Gears too far apart do not touch at all.
+  const PairGeometry apart = gear::geometry({{SpurGear{.teeth = 20}, SpurGear{.teeth = 30}}, 27.5});
+  EXPECT_EQ(apart.contact_ratio, 0);
+  EXPECT_EQ(apart.path_length, 0);
+  EXPECT_TRUE(std::isfinite(apart.gears[0].sliding_start));
 }
 
-TEST(GearPair, HuntingTeethHaveNoCommonDivisor) {
-  GearPairProblem problem = spur_problem(GearObjective::contact_ratio);
-  problem.teeth_bounds = {{{18, 24}, {36, 48}}};
-  problem.modules = {2};
-  problem.constraints.hunting = true;
-  problem.solve.designs = 100;
-  const auto result = solve(problem, {});
-  ASSERT_GT(result.designs.size(), 10u);
-  for (const auto& design : result.designs) {
-    EXPECT_EQ(std::gcd(*design.settled.teeth[0], *design.settled.teeth[1]), 1);
+TEST(SpurPair, BalancedSlidingIsEqualAtBothFeet) {
+  for (const auto& [z1, z2, sum] :
+       {std::array{18.0, 40.0, 0.0}, {15.0, 45.0, 0.6}, {30.0, 30.0, 0.4}, {40.0, 18.0, 0.0}}) {
+    SpurPair pair{{SpurGear{.teeth = z1, .profile_shift = sum}, SpurGear{.teeth = z2}}};
+    pair.centre_distance = centre_distance_without_backlash(pair.gears);
+    const double shift = balanced_shift(pair, -1, 1.5);
+    pair.gears[0].profile_shift = shift;
+    pair.gears[1].profile_shift = sum - shift;
+    const PairGeometry result = geometry(pair);
+    EXPECT_NEAR(result.gears[0].sliding_start, result.gears[1].sliding_start, 1e-9) << z1;
+    EXPECT_GT(result.gears[0].sliding_start, -3);
+    EXPECT_TRUE(z1 != z2 || std::abs(shift - 0.5 * sum) < 1e-12) << shift;
+    EXPECT_EQ(balanced_shift(pair, -1, shift - 0.1), shift - 0.1);
+    EXPECT_EQ(balanced_shift(pair, shift + 0.1, 1.5), shift + 0.1);
   }
-}
-
-TEST(GearPair, OfImpossibleLimitsTellsWhichIsMissed) {
-  GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth = {14, 43};
-  problem.module = 3;
-  problem.centre_distance = 87;
-  problem.constraints.sliding_max = 0.1;
-  const auto result = solve(problem, {});
-  EXPECT_EQ(result.status, Status::infeasible);
-  ASSERT_EQ(result.designs.size(), 1u);
-  EXPECT_FALSE(all_satisfied(result.designs[0].constraints));
-  problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth_bounds = {{{20, 22}, {30, 33}}};
-  problem.modules = {2};
-  problem.ratio = 3;
-  const auto far = solve(problem, {});
-  EXPECT_EQ(far.status, Status::infeasible);
-  ASSERT_EQ(far.designs.size(), 1u);
-  EXPECT_EQ(*far.designs[0].settled.teeth[0], 20);  // 33/20 is the nearest ratio
-  EXPECT_EQ(*far.designs[0].settled.teeth[1], 33);
-}
-
-TEST(GearPair, StopsWhereItIsInterrupted) {
-  GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth_bounds = {{{14, 40}, {30, 80}}};
-  problem.modules = {2};
-  const std::atomic<bool> stop{true};
-  const auto result = solve(problem, {.interrupted = &stop});
-  EXPECT_EQ(result.status, Status::interrupted);
-  EXPECT_EQ(result.designs.size(), 1u);  // what was found until then
-}
-
-TEST(GearPair, HelicalShiftsAreThoseOfTheTransverseSection) {
-  GearPairProblem problem = spur_problem(GearObjective::contact_ratio);
-  problem.gearing = Gearing::helical;
-  problem.helix = 18 * kPi / 180;
-  problem.face_width = 28;
-  problem.teeth = {21, 53};
-  problem.module = 2.5;
-  problem.centre_distance = 98;
-  const auto result = solve(problem, {});
-  ASSERT_EQ(result.status, Status::solved);
-  const auto& settled = result.designs[0].settled;
-  // inv α_t′ = inv α_t + 2 (x₁ + x₂) tan α_n/(z₁ + z₂), with shifts of the normal section.
-  const double at = std::atan(std::tan(kAlpha) / std::cos(problem.helix));
-  const double a = 0.5 * 2.5 * (21 + 53) / std::cos(problem.helix);
-  const double working = std::acos(a * std::cos(at) / 98);
-  const double sum = (inv(working) - inv(at)) * (21 + 53) / (2 * std::tan(kAlpha));
-  EXPECT_NEAR(*settled.profile_shift[0] + *settled.profile_shift[1], sum, 1e-10);
-  const double overlap = 28 * std::sin(problem.helix) / (kPi * 2.5);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "overlap_ratio"), overlap, 1e-12);
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate
