@@ -2,22 +2,23 @@
 
 const yesOr = (value) => (value === undefined || value === null ? "–" : say(value ? "yes" : "no"));
 const lengthOf = (value) => number(value, 7);
+const twice = (value) => lengthOf(value === null ? null : 2 * value);
 
 // Rows of the table of gears: what it is called, and its text of a gear.
 const GEAR_ROWS = [
   ["gear.teeth", (g) => (Number.isInteger(g.teeth) ? String(g.teeth) : number(g.teeth, 7))],
   ["gear.module", (g) => lengthOf(g.module)],
   ["gear.profile_shift", (g) => number(g.shift, 6)],
-  ["gear.reference_diameter", (g) => lengthOf(2 * g.reference)],
-  ["gear.working_diameter", (g) => (g.working ? lengthOf(2 * g.working) : null)],
-  ["gear.base_diameter", (g) => lengthOf(2 * g.base)],
-  ["gear.tip_diameter", (g) => lengthOf(2 * g.tip)],
-  ["gear.root_diameter", (g) => lengthOf(2 * g.root)],
-  ["gear.form_diameter", (g) => lengthOf(2 * g.form)],
+  ["gear.reference_diameter", (g) => twice(g.reference)],
+  ["gear.working_diameter", (g) => (g.working ? twice(g.working) : null)],
+  ["gear.base_diameter", (g) => twice(g.base)],
+  ["gear.tip_diameter", (g) => twice(g.tip)],
+  ["gear.root_diameter", (g) => twice(g.root)],
+  ["gear.form_diameter", (g) => twice(g.form)],
   ["gear.thickness_reference", (g) => lengthOf(g.thickness)],
   ["gear.thickness_tip", (g) => lengthOf(g.tip_thickness)],
-  ["gear.contact_start", (g) => (g.contact_start ? lengthOf(2 * g.contact_start) : null)],
-  ["gear.contact_end", (g) => (g.contact_end ? lengthOf(2 * g.contact_end) : null)],
+  ["gear.contact_start", (g) => (g.contact_start ? twice(g.contact_start) : null)],
+  ["gear.contact_end", (g) => (g.contact_end ? twice(g.contact_end) : null)],
   ["gear.sliding_start", (g) => (g.sliding_start === undefined ? null : g.sliding_start === null ? "−∞" : number(g.sliding_start, 5))],
   ["gear.sliding_end", (g) => (g.sliding_end === undefined || g.sliding_end === null ? null : number(g.sliding_end, 5))],
   ["gear.tip_clearance", (g) => (g.tip_clearance === undefined ? null : lengthOf(g.tip_clearance))],
@@ -28,7 +29,9 @@ const GEAR_ROWS = [
 // Whether a row tells of something wrong.
 const GEAR_FAULTS = { "gear.undercut": (g) => g.undercut, "gear.interferes": (g) => g.interferes, "gear.thickness_tip": (g) => g.tip_thickness < 0, "gear.tip_clearance": (g) => g.tip_clearance < 0 };
 
-function showGears(gears, names) {
+// Of helical gears teeth, module and shift are those of the normal section.
+function showGears(drawn, { teeth, module: size, shifts }, names) {
+  const gears = drawn.map((gear, i) => (gearing === "helical" ? { ...gear, teeth: teeth[i], module: size, shift: shifts[i] } : gear));
   byId("gears").tHead.replaceChildren(headRow([[say("values.quantity")], ...names.map((name) => [name, "number"])]));
   const rows = GEAR_ROWS.map(([key, text]) => ({ key, cells: gears.map(text) })).filter(({ cells }) => cells.some((cell) => cell !== null));
   byId("gears-rows").replaceChildren(...rows.map(({ key, cells }) => element("tr", {}, element("td", {}, say(key)),

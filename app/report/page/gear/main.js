@@ -21,13 +21,21 @@ const current = () => designs[state.index];
 const pitchOf = () => (isWorm ? 360 / current().drawn.worm.starts : 360 / current().drawn.gears[0].teeth);
 const step = () => pitchOf() / 20;
 
+// After how many degrees all stands as it was.
+const periodOf = () => (isWorm ? 360 * current().drawn.teeth[1] : pitchOf() * current().pairs * (current().bodies.every((body) => body.isWhole) ? current().pinion.teeth * current().wheel.teeth : 1000));
+
+// What a design is called: its teeth, module and shifts.
+function nameOf({ teeth, module: size, shifts }) {
+  return [`z ${teeth.join("/")}`, `m ${number(size)}`, ...(shifts.some((x) => x !== 0) ? [`x ${shifts.map((x) => number(x, 4)).join("/")}`] : [])].join(say("list.comma"));
+}
+
 // Everything that follows the drive. `byHand` stops the clock.
 function goTo(deg, byHand = false) {
   if (byHand) controls.play(false);
   state.deg = within(deg);
   scene.move(state.deg);
   extras.move(state.deg);
-  if (!isWorm) curves.move(state.deg);
+  curves.move(state.deg);
   const shown = isPair ? state.deg - 360 * Math.floor(state.deg / 360) : state.deg;
   const slider = byId("drive");
   slider.value = shown;
@@ -39,7 +47,7 @@ function goTo(deg, byHand = false) {
 
 // A rack goes over the tooth again; gears turn on and on, until all stands as it was.
 function within(deg) {
-  if (!generation) return deg - 360 * current().drawn.round * Math.floor(deg / (360 * current().drawn.round));
+  if (!generation) return deg - periodOf() * Math.floor(deg / periodOf());
   const { range } = generation;
   return deg - 2 * range.deg * Math.round(deg / (2 * range.deg));
 }
@@ -50,7 +58,7 @@ function drawScene() {
   goTo(state.deg);
 }
 
-const LAYERS = { pair: ["action", "working", "reference", "base", "tip"], worm: ["action", "reference", "base", "tip"], gear: ["flank", "envelope", "base", "form", "reference", "tip"] };
+const LAYERS = { pair: ["action", "working", "base", "tip"], worm: ["action", "reference", "base", "tip"], gear: ["flank", "envelope", "base", "form", "reference", "tip"] };
 
 function showLegend() {
   const of = { action: isWorm ? [legendItem("action", "line", say("gear.layer_action"))] : [legendItem("action", "line", say("gear.layer_action")), legendItem("shared", "line", say("gear.shared")), legendItem("alone", "line", say("gear.alone")),
@@ -62,15 +70,16 @@ function showLegend() {
 }
 
 function showCurves() {
-  byId("curves").hidden = isWorm;
-  if (!isWorm) curves.build(isPair ? pairSheets(current()) : thicknessSheets(generation, generation));
+  const isDrawn = !isWorm && (generation?.body ?? current()).sound;
+  byId("curves").hidden = !isDrawn;
+  if (isDrawn) curves.build(isPair ? pairSheets(current()) : thicknessSheets(generation, generation));
 }
 
 function choose(index) {
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const { drawn } = current();
-  showGears(drawn.table ?? drawn.gears, isPair ? [say(isWorm ? "gear.worm" : "gear.pinion"), say("gear.wheel")] : [say("gear.gear")]);
+  showGears(drawn.table ?? drawn.gears, drawn, isPair ? [say(isWorm ? "gear.worm" : "gear.pinion"), say("gear.wheel")] : [say("gear.gear")]);
   showMetrics(drawn.metrics);
   showChecks(drawn.constraints ?? []);
   byId("section").hidden = !drawn.cones;
@@ -84,7 +93,7 @@ function showChoice() {
   byId("choice").hidden = designs.length < 2;
   byId("designs").replaceChildren(...designs.map(({ drawn }, i) => {
     const missed = drawn.constraints.some((check) => !check.satisfied);
-    const button = element("button", { type: "button", title: sentenceOf(drawn.origin ?? "") }, `${say("gear.design", { n: i + 1, name: drawn.name })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
+    const button = element("button", { type: "button", title: sentenceOf(drawn.origin ?? "") }, `${say("gear.design", { n: i + 1, name: nameOf(drawn) })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
     button.addEventListener("click", () => choose(i));
     return button;
   }));
@@ -131,7 +140,7 @@ function prepareDrive() {
 }
 
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
-showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs[0]?.drawn.name ?? "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"));
+showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"));
 showNotes(result.notes ?? []);
 showWork(result.work);
 byId("notes").classList.toggle("warned", result.status !== "solved" && result.status !== "done");

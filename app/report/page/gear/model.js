@@ -44,7 +44,7 @@ class GearMesh {
     const { pinion, wheel, centre_distance: a, working_angle: angle } = this;
     this.bodies = [pinion, wheel];
     this.sound = this.bodies.every((body) => body.sound) && a > 0;
-    this.meshes = angle !== null && angle !== undefined;
+    this.meshes = this.sound && angle !== null && angle !== undefined;
     this.ratio = wheel.teeth / pinion.teeth;
     this.basePitch = pinion.base * pinion.pitch;
     this.span = this.meshes ? a * Math.sin(angle) : 0;

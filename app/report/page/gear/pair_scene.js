@@ -67,7 +67,7 @@ class PairScene extends Picture {
     this.mesh.bodies.forEach((body, i) => {
       const circle = (radius, name) => svg("circle", { class: `gear-circle ${name}`, cx: round(scale * this.centre(i)[0]), r: round(scale * radius) });
       this.parts.base.append(circle(body.base, "base"));
-      this.parts.working.append(circle(body.working, "working"));
+      this.parts.working.append(circle(body.working ?? (this.mesh.centre_distance * body.teeth) / (this.mesh.pinion.teeth + this.mesh.wheel.teeth), "working"));
       this.parts.tip.append(circle(body.tip, "tip"), circle(body.root, "tip"));
     });
   }
