@@ -9,6 +9,8 @@
 #include "problems/reading/cam_problem.hpp"
 #include "problems/reading/file_text.hpp"
 #include "problems/reading/function_problem.hpp"
+#include "problems/reading/gear_pair_problem.hpp"
+#include "problems/reading/gear_problem.hpp"
 #include "problems/reading/motion_problem.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/path_problem.hpp"
@@ -27,6 +29,7 @@ using Folder = std::filesystem::path;
 constexpr std::string_view kTaskKinds[] = {"path-generation",   "function-generation",
                                            "motion-generation", "quick-return",
                                            "straight-line",     "cam",
+                                           "gear",              "gear-pair",
                                            "analysis"};
 
 constexpr std::string_view kBase = "base";
@@ -86,6 +89,14 @@ std::optional<PlacedTask> read_document(TableReader& document, const Folder& fol
     read.task = std::move(problem);
   } else if (*kind == "cam") {
     CamProblem problem = read_cam_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "gear") {
+    GearProblem problem = read_gear_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "gear-pair") {
+    GearPairProblem problem = read_gear_pair_problem(document);
     problem.title = title;
     read.task = std::move(problem);
   } else {
