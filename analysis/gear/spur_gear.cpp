@@ -88,8 +88,8 @@ ToothFault tooth_fault(const SpurGear& gear) {
     return ToothFault::rack_overlaps;
   }
   if (root_radius(gear) <= 0) return ToothFault::no_root;
-  if (waist_thickness(gear) <= 0) return ToothFault::cut_through;
-  return form_radius(gear) < flank_end_radius(gear) ? ToothFault::none : ToothFault::no_flank;
+  if (!(form_radius(gear) < flank_end_radius(gear))) return ToothFault::no_flank;
+  return waist_thickness(gear) > 0 ? ToothFault::none : ToothFault::cut_through;
 }
 
 }  // namespace cognate::gear

@@ -87,8 +87,8 @@ enum class ToothFault {
   none,
   rack_overlaps,  ///< the rounded corners of the rack's tip
   no_root,        ///< the root circle has no radius
-  cut_through,    ///< by fillets that meet within the tooth
-  no_flank  ///< no involute between the form circle and the tip, or where the tooth is pointed
+  no_flank,       ///< the involute would begin above the tip, or where the tooth is pointed already
+  cut_through     ///< by fillets that meet within the tooth
 };
 
 ToothFault tooth_fault(const SpurGear& gear);
