@@ -7,6 +7,7 @@
 #include "app/analysis_table.hpp"
 #include "app/cam_description.hpp"
 #include "app/commands.hpp"
+#include "app/gear_description.hpp"
 #include "app/messages.hpp"
 #include "app/problem_json.hpp"
 #include "app/result_json.hpp"

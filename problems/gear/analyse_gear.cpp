@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/gear/involute.hpp"
 #include "analysis/gear/tooth_outline.hpp"
 #include "problems/deadline.hpp"
 #include "problems/gear/gear_facts.hpp"
@@ -28,9 +27,12 @@ struct FlankPoint {
 
 /// The fillet's points, from the root circle up, `count` equal steps along it.
 void add_fillet(const SpurGear& section, int count, std::vector<FlankPoint>& rows) {
+  const auto outline = gear::tooth_half(section, kFilletTolerance * section.module);
   std::vector<Vec2d> fillet;
-  for (const auto& point : gear::tooth_half(section, kFilletTolerance * section.module)) {
-    if (point.part == OutlinePart::fillet) fillet.push_back(point.at);
+  for (std::size_t i = 1; i < outline.size(); ++i) {  // a point ends the piece that it belongs to
+    if (outline[i].part != OutlinePart::fillet) continue;
+    if (fillet.empty()) fillet.push_back(outline[i - 1].at);
+    fillet.push_back(outline[i].at);
   }
   if (fillet.size() < 2) return;
   std::vector<double> along = {0};
@@ -51,8 +53,7 @@ void add_fillet(const SpurGear& section, int count, std::vector<FlankPoint>& row
 /// The involute's, `count` equal steps of the radius, the tooth's middle on the y axis.
 void add_involute(const SpurGear& section, int count, std::vector<FlankPoint>& rows) {
   const double from = gear::form_radius(section);
-  const double to = std::min(gear::tip_radius(section), gear::pointed_radius(section));
-  if (!(from < to)) return;
+  const double to = gear::flank_end_radius(section);
   for (int k = 0; k <= count; ++k) {
     const double radius = from + (to - from) * k / count;
     const double half = 0.5 * gear::tooth_thickness(section, radius) / radius;
@@ -80,7 +81,7 @@ class FlankTable {
             column("pressure_angle_deg", "deg",
                    [&](const FlankPoint& row) {
                      if (!involute(row)) return double(NAN);
-                     return std::acos(std::min(1.0, base / radius(row))) * 180 /
+                     return gear::pressure_angle(section_, std::max(base, radius(row))) * 180 /
                             std::numbers::pi;
                    }),
             column("is_involute", "", [&](const FlankPoint& row) { return involute(row) ? 1.0 : 0.0; })};
@@ -109,8 +110,10 @@ GearResult analyse(const GearProblem& problem, const Run& run) {
     result.metrics.push_back({"overlap_ratio", gear::overlap_ratio(problem.gear)});
   }
   std::vector<FlankPoint> rows;
-  add_fillet(section, problem.points, rows);
-  add_involute(section, problem.points, rows);
+  if (gear::tooth_fault(section) == gear::ToothFault::none) {
+    add_fillet(section, problem.points, rows);
+    add_involute(section, problem.points, rows);
+  }
   result.columns = FlankTable(section, rows).columns();
   result.notes = gear_notes(problem.gear, "The gear");
   result.status = result.notes.empty() ? Status::solved : Status::infeasible;

@@ -53,7 +53,7 @@ class Sieve {
     ++count;
     const Refused refused{test, missing, combination};
     if (nearest_.size() == kNearest && !(refused < nearest_.back())) return;
-    nearest_.insert(std::ranges::upper_bound(nearest_, refused), refused);
+    nearest_.insert(std::upper_bound(nearest_.begin(), nearest_.end(), refused), refused);
     if (nearest_.size() > kNearest) nearest_.pop_back();
   }
 

@@ -43,7 +43,9 @@ class Facts {
     add("base_diameter", 2 * gear::base_radius(section_));
     add("tip_diameter", 2 * gear::tip_radius(section_));
     add("root_diameter", 2 * gear::root_radius(section_));
-    add("form_diameter", 2 * gear::form_radius(section_));
+    if (gear::tooth_fault(section_) == gear::ToothFault::none) {
+      add("form_diameter", 2 * gear::form_radius(section_));
+    }
   }
 
   void add_thicknesses() {

@@ -13,6 +13,13 @@ namespace cognate::problems {
 /// one.
 std::vector<std::string> gear_notes(const gear::HelicalGear& gear, const std::string& name);
 
+/// The same of the transverse section, for which `needed_shift` is told.
+std::vector<std::string> section_notes(const gear::SpurGear& section, double needed_shift,
+                                       const std::string& name);
+
+/// The same of the virtual gears of a bevel pair.
+std::vector<std::string> virtual_pair_notes(const gear::SpurPair& pair);
+
 /// The same of a cylindrical pair and of its mesh.
 std::vector<std::string> gear_pair_notes(const GearPairDesign& design);
 

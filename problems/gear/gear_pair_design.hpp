@@ -17,6 +17,9 @@ GearPairDesign cylindrical_design(const GearPairProblem& asked, const GearPairNu
 GearPairDesign bevel_design(const GearPairProblem& asked);
 GearPairDesign worm_design(const GearPairProblem& asked);
 
+/// The check of a finished design that a demand is; a tooth's fault in words.
+ConstraintCheck check_of(const GearLimit& limit);
+
 /// What keeps bevel gears, or a worm and its wheel, from running; none where nothing does.
 std::vector<std::string> bevel_notes(const GearPairDesign& design);
 std::vector<std::string> worm_notes(const GearPairDesign& design);

@@ -14,7 +14,7 @@ constexpr std::string_view kTeethKey = "teeth", kModule = "module", kModulesKey 
 
 constexpr std::size_t kMostModules = 50;
 /// So many combinations of teeth and modules that trying all of them takes seconds.
-constexpr std::int64_t kMostCombinations = 4'000'000;
+constexpr std::int64_t kMostCombinations = 400'000;
 
 void refuse_both(TableReader& mechanism, std::string_view key, TableReader& bounds,
                  std::string_view bound) {

@@ -40,8 +40,8 @@ inline constexpr NumberRule kGearRatio{[](double x) { return x >= 1e-3 && x <= 1
 inline constexpr NumberRule kRelativeTolerance{[](double x) { return x >= 0 && x <= 1; },
                                                "a number from 0 to 1"};
 
-inline constexpr NumberRule kContactRatio{[](double x) { return x >= 0 && x <= 100; },
-                                          "a number from 0 to 100"};
+inline constexpr NumberRule kContactRatio{[](double x) { return x >= 1 && x <= 100; },
+                                          "a number from 1 to 100"};
 
 inline constexpr NumberRule kModules{[](double x) { return x >= 0 && x <= 10 && is_quantity(x); },
                                      "a number of modules from 0 to 10"};
