@@ -25,21 +25,15 @@ ordered_json drawn_gear(const gear::SpurGear& gear, double fineness) {
     y.push_back(drawn(point.at.y));
     part.push_back(static_cast<int>(point.part));
   }
-  const double tip = gear::tip_radius(gear);
-  const double base = gear::base_radius(gear);
   return {{"teeth", drawn(gear.teeth)},
           {"module", drawn(gear.module)},
-          {"shift", drawn(gear.profile_shift)},
           {"reference", drawn(gear::reference_radius(gear))},
-          {"base", drawn(base)},
-          {"tip", drawn(tip)},
+          {"base", drawn(gear::base_radius(gear))},
+          {"tip", drawn(gear::tip_radius(gear))},
           {"root", drawn(gear::root_radius(gear))},
           {"form", x.empty() ? ordered_json(nullptr) : drawn(gear::form_radius(gear))},
           {"half_angle", drawn(gear::base_half_angle(gear))},
           {"pressure_angle", drawn(gear.rack.pressure_angle)},
-          {"thickness", drawn(gear::tooth_thickness(gear, gear::reference_radius(gear)))},
-          {"tip_thickness", drawn(gear::tooth_thickness(gear, tip))},
-          {"undercut", gear::is_undercut(gear)},
           {"half", {{"x", x}, {"y", y}, {"part", part}}}};
 }
 

@@ -32,16 +32,6 @@ ordered_json columns_json(const std::vector<problems::Column>& columns) {
   return list;
 }
 
-void add_contact(ordered_json& gear, const gear::GearInMesh& contact) {
-  gear["working"] = drawn(contact.working_radius);
-  gear["contact_start"] = drawn(contact.contact_start);
-  gear["contact_end"] = drawn(contact.contact_end);
-  gear["sliding_start"] = drawn(contact.sliding_start);
-  gear["sliding_end"] = drawn(contact.sliding_end);
-  gear["tip_clearance"] = drawn(contact.tip_clearance);
-  gear["interferes"] = contact.interferes;
-}
-
 /// Both gears, and how they touch where they do.
 ordered_json pair_json(const gear::SpurPair& pair, double fineness) {
   ordered_json entry = {{"gears", ordered_json::array()},
@@ -57,7 +47,9 @@ ordered_json pair_json(const gear::SpurPair& pair, double fineness) {
   entry["path_start"] = drawn(line.start);
   entry["path_end"] = drawn(line.end);
   const auto contact = gear::geometry(pair);
-  for (std::size_t i = 0; i < 2; ++i) add_contact(entry["gears"][i], contact.gears[i]);
+  for (std::size_t i = 0; i < 2; ++i) {
+    entry["gears"][i]["working"] = drawn(contact.gears[i].working_radius);
+  }
   return entry;
 }
 
@@ -98,20 +90,16 @@ ordered_json worm_json(const gear::WormPair& pair, double fineness) {
                              .module = pair.module,
                              .profile_shift = pair.wheel_shift,
                              .rack = pair.rack};
-  const ordered_json drawn_wheel = drawn_gear(wheel, fineness);
-  const ordered_json worm = {{"teeth", drawn(pair.starts)},
-                             {"module", drawn(pair.module)},
-                             {"reference", drawn(geometry.worm_reference_diameter / 2)},
-                             {"tip", drawn(geometry.worm_tip_diameter / 2)},
-                             {"root", drawn(geometry.worm_root_diameter / 2)}};
-  ordered_json section = worm;
-  section["starts"] = drawn(pair.starts);
-  section["pressure_angle"] = drawn(pair.rack.pressure_angle);
-  section["centre_distance"] = drawn(geometry.centre_distance);
-  return {{"gears", {drawn_wheel}}, {"table", {worm, drawn_wheel}}, {"worm", section}};
+  const ordered_json section = {{"starts", drawn(pair.starts)},
+                                {"module", drawn(pair.module)},
+                                {"reference", drawn(geometry.worm_reference_diameter / 2)},
+                                {"tip", drawn(geometry.worm_tip_diameter / 2)},
+                                {"root", drawn(geometry.worm_root_diameter / 2)},
+                                {"pressure_angle", drawn(pair.rack.pressure_angle)},
+                                {"centre_distance", drawn(geometry.centre_distance)}};
+  return {{"gears", {drawn_gear(wheel, fineness)}}, {"worm", section}};
 }
 
-/// What the design is called: its teeth, module and shifts.
 ordered_json design_json(const GearPairDesign& design, Gearing gearing, double fineness) {
   const auto& settled = design.settled;
   const bool is_worm = gearing == Gearing::worm;
@@ -159,9 +147,8 @@ ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,
   for (const auto& design : result.designs) {
     designs.push_back(design_json(design, problem.gearing, fineness));
   }
-  return {{"kind", "pair"},
-          {"gearing", problems::to_string(problem.gearing)},
-          {"designs", designs}};
+  return {
+      {"kind", "pair"}, {"gearing", problems::to_string(problem.gearing)}, {"designs", designs}};
 }
 
 }  // namespace cognate::app

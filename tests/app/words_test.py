@@ -33,6 +33,7 @@ VALUES = {
     "filters.${}_of": ["least", "greatest", "first", "last"],
     "follower.": ["translating-roller", "translating-flat", "translating-knife",
                   "oscillating-roller", "oscillating-flat"],
+    "gear.": ["pinion", "worm", "wheel"],
     "gear.part_": ["root", "fillet", "involute", "tip"],
     "gearing.": ["spur", "helical", "bevel", "worm"],
     "instant.": ["pole", "moving_centrode", "inflection_diameter", "inflection_centre",

@@ -79,8 +79,7 @@ function choose(index) {
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const { drawn } = current();
-  showGears(drawn.table ?? drawn.gears, drawn, isPair ? [say(isWorm ? "gear.worm" : "gear.pinion"), say("gear.wheel")] : [say("gear.gear")]);
-  showMetrics(drawn.metrics);
+  showGears(drawn.metrics);
   showChecks(drawn.constraints ?? []);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));
