@@ -147,8 +147,10 @@ ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,
   for (const auto& design : result.designs) {
     designs.push_back(design_json(design, problem.gearing, fineness));
   }
-  return {
-      {"kind", "pair"}, {"gearing", problems::to_string(problem.gearing)}, {"designs", designs}};
+  return {{"kind", "pair"},
+          {"gearing", problems::to_string(problem.gearing)},
+          {"facts", facts_json(result.facts)},
+          {"designs", designs}};
 }
 
 }  // namespace cognate::app

@@ -3,13 +3,14 @@
 // Whether a fact of a gear tells of something wrong.
 const GEAR_FAULTS = { undercut: (value) => value === true, interferes: (value) => value === true, tip_thickness: (value) => value < 0, tip_clearance: (value) => value < 0 };
 const GEARS = ["pinion", "worm", "wheel"];
+const gearName = (gear) => say(gearing === "worm" && gear === "wheel" ? "gear.worm_wheel" : `gear.${gear}`);
 
 // Facts of each gear beside one another, and those that are of neither.
 function showGears(metrics) {
   const of = (gear) => metrics.filter(({ name }) => name.startsWith(`${gear}.`)).map(({ name, value }) => [name.slice(gear.length + 1), value]);
   const tables = GEARS.map((gear) => ({ gear, values: new Map(of(gear)) })).filter(({ values }) => values.size);
   byId("dimensions").hidden = tables.length === 0;
-  if (tables.length) byId("gears").tHead.replaceChildren(headRow([[say("values.quantity")], ...tables.map(({ gear }) => [say(`gear.${gear}`), "number"])]));
+  if (tables.length) byId("gears").tHead.replaceChildren(headRow([[say("values.quantity")], ...tables.map(({ gear }) => [gearName(gear), "number"])]));
   const names = [...new Set(tables.flatMap(({ values }) => [...values.keys()]))];
   byId("gears-rows").replaceChildren(...names.map((name) => element("tr", {}, element("td", {}, metricName(name)), ...tables.map(({ values }) => gearCell(name, values.get(name))))));
   showMetrics(metrics.filter(({ name }) => !GEARS.some((gear) => name.startsWith(`${gear}.`))));

@@ -79,7 +79,7 @@ function choose(index) {
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const { drawn } = current();
-  showGears(drawn.metrics);
+  showGears([...drawn.metrics, ...(data.facts ?? [])]);
   showChecks(drawn.constraints ?? []);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));
