@@ -45,13 +45,13 @@ ExitStatus analyze_gear(const std::filesystem::path& file, const problems::GearP
       file, options,
       {.run = analyse,
        .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }}},
+       .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }},
+                 {".report.html",
+                  [&](const auto& document) { return report_html(document, problem, result); }}},
        .when_interrupted = kInterrupted,
        .table = [&](const Screen& screen) { return gear_table(problem, result, screen); },
        .exit_status =
-           [&] {
-             return result.status == problems::Status::solved ? exit_done : exit_no_design;
-           }});
+           [&] { return result.status == problems::Status::solved ? exit_done : exit_no_design; }});
 }
 
 ExitStatus analyze_gear_pair(const std::filesystem::path& file,
@@ -70,13 +70,12 @@ ExitStatus analyze_gear_pair(const std::filesystem::path& file,
       file, options,
       {.run = solve,
        .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {},
+       .files = {{".report.html",
+                  [&](const auto& document) { return report_html(document, problem, result); }}},
        .when_interrupted = kInterrupted,
        .table = [&](const Screen& screen) { return gear_pair_table(problem, result, screen); },
        .exit_status =
-           [&] {
-             return result.status == problems::Status::solved ? exit_done : exit_no_design;
-           }});
+           [&] { return result.status == problems::Status::solved ? exit_done : exit_no_design; }});
 }
 
 }  // namespace
