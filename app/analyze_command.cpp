@@ -57,7 +57,9 @@ struct Analyze {
         file, options,
         {.run = analyse,
          .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }}},
+         .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }},
+                   {".report.html",
+                    [&](const auto& document) { return report_html(document, problem, result); }}},
          .when_interrupted = kInterrupted,
          .table = [&](const Screen& screen) { return gear_table(problem, result, screen); },
          .exit_status = [&] { return status_of(result.status); }});
@@ -78,7 +80,8 @@ struct Analyze {
         file, options,
         {.run = solve,
          .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {},
+         .files = {{".report.html",
+                    [&](const auto& document) { return report_html(document, problem, result); }}},
          .when_interrupted = kInterrupted,
          .table = [&](const Screen& screen) { return gear_pair_table(problem, result, screen); },
          .exit_status = [&] { return status_of(result.status); }});

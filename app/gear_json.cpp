@@ -78,6 +78,8 @@ ordered_json design_json(ordered_json mechanism, ordered_json metrics,
                          const std::vector<problems::ConstraintCheck>& checks,
                          const std::string& origin) {
   ordered_json table = {{"mechanism", std::move(mechanism)},
+                        {"crank_deg", ordered_json::array()},
+                        {"error", {{"sum_of_squares", 0.0}, {"rms", 0.0}, {"max", 0.0}}},
                         {"metrics", std::move(metrics)},
                         {"constraints", ordered_json::array()}};
   for (const auto& check : checks) table["constraints"].push_back(to_json(check));

@@ -82,19 +82,7 @@ ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProbl
 ExitStatus solve_gear_pair(const std::filesystem::path& file,
                            const problems::GearPairProblem& problem, const Options& options) {
   const auto solve = [&](const problems::Run& run) { return problems::solve(problem, run); };
-  problems::GearPairResult result;
-  return compute(
-      file, options,
-      {.run =
-           [&](const problems::Run& run) {
-             result = solve(run);
-             return result.status;
-           },
-       .document = [&] { return result_document(problem, result, options.seed); },
-       .files = {},
-       .when_interrupted = kInterrupted,
-       .table = [&](const Screen& screen) { return gear_pair_table(problem, result, screen); },
-       .exit_status = [&] { return status_of(result); }});
+  return solve_with<problems::GearPairResult>(file, problem, options, solve, gear_pair_table);
 }
 
 }  // namespace

@@ -23,15 +23,17 @@ double along_tangent(double radius, double base) {
   return std::sqrt(std::max(0.0, (radius - base) * (radius + base)));
 }
 
-/// The least radius of the flank of `index` that the mating tip reaches; below the base circle by
-/// how far that tip passes its point of tangency.
-double reached_radius(const SpurPair& pair, std::size_t index) {
-  const double base = gear::base_radius(pair.gears[index]);
-  const double other = gear::base_radius(pair.gears[1 - index]);
-  const double line = along_tangent(pair.centre_distance, base + other);
-  const double tip = std::max(gear::tip_radius(pair.gears[1 - index]), other);
-  const double reached = line - along_tangent(tip, other);
-  return reached >= 0 ? std::hypot(base, reached) : base + reached;
+/// How far from the point where the line of action touches the base circle of `index` the mating
+/// tip reaches; negative where it passes it.
+double reached_place(const SpurPair& pair, std::size_t index) {
+  const SpurGear& other = pair.gears[1 - index];
+  return along_tangent(pair.centre_distance, sum_of_base_radii(pair)) -
+         along_tangent(gear::flank_end_radius(other), gear::base_radius(other));
+}
+
+/// The place there of the form circle.
+double form_place(const SpurGear& gear) {
+  return along_tangent(gear::form_radius(gear), gear::base_radius(gear));
 }
 
 }  // namespace
@@ -143,7 +145,7 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    at_least(names.interference, reached_radius(pair_, index), gear::form_radius(own), module);
+    at_least(names.interference, reached_place(pair_, index), form_place(own), module);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));

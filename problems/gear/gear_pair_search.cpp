@@ -10,7 +10,7 @@ namespace cognate::problems {
 namespace {
 
 /// Violations up to here are rounding, well below the tolerance of the checks.
-constexpr double kFeasible = 1e-10;
+constexpr double kFeasible = 1e-13;
 /// An objective that is no more to be told from an infinite one.
 constexpr double kWorst = 1e12;
 
