@@ -7,16 +7,12 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/machine/adaptive_steps.hpp"
-#include "analysis/machine/pieces.hpp"
-
 namespace cognate::machine {
 namespace {
 
 /// Flywheels are looked for from this part of the approximate one on, doubled so many times.
 constexpr double kFirst = 1.0 / 64;
 constexpr int kMostDoublings = 40;
-/// States at which the greatest excess and the mean inertia are taken.
 constexpr int kSamples = 720;
 
 bool runs(const SteadyState& steady) {
@@ -103,42 +99,6 @@ class FlywheelSearch {
 };
 
 }  // namespace
-
-double greatest_excess_work(const Machine& machine, double phi0, double omega,
-                            const Accuracy& accuracy) {
-  const Pieces pieces(machine, phi0);
-  Place place = pieces.place(phi0, 1);
-  const double size = std::max(turnover(machine, omega), std::numeric_limits<double>::min());
-  AdaptiveSteps stepper(
-      [&](const AdaptiveSteps::State&, AdaptiveSteps::State& slope, double phi) {
-        machine.move_to(pieces.inside(place.piece, phi));
-        slope = {machine.torques(omega, 0).sum() / size, 0, 0, 0, 0};
-      },
-      accuracy.relative);
-  std::vector<std::pair<double, double>> works;  // φ since the beginning, and ∫ M dφ
-  AdaptiveSteps::State y{};
-  double covered = 0;
-  for (std::size_t i = 0; i < pieces.count(); ++i) {
-    stepper.start(place.phi, y);
-    while (stepper.x() < pieces.to(place.piece)) {
-      const double most = stepper.x() + machine.period / kSamples;
-      if (!stepper.step(std::min(most, pieces.to(place.piece)))) {
-        return std::numeric_limits<double>::quiet_NaN();
-      }
-      works.emplace_back(covered + stepper.x() - pieces.from(place.piece), stepper.y()[0]);
-    }
-    y = stepper.y();
-    covered += pieces.to(place.piece) - pieces.from(place.piece);
-    pieces.move_on(place, 1);
-  }
-  const double mean = works.back().second / works.back().first;
-  double least = 0, greatest = 0;
-  for (const auto& [phi, work] : works) {
-    least = std::min(least, work - mean * phi);
-    greatest = std::max(greatest, work - mean * phi);
-  }
-  return (greatest - least) * size;
-}
 
 Flywheel flywheel_for(const std::function<Machine(double inertia)>& machine_with, double wanted,
                       const SteadyGuess& guess, const Accuracy& accuracy, int steps) {

@@ -10,24 +10,24 @@ constexpr int kSamples = 90;
 
 /// Calls `take` with the torques at places evenly spread over the period, none at its ends.
 template <class Take>
-void sample(const Machine& machine, double omega, Take&& take) {
+void sample(const Machine& machine, double omega, double time, Take&& take) {
   for (int i = 0; i < kSamples; ++i) {
     machine.move_to(machine.period * (i + 0.5) / kSamples);
-    take(machine.torques(omega, 0));
+    take(machine.torques(omega, time));
   }
 }
 
 double mean_torque(const Machine& machine, double omega) {
   double sum = 0;
-  sample(machine, omega, [&](const Torques& acting) { sum += acting.sum(); });
+  sample(machine, omega, 0, [&](const Torques& acting) { sum += acting.sum(); });
   return sum / kSamples;
 }
 
 }  // namespace
 
-double turnover(const Machine& machine, double omega) {
+double turnover(const Machine& machine, double omega, double time) {
   double sum = 0;
-  sample(machine, omega,
+  sample(machine, omega, time,
          [&](const Torques& acting) { sum += std::abs(acting.motor) + std::abs(acting.load); });
   return sum / kSamples * machine.period;
 }

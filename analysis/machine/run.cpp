@@ -45,8 +45,9 @@ class Runner {
                  accuracy.relative) {
     const double size = std::abs(from.omega);
     const double inertia = machine.move_to(pieces_.place(from.phi, 1).phi).value;
-    work_ = turnover(machine, size);
-    if (!(work_ > 0)) work_ = std::max(0.5 * inertia * size * size, 1e-300);
+    work_ = usual_work(size);
+    if (!(work_ > 0)) work_ = 0.5 * inertia * size * size;
+    if (!(work_ > 0)) work_ = 1;
     momentum_ = std::sqrt(2 * std::max(work_, 0.5 * inertia * size * size));
     time_ = machine.period * std::sqrt(inertia) / momentum_;
   }
@@ -75,6 +76,18 @@ class Runner {
   }
 
  private:
+  /// What is worked in a period, as far as it can be told at the beginning.
+  double usual_work(double omega) const {
+    double work = turnover(machine_, omega, from_.time);
+    if (!machine_.depends_on_time || !end_.time) return work;
+    constexpr int kLooks = 32;
+    for (int i = 1; i <= kLooks; ++i) {
+      const double time = from_.time + (*end_.time - from_.time) * i / kLooks;
+      work = std::max(work, turnover(machine_, omega, time));
+    }
+    return work;
+  }
+
   double speed(double inertia, double scaled) const {
     const double speed = scaled * momentum_ / std::sqrt(inertia);
     return direction_ * std::max(direction_ * speed, kBarely);

@@ -57,6 +57,6 @@ SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const
 std::optional<double> speed_of_mean_torques(const Machine& machine);
 
 /// ∫ (|motor| + |load|) dφ over a period at constant speed (J), from samples.
-double turnover(const Machine& machine, double omega);
+double turnover(const Machine& machine, double omega, double time = 0);
 
 }  // namespace cognate::machine
