@@ -73,10 +73,20 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
   const auto design = read_result_design(file, exporting.design);
   if (!design) return refuse_file(design.error());
   tl::expected<Exported, std::string> made;
-  if (text_under(design->table["mechanism"], "type") == "cam") {
+  const std::string type = text_under(design->table["mechanism"], "type");
+  if (type == "equivalent") {
+    return refuse_file(design->name +
+                       ": designs[0]: mechanism.type is \"equivalent\", a machine given by its "
+                       "inertia and torque, which has no shape; one with a [mechanism] is wanted");
+  }
+  if (type == "cam") {
     const auto cam = result_cam(*design);
     if (!cam) return refuse_file(cam.error());
     made = export_cam(*cam, exporting, stem_of(file));
+  } else if (type == "gear" || type == "gear-pair") {
+    const auto gears = result_gears(*design);
+    if (!gears) return refuse_file(gears.error());
+    made = export_gears(*gears, exporting, stem_of(file));
   } else {
     const auto linkage = result_linkage(*design);
     if (!linkage) return refuse_file(linkage.error());

@@ -9,6 +9,8 @@
 #include "analysis/mobility.hpp"
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
+#include "problems/gear/gear_problem.hpp"
+#include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -73,6 +75,8 @@ std::span<const Named<DyadType>> names<DyadType>();
 template <>
 std::span<const Named<LoadSense>> names<LoadSense>();
 template <>
+std::span<const Named<MachineTask>> names<MachineTask>();
+template <>
 std::span<const Named<Status>> names<Status>();
 template <>
 std::span<const Named<Defect>> names<Defect>();
@@ -94,6 +98,10 @@ template <>
 std::span<const Named<MotionParameter>> names<MotionParameter>();
 template <>
 std::span<const Named<CamObjective>> names<CamObjective>();
+template <>
+std::span<const Named<Gearing>> names<Gearing>();
+template <>
+std::span<const Named<GearObjective>> names<GearObjective>();
 
 /// How `value` is written, e.g. "crank-rocker"; empty for a number that is no value of the enum.
 template <class Enum>

@@ -6,6 +6,8 @@
 
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/cam/cam_result.hpp"
+#include "problems/gear/gear_result.hpp"
+#include "problems/machine/machine_result.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -31,5 +33,22 @@ std::string report_html(const nlohmann::ordered_json& result_document,
 /// `result_document`.
 std::string report_html(const nlohmann::ordered_json& result_document,
                         const problems::CamProblem& problem, const problems::CamResult& result);
+
+/// The page of a machine, likewise: the mechanism at its true varying speed, what is plotted of
+/// each motion, and the facts. The tables of the motions are left out of `result_document` where
+/// the page would become too large.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::MachineProblem& problem,
+                        const problems::MachineResult& result);
+
+/// The page of a gear, likewise: the rack that cuts it, and what is plotted over the radius.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::GearProblem& problem, const problems::GearResult& result);
+
+/// The page of a gear pair, likewise: the gears turning in mesh (of bevel gears the virtual ones,
+/// of a worm its middle plane), the path of contact and what is plotted along it.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::GearPairProblem& problem,
+                        const problems::GearPairResult& result);
 
 }  // namespace cognate::app

@@ -12,10 +12,13 @@
 #include "app/cache_folder.hpp"
 #include "app/cam_json.hpp"
 #include "app/design_dimensions.hpp"
+#include "app/gear_json.hpp"
 #include "app/json_values.hpp"
+#include "app/machine_json.hpp"
 #include "app/result_json.hpp"
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/analysis/curve_metrics.hpp"
+#include "problems/machine/machine_result.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::app {
@@ -86,6 +89,16 @@ struct Evaluation {
     return {result.status, best_design_json(problem, result)};
   }
 
+  Evaluated operator()(const problems::GearProblem& problem) const {
+    const auto result = problems::analyse(problem, run);
+    return {result.status, best_design_json(problem, result)};
+  }
+
+  Evaluated operator()(const problems::GearPairProblem& problem) const {
+    const auto result = problems::solve(problem, run);
+    return {result.status, best_design_json(problem, result)};
+  }
+
   Evaluated operator()(const AnalysisProblem& problem) const {
     AnalysisProblem asked = problem;
     asked.output = needed_output();
@@ -99,6 +112,13 @@ struct Evaluation {
     if (any_starts(names, {"mechanism."})) {
       evaluated.design["mechanism"] = mechanism_json(asked.mechanism);
     }
+    return evaluated;
+  }
+
+  Evaluated operator()(const problems::MachineProblem& problem) const {
+    const auto result = problems::run_machine(problem, run);
+    Evaluated evaluated{result.status, {{"mechanism", machine_mechanism_json(problem)}}};
+    add_finite_facts(evaluated.design["metrics"], result.facts);
     return evaluated;
   }
 
