@@ -48,18 +48,21 @@ double specific_sliding(double own, double own_teeth, double other, double other
   return 1 - other * own_teeth / (own * other_teeth);
 }
 
-/// The least place on the line of action that is not within rounding of 0.
+/// To what places on the line of action are known.
 double rounding(const LineOfAction& line) {
   return 64 * std::numeric_limits<double>::epsilon() * (line.length + line.base_pitch);
 }
 
-/// Whether the tip of the other gear digs into what the rack has left of `own`. Below the form
+/// Whether the tip of the other gear digs into what the rack has left of gear `own`. Below the form
 /// circle of a gear without undercut there is more than the involute; the involute that undercut
 /// has taken away is not in its way. `reached` and `form`: places from the gear's base tangent.
 bool interferes(const SpurPair& pair, const LineOfAction& line, int own, double reached,
                 double form) {
-  const SpurGear& gear = pair.gears[static_cast<std::size_t>(own)];
+  const SpurGear& gear = pair.gears[own == 0 ? 0 : 1];
+  const SpurGear& other = pair.gears[own == 0 ? 1 : 0];
   const double tolerance = 1e-9 * gear.module;
+  const double from_root = pair.centre_distance - flank_end_radius(other) - root_radius(gear);
+  if (from_root < -tolerance) return true;
   if (reached < form - rounding(line) && !is_undercut(gear)) return true;
   return tip_room(pair, line, own) < -tolerance;
 }

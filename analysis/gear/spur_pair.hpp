@@ -43,9 +43,9 @@ struct GearInMesh {
   /// radius where the tip passes the base tangent's point. Below the form radius the path of
   /// contact is shortened by what the fillet leaves of the flank.
   double reached_radius = 0;
-  /// The other's tip digs into its fillet. That of an undercut gear may be out of the way where
-  /// contact can't reach; that of another is in it below the form circle, and may be above, where
-  /// the other's tip is prolonged or has little clearance.
+  /// The other's tip digs into its fillet or root. The fillet of an undercut gear may be out of the
+  /// way where contact can't reach; that of another is in it below the form circle, and may be
+  /// above, where the other's tip is prolonged or has little clearance.
   bool interferes = false;
   double tip_clearance = 0;  ///< from its tip to the other's root; negative: the tip cuts in
   double sliding_start = 0;  ///< specific sliding 1 − v_other/v_own at contact_start…

@@ -192,7 +192,7 @@ TEST(SpurPair, CentreDistanceAndShiftsAreInverse) {
     const double play = i % 2 == 0 ? 0 : share(random);
     pair.centre_distance = centre_distance_with_backlash(pair.gears, play);
     if (std::isnan(pair.centre_distance)) continue;
-    EXPECT_NEAR(geometry(pair).backlash, play, 1e-12 * pair.centre_distance);
+    EXPECT_NEAR(geometry(pair).backlash, play, play == 0 ? 0 : 1e-12 * pair.centre_distance);
     // Near the base circles shifts hardly move the centres, and are not as well known.
     EXPECT_NEAR(profile_shift_sum(pair.gears, pair.centre_distance, play), shifts, 1e-11);
   }
@@ -220,6 +220,12 @@ TEST(SpurPair, PathsEndAtPointedTipsAndFormCircles) {
   EXPECT_FALSE(deep.gears[1].interferes);
   EXPECT_LT(deep.gears[0].reached_radius, form_radius(pair.gears[0]));
   EXPECT_NEAR(deep.gears[0].contact_start, form_radius(pair.gears[0]), 1e-12);
+  // The pinion's tip goes through the root circle of the wheel.
+  const std::array<SpurGear, 2> close{SpurGear{.teeth = 30, .tip_reduction = -0.3},
+                                      SpurGear{.teeth = 60}};
+  EXPECT_LT(gear::geometry({close, 45}).gears[0].tip_clearance, 0);
+  EXPECT_TRUE(gear::geometry({close, 45}).gears[1].interferes);
+  EXPECT_FALSE(gear::geometry({close, 45}).gears[0].interferes);
   // No interference that rounding alone would make: both tips reach to the form circle exactly.
   for (int teeth = 18; teeth < 80; ++teeth) {
     const SpurGear g{.teeth = static_cast<double>(teeth)};
