@@ -4,7 +4,7 @@
 namespace cognate::app {
 
 inline constexpr const char* kDescription =
-    R"(Cognate finds planar linkages and cams that do what a problem file asks for,
+    R"(Cognate finds planar linkages, cams and gears that do what a problem file asks,
 analyses mechanisms, and maps what is possible.
 )";
 
@@ -59,6 +59,8 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
     NAME.report.html   the mechanism moving, curves of motion and forces
   With --json no files are written unless --out is given.
   Where the mechanism cannot be assembled, cells are empty and a note says why.
+  Of a gear the table is its flank; an impossible gear, or pair of gears, ends
+  with exit status 1.
 
 Examples:
   cognate analyze press.toml
