@@ -178,6 +178,17 @@ ordered_json output_table(const AnalysisProblem& problem) {
   return table;
 }
 
+}  // namespace
+
+ordered_json mechanism_json(const NamedMechanism& mechanism) {
+  ordered_json table = {{"type", to_string(mechanism.type)}};
+  table.update(std::visit(Tables{}, mechanism.description));
+  if (mechanism.extra_points.empty()) return table;
+  table["point"] = ordered_json::array();
+  for (const auto& point : mechanism.extra_points) table["point"].push_back(point_json(point));
+  return table;
+}
+
 ordered_json links_json(const AnalysisProblem& problem) {
   ordered_json list = ordered_json::array();
   for (std::size_t body = 0; body < problem.inertias.size(); ++body) {
@@ -207,17 +218,6 @@ ordered_json load_json(const AnalysisProblem& problem, const problems::LoadRule&
   if (load.within_stroke) {
     table["stroke"] = ordered_json::array({load.within_stroke->first, load.within_stroke->second});
   }
-  return table;
-}
-
-}  // namespace
-
-ordered_json mechanism_json(const NamedMechanism& mechanism) {
-  ordered_json table = {{"type", to_string(mechanism.type)}};
-  table.update(std::visit(Tables{}, mechanism.description));
-  if (mechanism.extra_points.empty()) return table;
-  table["point"] = ordered_json::array();
-  for (const auto& point : mechanism.extra_points) table["point"].push_back(point_json(point));
   return table;
 }
 

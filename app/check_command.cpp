@@ -8,6 +8,8 @@
 #include "app/cam_description.hpp"
 #include "app/commands.hpp"
 #include "app/gear_description.hpp"
+#include "app/machine_json.hpp"
+#include "app/machine_table.hpp"
 #include "app/messages.hpp"
 #include "app/problem_json.hpp"
 #include "app/result_json.hpp"

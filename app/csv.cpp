@@ -32,19 +32,23 @@ void append_number(std::string& line, double value) {
 
 }  // namespace
 
-std::string csv_text(std::span<const problems::Column> columns) {
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words) {
   std::string text;
-  const auto append_line = [&](auto&& append_cell) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (i > 0) text += ',';
-      append_cell(columns[i]);
+  const auto append_line = [&](std::string_view word, auto&& append_cell) {
+    append_text(text, word);
+    bool first = words.name.empty();
+    for (const problems::Column& column : columns) {
+      if (!first) text += ',';
+      first = false;
+      append_cell(column);
     }
     text += kLineEnd;
   };
-  append_line([&](const problems::Column& column) { append_text(text, column.name); });
+  append_line(words.name, [&](const problems::Column& column) { append_text(text, column.name); });
   const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {
-    append_line([&](const problems::Column& column) { append_number(text, column.values[row]); });
+    append_line(words.name.empty() ? "" : words.cells[row],
+                [&](const problems::Column& column) { append_number(text, column.values[row]); });
   }
   return text;
 }

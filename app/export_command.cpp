@@ -74,6 +74,11 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
   if (!design) return refuse_file(design.error());
   tl::expected<Exported, std::string> made;
   const std::string type = text_under(design->table["mechanism"], "type");
+  if (type == "equivalent") {
+    return refuse_file(design->name +
+                       ": designs[0]: mechanism.type is \"equivalent\", a machine given by its "
+                       "inertia and torque, which has no shape; one with a [mechanism] is wanted");
+  }
   if (type == "cam") {
     const auto cam = result_cam(*design);
     if (!cam) return refuse_file(cam.error());

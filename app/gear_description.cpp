@@ -48,8 +48,7 @@ std::string describe(const problems::GearProblem& problem) {
 }
 
 std::string describe(const GearPairProblem& problem) {
-  std::string what =
-      fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
+  std::string what = fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
   if (problem.module) what += fmt::format(", module {:g}", *problem.module);
   const std::string free = free_parts(problem);
   if (!free.empty()) what += ", free: " + free;

@@ -67,7 +67,8 @@ ordered_json metrics_json(problems::Gearing gearing, const std::vector<Fact>& fa
   table["time_ratio"] = nullptr;
   ordered_json defects = ordered_json::array();
   for (const char* prefix : {"", "pinion.", "wheel."}) add_defects(facts, prefix, defects);
-  const char* ratio = number(facts, "total_contact_ratio") ? "total_contact_ratio" : "contact_ratio";
+  const char* ratio =
+      number(facts, "total_contact_ratio") ? "total_contact_ratio" : "contact_ratio";
   if (is_below(facts, ratio, 1 - 1e-9)) defects.push_back("contact-ratio");
   table["defects"] = defects;
   return table;

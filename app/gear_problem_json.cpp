@@ -143,8 +143,7 @@ ordered_json to_json(const GearPairProblem& problem) {
   ordered_json tables = document("gear-pair", problem.title);
   tables["mechanism"] = mechanism(problem);
   tables["rack"] = rack(problem.rack);
-  const bool searched =
-      problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
+  const bool searched = problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
   if (searched) add_search(problem, tables);
   tables["constraints"] = constraints(problem);
   return tables;

@@ -75,7 +75,8 @@ std::string designs_text(std::span<const GearPairDesign> designs, const Screen& 
     columns.push_back(std::move(column));
   };
   for (const auto& shown : kShown) {
-    add(shown.heading, Align::right, [&](const auto& design) { return cell(design, shown.metric); });
+    add(shown.heading, Align::right,
+        [&](const auto& design) { return cell(design, shown.metric); });
   }
   add("constraints", Align::left, constraints_text);
   return table_text(columns, screen);

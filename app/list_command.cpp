@@ -8,6 +8,7 @@
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/gear_catalogue.hpp"
+#include "app/machine_catalogue.hpp"
 #include "app/mechanism_catalogue.hpp"
 #include "app/messages.hpp"
 #include "app/problem_catalogue.hpp"
@@ -107,8 +108,7 @@ std::string capabilities_text() {
   return section("problem kinds (kind = ...)", problem_kinds()) + '\n' +
          keyed_section("keys of the kinds that cognate solve takes", synthesis_problems()) + '\n' +
          keyed_section("tables of all these kinds", common_tables()) + '\n' + cam_text() + '\n' +
-         gear_text() + '\n' +
-         section("options of [solve]", solve_options()) + '\n' +
+         gear_text() + '\n' + section("options of [solve]", solve_options()) + '\n' +
          section("solvers (solve.solver = ...)", solvers()) + '\n' +
          keyed_section(
              "mechanisms to be analysed (mechanism.type = ...) and their keys in [mechanism]",
@@ -117,7 +117,8 @@ std::string capabilities_text() {
          keyed_section(
              "dyads of a chain (dyad.type = ...; names = [\"...\", \"...\"] of the bodies)",
              dyads()) +
-         '\n' + keyed_section("tables of an analysis", analysis_tables()) + '\n' + study_text();
+         '\n' + keyed_section("tables of an analysis", analysis_tables()) + '\n' +
+         keyed_section("tables of a machine", machine_tables()) + '\n' + study_text();
 }
 
 std::string metrics_section(const std::string& heading, std::span<const Metric> all) {
@@ -144,7 +145,9 @@ std::string metrics_text() {
          metrics_section("fact of a synthesis", facts()) + '\n' +
          metrics_section("further metric of a study", study_extras()) + '\n' +
          metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
-         metrics_section("column of an analysis", analysis_columns());
+         metrics_section("column of an analysis", analysis_columns()) + '\n' +
+         metrics_section("metric of a machine", machine_metrics()) + '\n' +
+         metrics_section("column of a machine", machine_columns());
 }
 
 ordered_json entries_json(std::span<const Entry> entries) {
@@ -204,6 +207,8 @@ ordered_json list_json(bool with_metrics) {
     document["study_metrics"] = metrics_json(study_extras());
     document["analysis_metrics"] = metrics_json(analysis_metrics());
     document["analysis_columns"] = metrics_json(analysis_columns());
+    document["machine_metrics"] = metrics_json(machine_metrics());
+    document["machine_columns"] = metrics_json(machine_columns());
     return document;
   }
   document["problem_kinds"] = entries_json(problem_kinds());
@@ -217,6 +222,7 @@ ordered_json list_json(bool with_metrics) {
   document["mechanisms"] = keyed_json(mechanisms());
   document["dyads"] = keyed_json(dyads());
   document["analysis_tables"] = keyed_json(analysis_tables());
+  document["machine_tables"] = keyed_json(machine_tables());
   document["study_tables"] = keyed_json(study_tables());
   document["samplings"] = entries_json(samplings());
   document["solvers"] = entries_json(solvers());

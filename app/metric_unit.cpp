@@ -8,6 +8,7 @@
 #include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
 #include "app/gear_catalogue.hpp"
+#include "app/machine_catalogue.hpp"
 #include "app/study/study_metrics.hpp"
 
 namespace cognate::app {
@@ -46,7 +47,7 @@ std::string metric_unit(std::string_view name) {
   if (name.ends_with("_at_deg")) return "deg";
   name = of_gear(name);
   for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras(),
-                            gear_metrics(), gear_pair_metrics()}) {
+                            gear_metrics(), gear_pair_metrics(), machine_metrics()}) {
     for (const Metric& metric : listed) {
       const auto keys = single_keys(metric.key);
       if (std::ranges::find(keys, name) == keys.end()) continue;

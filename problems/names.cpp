@@ -63,7 +63,10 @@ constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
                                         {"link_ratio", Measure::link_ratio},
                                         {"size", Measure::size},
                                         {"peak_acceleration", Measure::peak_acceleration},
-                                        {"torque_ripple", Measure::torque_ripple}};
+                                        {"torque_ripple", Measure::torque_ripple},
+                                        {"speed_fluctuation", Measure::speed_fluctuation},
+                                        {"flywheel_inertia", Measure::flywheel_inertia},
+                                        {"motor_power", Measure::motor_power}};
 constexpr Named<ErrorMeasure> kErrorMeasures[] = {
     {"rms_error_max", ErrorMeasure::rms_length},
     {"rms_error_deg_max", ErrorMeasure::rms_angle},
@@ -91,6 +94,8 @@ constexpr Named<DyadType> kDyadTypes[] = {{"RRR", DyadType::rrr},
                                           {"RPP", DyadType::rpp}};
 constexpr Named<LoadSense> kLoadSenses[] = {
     {"always", LoadSense::always}, {"advance", LoadSense::advance}, {"return", LoadSense::retreat}};
+constexpr Named<MachineTask> kMachineTasks[] = {
+    {"steady", MachineTask::steady}, {"start", MachineTask::start}, {"stop", MachineTask::stop}};
 constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
                                        {"infeasible", Status::infeasible},
                                        {"no-solution", Status::no_solution},
@@ -221,6 +226,11 @@ std::span<const Named<DyadType>> names<DyadType>() {
 template <>
 std::span<const Named<LoadSense>> names<LoadSense>() {
   return kLoadSenses;
+}
+
+template <>
+std::span<const Named<MachineTask>> names<MachineTask>() {
+  return kMachineTasks;
 }
 
 template <>

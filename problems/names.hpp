@@ -10,6 +10,7 @@
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
 #include "problems/gear/gear_problem.hpp"
+#include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -73,6 +74,8 @@ template <>
 std::span<const Named<DyadType>> names<DyadType>();
 template <>
 std::span<const Named<LoadSense>> names<LoadSense>();
+template <>
+std::span<const Named<MachineTask>> names<MachineTask>();
 template <>
 std::span<const Named<Status>> names<Status>();
 template <>

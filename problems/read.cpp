@@ -34,7 +34,8 @@ tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
       "given",
       "is \"gear\": there is nothing to solve, 'cognate analyze' evaluates this gear",
       "is \"gear-pair\": 'cognate solve' finds what it leaves free, 'cognate analyze' evaluates a "
-      "whole one"};
+      "whole one",
+      "is \"machine\": there is nothing to solve, 'cognate analyze' runs this machine"};
   return tl::unexpected(
       Faults{{read.kind.line, read.kind.column,
               fmt::format("kind {}; {} is wanted", kAsked[read.task.index()], wanted)}});
@@ -58,6 +59,10 @@ tl::expected<GearProblem, Faults> only_gear(Reading read) {
 
 tl::expected<GearPairProblem, Faults> only_gear_pair(Reading read) {
   return only<GearPairProblem>(std::move(read), "kind = \"gear-pair\"");
+}
+
+tl::expected<MachineProblem, Faults> only_machine(Reading read) {
+  return only<MachineProblem>(std::move(read), "kind = \"machine\"");
 }
 
 tl::expected<Reading, Faults> read(const std::filesystem::path& file) {
@@ -94,6 +99,10 @@ tl::expected<GearPairProblem, Faults> parse_gear_pair(std::string_view text) {
   return parse(text).and_then(only_gear_pair);
 }
 
+tl::expected<MachineProblem, Faults> parse_machine(std::string_view text) {
+  return parse(text).and_then(only_machine);
+}
+
 tl::expected<Task, Faults> read_task(const std::filesystem::path& file) {
   return read(file).and_then(any_task);
 }
@@ -104,6 +113,10 @@ tl::expected<Problem, Faults> read_problem(const std::filesystem::path& file) {
 
 tl::expected<AnalysisProblem, Faults> read_analysis(const std::filesystem::path& file) {
   return read(file).and_then(only_analysis);
+}
+
+tl::expected<MachineProblem, Faults> read_machine(const std::filesystem::path& file) {
+  return read(file).and_then(only_machine);
 }
 
 tl::expected<CamProblem, Faults> read_cam(const std::filesystem::path& file) {

@@ -11,6 +11,7 @@
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
 #include "problems/gear/gear_problem.hpp"
+#include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {
@@ -22,9 +23,10 @@ struct Fault {
   std::string message;  ///< what is wrong; what is allowed
 };
 
-/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam,
-/// a gear or a pair of them.
-using Task = std::variant<Problem, AnalysisProblem, CamProblem, GearProblem, GearPairProblem>;
+/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, a gear
+/// or a pair of them, or what a machine does.
+using Task = std::variant<Problem, AnalysisProblem, CamProblem, GearProblem, GearPairProblem,
+                          MachineProblem>;
 
 /// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
@@ -42,6 +44,10 @@ tl::expected<Problem, std::vector<Fault>> read_problem(const std::filesystem::pa
 tl::expected<AnalysisProblem, std::vector<Fault>> parse_analysis(std::string_view text);
 tl::expected<AnalysisProblem, std::vector<Fault>> read_analysis(const std::filesystem::path& file);
 
+/// The same where a running machine is wanted.
+tl::expected<MachineProblem, std::vector<Fault>> parse_machine(std::string_view text);
+tl::expected<MachineProblem, std::vector<Fault>> read_machine(const std::filesystem::path& file);
+
 /// The same where a cam is wanted.
 tl::expected<CamProblem, std::vector<Fault>> parse_cam(std::string_view text);
 tl::expected<CamProblem, std::vector<Fault>> read_cam(const std::filesystem::path& file);
@@ -52,7 +58,6 @@ tl::expected<GearProblem, std::vector<Fault>> read_gear(const std::filesystem::p
 
 /// The same where a pair of gears is wanted.
 tl::expected<GearPairProblem, std::vector<Fault>> parse_gear_pair(std::string_view text);
-tl::expected<GearPairProblem, std::vector<Fault>> read_gear_pair(
-    const std::filesystem::path& file);
+tl::expected<GearPairProblem, std::vector<Fault>> read_gear_pair(const std::filesystem::path& file);
 
 }  // namespace cognate::problems

@@ -84,10 +84,10 @@ double flank_end_radius(const SpurGear& gear) {
 }
 
 ToothFault tooth_fault(const SpurGear& gear) {
-  if (tip_half_width(gear.rack) + 0.5 * gear.thinning / gear.module < 0) {
-    return ToothFault::rack_overlaps;
-  }
-  if (root_radius(gear) <= 0) return ToothFault::no_root;
+  // Negated, so that what is not a number is a fault too.
+  const double half_width = tip_half_width(gear.rack) + 0.5 * gear.thinning / gear.module;
+  if (!(half_width >= 0)) return ToothFault::rack_overlaps;
+  if (!(root_radius(gear) > 0)) return ToothFault::no_root;
   if (!(form_radius(gear) < flank_end_radius(gear))) return ToothFault::no_flank;
   return waist_thickness(gear) > 0 ? ToothFault::none : ToothFault::cut_through;
 }

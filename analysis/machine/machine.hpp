@@ -5,11 +5,11 @@
 ///
 ///     J ω̇ + ½ ω² dJ/dφ = M(φ, ω, t),      or, with K = ½ J ω²,      dK/dφ = M.
 ///
-/// Li & Xu 2011, chapter 6. Units: kg m², N m, rad, s (of a driving slider kg, N, m).
+/// Li & Xu 2011, chapter 6. Units: kg m², N m, rad, s.
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace cognate::machine {
@@ -20,36 +20,41 @@ struct EquivalentInertia {
   double slope = 0;
 };
 
-/// What acts on the machine at (φ, ω, t).
-struct Acting {
-  EquivalentInertia inertia;
-  double motor = 0;  ///< equivalent torque of the motor
-  double load = 0;   ///< equivalent torque of loads and weights; against the motion negative
+/// Equivalent torques, positive where they push towards greater φ.
+struct Torques {
+  double motor = 0;
+  double load = 0;  ///< of loads and weights
+
+  double sum() const { return motor + load; }
 };
 
-/// A machine as the integrators know it. `at` may be called from one thread at a time and allocates
-/// nothing; it has no side effects. Where the mechanism cannot be assembled, its numbers are NaN.
+/// A machine as the integrators know it. Its functions may be called from one thread at a time and
+/// allocate nothing. Where the mechanism cannot be assembled, their numbers are NaN.
 struct Machine {
-  std::function<Acting(double phi, double omega, double time)> at;
-  double period = 0;             ///< in φ, of inertia and torques
-  std::vector<double> breaks;    ///< φ in [0, period), increasing: where torque or dJ/dφ may jump
+  /// Moves it to φ in [0, period]; torques are asked for afterwards.
+  std::function<EquivalentInertia(double phi)> move_to;
+  /// What acts where it stands. The sign of ω is the direction of motion, even where it is tiny.
+  std::function<Torques(double omega, double time)> torques;
+  double period = 0;  ///< in φ, of inertia and torques
+  std::vector<double>
+      breaks{};  ///< φ in [0, period), increasing: where torque or J may jump or bend
   bool depends_on_time = false;  ///< then there is no steady state to look for
 };
 
-/// A machine at an instant. `work` is what motor and loads have done since the beginning; the
-/// kinetic energy grows by just as much, which the integrators do not use.
+/// A machine at an instant. `work` is what motor and loads have done since the beginning.
 struct MachineState {
   double time = 0;
-  double phi = 0;
+  double phi = 0;  ///< counted on from turn to turn
   double omega = 0;
   double motor_work = 0;
   double load_work = 0;
 };
 
-/// Tolerances are relative to the state's own size.
+/// How exactly to integrate, and when to give up.
 struct Accuracy {
-  double relative = 1e-10;
-  std::size_t most_steps = 2'000'000;
+  double relative = 1e-10;  ///< error of a step, relative to the state and to the work of a period
+  std::size_t most_steps = 2'000'000;  ///< of one integration
+  std::function<bool()> stop{};        ///< asked now and then
 };
 
 }  // namespace cognate::machine

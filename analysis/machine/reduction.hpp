@@ -11,13 +11,15 @@ namespace cognate::machine {
 
 /// J = Σ m v′² + J_S φ′² and dJ/dφ = 2 Σ (m v′·v″ + J_S φ′ φ″), with primes the derivatives by the
 /// drive's coordinate: the slope from accelerations, not from differences (Li & Xu 2011, 6.2).
-/// `inertias`: one for each body.
+/// `inertias`: one for each body, or none where no body has mass; the frame's is not used.
 EquivalentInertia equivalent_inertia(std::span<const BodyMotion<double, 2>> bodies,
                                      std::span<const Inertia> inertias);
 
-/// Σ F·v′ + M φ′ of the loads, and of weights under `gravity`.
-double equivalent_torque(std::span<const BodyMotion<double, 2>> bodies,
-                         std::span<const Inertia> inertias, const Vec2d& gravity,
-                         std::span<const Load> loads);
+/// Σ m g·v′ of the weights.
+double weight_torque(std::span<const BodyMotion<double, 2>> bodies,
+                     std::span<const Inertia> inertias, const Vec2d& gravity);
+
+/// Σ F·v′ + M φ′ of the loads.
+double load_torque(std::span<const BodyMotion<double, 2>> bodies, std::span<const Load> loads);
 
 }  // namespace cognate::machine

@@ -1,7 +1,6 @@
 /// @file The motion of a machine from an initial state: starting, running, stopping.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -9,27 +8,36 @@
 
 namespace cognate::machine {
 
-/// When a run ends, whichever comes first; at least one of them must be given.
+/// The speed that a motion is to come close to, where φ is `phi` (in [0, period)).
+struct Approach {
+  double phi = 0;
+  double omega = 0;
+  double within = 0.01;  ///< relative to ω
+};
+
+/// When a run ends, whichever comes first; or with the most steps.
 struct RunEnd {
-  std::optional<double> time;    ///< s
-  std::optional<double> travel;  ///< |φ − φ₀|
-  std::optional<double> speed;   ///< ω reaches this value, from either side
-  bool at_rest = false;          ///< ω reaches 0 from a motion
+  std::optional<double> time{};    ///< s
+  std::optional<double> travel{};  ///< |φ − φ₀|
+  std::optional<double> speed{};   ///< ω reaches this value, from either side
+  std::optional<Approach> approach{};
+  bool at_rest = false;  ///< ω reaches 0 from a motion
 };
 
 /// Why a run ended. `stalled`: at rest, and what acts does not move it; `open`: the mechanism
-/// cannot be assembled further on; `too_long`: too many steps; `interrupted`.
-enum class RunStop { time, travel, speed, at_rest, stalled, open, too_long, interrupted };
+/// cannot be assembled further on; `gave_up`: too many steps, or stopped from outside.
+enum class RunStop { time, travel, speed, approached, at_rest, stalled, open, gave_up };
 
 struct MachineRun {
   std::vector<MachineState> states;  ///< the first the initial one, the last where it ended
   RunStop stop = RunStop::time;
 };
 
-/// Integrates in time, restarting at every break that φ passes and wherever the motion turns round.
-/// States are recorded at equal steps of time, `records` of them at most besides the ends.
+/// Integrates in time, with √J ω for the speed: its derivative M/√J needs no slope of J and is
+/// smooth at rest. Begins anew at every break that φ passes and wherever the motion turns round,
+/// with the torques of the side to which it goes. States are recorded at equal steps of time,
+/// `records` of them besides the ends, for which the motion is integrated a second time.
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
-               const Accuracy& accuracy, std::size_t records,
-               const std::atomic<bool>* interrupted = nullptr);
+               const Accuracy& accuracy, std::size_t records);
 
 }  // namespace cognate::machine

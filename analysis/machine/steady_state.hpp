@@ -1,9 +1,10 @@
-/// @file The periodic motion of a machine, by shooting, and the flywheel that makes it even.
+/// @file The periodic motion of a machine, by shooting.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "analysis/machine/cycle.hpp"
 #include "analysis/machine/machine.hpp"
 
 namespace cognate::machine {
@@ -11,44 +12,51 @@ namespace cognate::machine {
 /// Why there is no periodic motion.
 enum class NoSteadyState {
   none,
-  stalls,     ///< at every speed the loads take more work in a period than the motor gives
-  runs_away,  ///< at every speed the motor gives more: the speed grows without bound
+  stalls,     ///< from every speed looked at the drive slows down until it stops
+  runs_away,  ///< at every speed motor and loads do more work than none: it grows without bound
   any_speed,  ///< torques do not depend on speed and do no work in a period: every speed is one
   depends_on_time,
-  open  ///< the mechanism cannot be assembled all the way round
+  open,    ///< the mechanism cannot be assembled all the way round
+  gave_up  ///< too many steps, or stopped from outside
 };
 
 /// One period of the steady motion.
 struct SteadyState {
   NoSteadyState missing = NoSteadyState::none;
-  std::vector<MachineState> states;  ///< over one period, at equal steps of φ and at the breaks
-  double greatest_speed = 0, least_speed = 0;  ///< refined between the states
-  double phi_at_greatest = 0, phi_at_least = 0;
-  double period = 0;           ///< in time
-  double multiplier = 0;       ///< dω(φ₀ + period)/dω(φ₀): below 1 where deviations die out
-  double energy_residual = 0;  ///< work of a period over the work the motor does in it
-  int integrations = 0;        ///< periods integrated until the shooting was done
+  std::vector<MachineState> states;  ///< over one period, at equal steps of φ, both ends included
+  SpeedAt greatest, least;           ///< of ω, refined between the states
+  double multiplier = 0;  ///< dω(φ₀ + period)/dω(φ₀): below 1 where deviations die out
+  /// The works of motor and loads in a period, and the growth of ½Jω² less those works, over what
+  /// is worked in it; of the same period integrated in time, with other equations.
+  double energy_residual = 0;
+  double surplus = 0;    ///< work of motor and loads in a period, where it does not vanish (J)
+  int integrations = 0;  ///< periods integrated
+
+  double period() const { return states.back().time; }
 };
 
-/// δ = (ω_max − ω_min)/ω_m with ω_m = ½ (ω_max + ω_min).
+/// Where to look for the motion.
+struct SteadyGuess {
+  double phi = 0;                 ///< where the period begins, in [0, period)
+  std::optional<double> speed{};  ///< there, above 0; else where the mean torques are balanced
+};
+
+/// (ω_max + ω_min)/2, and δ = (ω_max − ω_min) over that.
+double mean_speed(const SteadyState& steady);
 double fluctuation(const SteadyState& steady);
 
-/// Orbits in a plane do not cross, so ω(φ₀) ↦ ω(φ₀ + period) is increasing and its fixed point is
-/// bracketed; `guess` is where to look first (a speed above 0). `steps`: how many equal steps of φ
-/// are recorded.
-SteadyState steady_state(const Machine& machine, double guess, const Accuracy& accuracy, int steps);
+/// Orbits in a plane do not cross, so K(φ₀) ↦ K(φ₀ + period) is increasing; its fixed point at
+/// which deviations die out is bracketed from the guess upwards where the drive gains speed, else
+/// downwards. `steps`: how many equal steps of φ are recorded. Of `any_speed`, the states are those
+/// at the guessed speed (or none, without one).
+SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
+                         int steps);
 
-/// What the flywheel is for a fluctuation.
-struct Flywheel {
-  double inertia = 0;          ///< to be added; 0 where the machine is even enough without
-  double approximate = 0;      ///< ΔW_max/(ω_m² δ) − J_e of the textbooks
-  double greatest_excess = 0;  ///< ΔW_max
-  SteadyState steady;          ///< with it
-};
+/// The speed at which the torques, averaged over the period at constant speed, change from driving
+/// to braking: the least such between 1e-4 and 1e6. Empty where there is none.
+std::optional<double> speed_of_mean_torques(const Machine& machine);
 
-/// The flywheel with which the steady state has the fluctuation `wanted`, exactly: the least if
-/// several have. `machine_with(inertia)` is the machine with such a flywheel.
-Flywheel flywheel_for(const std::function<Machine(double inertia)>& machine_with, double wanted,
-                      double guess, const Accuracy& accuracy, int steps);
+/// ∫ (|motor| + |load|) dφ over a period at constant speed (J), from samples.
+double turnover(const Machine& machine, double omega, double time = 0);
 
 }  // namespace cognate::machine

@@ -14,6 +14,9 @@ std::string analysis_page();
 /// The page of a cam, likewise.
 std::string cam_page();
 
+/// The page of a machine, likewise.
+std::string machine_page();
+
 /// The page of a gear or a gear pair, likewise.
 std::string gear_page();
 

@@ -6,6 +6,7 @@
 #include "app/report/cam_report_data.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/gear_report_data.hpp"
+#include "app/report/machine_report_data.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"
 
@@ -14,8 +15,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
+bool are_motions_large(const ordered_json& document) {
+  return document.contains("machine") && is_large(document["machine"], "motions");
+}
+
 /// `document` without what would make the page too large: the table of an analysis, and with it the
-/// positions of its drive; the curves of a synthesis; the motion of a cam.
+/// positions of its drive; the tables of a machine; the curves of a synthesis; the motion of a cam.
 ordered_json without_large_tables(const ordered_json& document) {
   ordered_json kept = document;
   if (kept.contains("analysis") && is_large(kept["analysis"], "columns")) {
@@ -23,6 +28,9 @@ ordered_json without_large_tables(const ordered_json& document) {
     for (auto& design : kept["designs"]) {
       for (const char* positions : {"crank_deg", "slide"}) design.erase(positions);
     }
+  }
+  if (are_motions_large(document)) {
+    for (auto& motion : kept["machine"]["motions"]) motion.erase("columns");
   }
   erase_large(kept, "loci");
   for (const char* member : {"motion", "segments", "jumps"}) erase_large(kept, member);
@@ -51,6 +59,15 @@ std::string report_html(const ordered_json& result_document,
   data["result"] = without_large_tables(result_document);
   const bool editable = problem.mechanism.type != problems::MechanismType::chain;
   return filled_page(editable ? analysis_page() : without_kernel(analysis_page()), data);
+}
+
+std::string report_html(const ordered_json& result_document,
+                        const problems::MachineProblem& problem,
+                        const problems::MachineResult& result) {
+  ordered_json data = machine_report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  data["thinned"] = are_motions_large(result_document);
+  return filled_page(machine_page(), data);
 }
 
 std::string report_html(const ordered_json& result_document, const problems::CamProblem& problem,

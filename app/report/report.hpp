@@ -7,6 +7,7 @@
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/cam/cam_result.hpp"
 #include "problems/gear/gear_result.hpp"
+#include "problems/machine/machine_result.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
@@ -32,6 +33,13 @@ std::string report_html(const nlohmann::ordered_json& result_document,
 /// `result_document`.
 std::string report_html(const nlohmann::ordered_json& result_document,
                         const problems::CamProblem& problem, const problems::CamResult& result);
+
+/// The page of a machine, likewise: the mechanism at its true varying speed, what is plotted of
+/// each motion, and the facts. The tables of the motions are left out of `result_document` where
+/// the page would become too large.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::MachineProblem& problem,
+                        const problems::MachineResult& result);
 
 /// The page of a gear, likewise: the rack that cuts it, and what is plotted over the radius.
 std::string report_html(const nlohmann::ordered_json& result_document,

@@ -14,9 +14,11 @@
 #include "app/design_dimensions.hpp"
 #include "app/gear_json.hpp"
 #include "app/json_values.hpp"
+#include "app/machine_json.hpp"
 #include "app/result_json.hpp"
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/analysis/curve_metrics.hpp"
+#include "problems/machine/machine_result.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::app {
@@ -110,6 +112,13 @@ struct Evaluation {
     if (any_starts(names, {"mechanism."})) {
       evaluated.design["mechanism"] = mechanism_json(asked.mechanism);
     }
+    return evaluated;
+  }
+
+  Evaluated operator()(const problems::MachineProblem& problem) const {
+    const auto result = problems::run_machine(problem, run);
+    Evaluated evaluated{result.status, {{"mechanism", machine_mechanism_json(problem)}}};
+    add_finite_facts(evaluated.design["metrics"], result.facts);
     return evaluated;
   }
 

@@ -9,6 +9,8 @@
 #include "app/analysis_problem_json.hpp"
 #include "app/cam_catalogue.hpp"
 #include "app/gear_catalogue.hpp"
+#include "app/machine_catalogue.hpp"
+#include "app/machine_json.hpp"
 #include "app/mechanism_catalogue.hpp"
 #include "app/study/design_values.hpp"
 #include "problems/analysis/analysis_result.hpp"
@@ -169,6 +171,12 @@ struct NamesOf {
     for (const char* within : {"pinion.", "wheel.", "worm."}) add(names, gear_metrics(), within);
     add(names, facts(), "facts.");
     add_gear_mechanism(names, gear_pair_tables());
+    return names;
+  }
+  MetricNames operator()(const problems::MachineProblem& base) const {
+    MetricNames names;
+    add(names, machine_metrics());
+    add_values(names.names, machine_mechanism_json(base), "mechanism");
     return names;
   }
   MetricNames operator()(const AnalysisProblem& base) const {

@@ -20,15 +20,25 @@ struct MachineFunction {
   std::function<double(double phi, double omega, double time)> value;
   std::vector<double> breaks;                              ///< φ at which it may jump or bend
   bool of_phi = false, of_speed = false, of_time = false;  ///< what it depends on
+  /// Its derivative by φ; where it depends on φ alone (an inertia always does) or on nothing.
+  std::function<double(double phi)> slope{};
+};
+
+/// A motor's torque that falls in a straight line from standstill to the speed at which it gives
+/// none, and goes on beyond both.
+struct MotorLine {
+  double stall_torque = 0;
+  double no_load_speed = 0;
 };
 
 /// `[motor]`: its torque as a function of its own speed (or an expression in phi, w and t of the
 /// drive), through gears onto the drive.
 struct Motor {
-  MachineFunction torque;  ///< of the motor's speed in place of ω
-  double ratio = 1;        ///< motor speed over drive speed
-  double efficiency = 1;   ///< of the gears while the motor drives
-  double inertia = 0;      ///< of the rotor, about its own axis
+  MachineFunction torque;           ///< of the motor's speed in place of ω
+  std::optional<MotorLine> line{};  ///< as written, where `torque` is one
+  double ratio = 1;                 ///< motor speed over drive speed
+  double efficiency = 1;            ///< of the gears while the motor drives
+  double inertia = 0;               ///< of the rotor, about its own axis
 };
 
 /// A load besides those of the analysis whose size is a function: force along a direction at a
@@ -36,6 +46,11 @@ struct Motor {
 struct MachineLoad {
   LoadRule rule;          ///< force and torque for a value of 1
   MachineFunction value;  ///< of φ, ω, t
+  /// Of the travel of the loaded body (as analysis/mechanism/travel.hpp counts it) and its rate in
+  /// time, too: instead of `value.value`, where the expression names s or v. `value.of_phi` is then
+  /// true, and with v `value.of_speed`.
+  std::function<double(double phi, double omega, double time, double travel, double rate)>
+      of_travel{};
 };
 
 /// What is wanted of the machine.

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/machine/run.hpp"
-#include "analysis/machine/steady_state.hpp"
+#include "analysis/machine/flywheel.hpp"
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/machine/machine_problem.hpp"
 #include "problems/result.hpp"

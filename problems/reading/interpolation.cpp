@@ -52,7 +52,7 @@ std::vector<double> slopes(const Table& table) {
 
 }  // namespace
 
-std::function<double(double)> interpolate(const Table& table) {
+Interpolant interpolant(const Table& table) {
   std::vector<double> x;
   std::vector<double> y;
   for (const auto& [xi, yi] : table) {
@@ -64,7 +64,23 @@ std::function<double(double)> interpolate(const Table& table) {
   const double last = x.back();
   const auto cubic = std::make_shared<const Cubic>(std::move(x), std::move(y), slopes(table));
   // Outside its table the interpolator throws.
-  return [cubic, first, last](double at) { return (*cubic)(std::clamp(at, first, last)); };
+  return {[=](double at) { return (*cubic)(std::clamp(at, first, last)); },
+          [=](double at) { return first <= at && at <= last ? cubic->prime(at) : 0.0; }};
+}
+
+std::function<double(double)> interpolate(const Table& table) {
+  return interpolant(table).value;
+}
+
+std::function<double(double)> straight_lines(const Table& table) {
+  const auto rows = std::make_shared<const Table>(table);
+  return [rows](double x) {
+    if (!(x > rows->front().first)) return rows->front().second;
+    const auto after = std::ranges::upper_bound(*rows, x, {}, &Table::value_type::first);
+    if (after == rows->end()) return rows->back().second;
+    const auto& [x0, y0] = *(after - 1);
+    return std::lerp(y0, after->second, (x - x0) / (after->first - x0));
+  };
 }
 
 }  // namespace cognate::problems::reading

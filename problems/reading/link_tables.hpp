@@ -1,6 +1,7 @@
 /// @file `[[link]]`, `[[load]]` and `gravity`: what a mechanism weighs and bears.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problems/analysis/analysis_problem.hpp"
@@ -13,8 +14,15 @@ namespace cognate::problems::reading {
 /// file says nothing.
 std::vector<Inertia> read_links(TableReader& table, const PartNames& names);
 
-/// The tables `[[load]]` of `table`. With a driving slider (`slides`) an interval of the drive is
-/// one of lengths, else of degrees.
+/// The tables `[[load]]` of `table`.
+std::vector<TableReader> load_tables(TableReader& table);
+
+/// The load in one of them, `load`, whose other keys are left to the caller, as is `finish`. With
+/// a driving slider (`slides`) an interval of the drive is one of lengths, else of degrees. Empty
+/// where it is not known at what it acts.
+std::optional<LoadRule> read_load(TableReader& load, const PartNames& names, bool slides);
+
+/// All loads of `table`, which have no other keys.
 std::vector<LoadRule> read_loads(TableReader& table, const PartNames& names, bool slides);
 
 /// `gravity = [x, y]` of `table`, none where it is missing.

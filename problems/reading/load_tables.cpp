@@ -82,23 +82,32 @@ void read_stroke(TableReader& load, LoadRule& rule) {
 
 }  // namespace
 
+std::optional<LoadRule> read_load(TableReader& load, const PartNames& names, bool slides) {
+  LoadRule rule;
+  const auto place = read_place(load, names);
+  read_force(load, rule);
+  read_when(load, slides, rule);
+  read_stroke(load, rule);
+  if (!place) return std::nullopt;
+  if (place->body == 0) {
+    load.fault("on",
+               "is a point of the frame, where a load does nothing; a point of a moving "
+               "body is wanted");
+  }
+  rule.at = *place;
+  return rule;
+}
+
+std::vector<TableReader> load_tables(TableReader& table) {
+  return table.tables("load", {0, kMostTables, "loads"});
+}
+
 std::vector<LoadRule> read_loads(TableReader& table, const PartNames& names, bool slides) {
   std::vector<LoadRule> loads;
-  for (TableReader& load : table.tables("load", {0, kMostTables, "loads"})) {
-    LoadRule rule;
-    const auto place = read_place(load, names);
-    read_force(load, rule);
-    read_when(load, slides, rule);
-    read_stroke(load, rule);
+  for (TableReader& load : load_tables(table)) {
+    const auto rule = read_load(load, names, slides);
     load.finish();
-    if (!place) continue;
-    if (place->body == 0) {
-      load.fault("on",
-                 "is a point of the frame, where a load does nothing; a point of a moving "
-                 "body is wanted");
-    }
-    rule.at = *place;
-    loads.push_back(rule);
+    if (rule) loads.push_back(*rule);
   }
   return loads;
 }

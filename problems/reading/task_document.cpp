@@ -11,6 +11,7 @@
 #include "problems/reading/function_problem.hpp"
 #include "problems/reading/gear_pair_problem.hpp"
 #include "problems/reading/gear_problem.hpp"
+#include "problems/reading/machine_problem.hpp"
 #include "problems/reading/motion_problem.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/path_problem.hpp"
@@ -26,11 +27,16 @@ using Faults = std::vector<Fault>;
 using Folder = std::filesystem::path;
 
 // The kinds of design problems, then the other ones.
-constexpr std::string_view kTaskKinds[] = {"path-generation",   "function-generation",
-                                           "motion-generation", "quick-return",
-                                           "straight-line",     "cam",
-                                           "gear",              "gear-pair",
-                                           "analysis"};
+constexpr std::string_view kTaskKinds[] = {"path-generation",
+                                           "function-generation",
+                                           "motion-generation",
+                                           "quick-return",
+                                           "straight-line",
+                                           "cam",
+                                           "gear",
+                                           "gear-pair",
+                                           "analysis",
+                                           "machine"};
 
 constexpr std::string_view kBase = "base";
 
@@ -97,6 +103,10 @@ std::optional<PlacedTask> read_document(TableReader& document, const Folder& fol
     read.task = std::move(problem);
   } else if (*kind == "gear-pair") {
     GearPairProblem problem = read_gear_pair_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "machine") {
+    MachineProblem problem = read_machine_problem(document);
     problem.title = title;
     read.task = std::move(problem);
   } else {

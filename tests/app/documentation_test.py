@@ -25,7 +25,8 @@ PAGE_OF_KIND = {"function-generation": "function-generation", "motion-generation
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
                    "gear_tables": ["gears"], "gear_pair_tables": ["gears"],
-                   "mechanisms": ["analysis"], "dyads": ["analysis"], "analysis_tables": ["analysis"],
+                   "machine_tables": ["machines"], "mechanisms": ["analysis"], "dyads": ["analysis"],
+                   "analysis_tables": ["analysis"],
                    "study_tables": ["studies"]}
 # What stands for something else.
 NO_KEY = {"METRIC or KEY", "[crank] or [slider]"}
@@ -56,7 +57,7 @@ def command_for(content):
     tables = tomllib.loads(content)
     if "base" in tables:
         return "sweep"
-    return "analyze" if tables["kind"] in ("analysis", "gear") else "solve"
+    return "analyze" if tables["kind"] in ("analysis", "gear", "machine") else "solve"
 
 
 def run(folder, *words):

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/machine/adaptive_steps.hpp"
+#include "analysis/machine/flywheel.hpp"
+#include "analysis/machine/pieces.hpp"
+#include "analysis/mechanism/zeros.hpp"
+
+namespace cognate::machine {
+namespace {
+
+/// ∫ (M − M̄) dφ at a constant speed, over a period.
+class ExcessWork {
+ public:
+  ExcessWork(const Machine& machine, double phi0, double omega, const Accuracy& accuracy)
+      : machine_(machine),
+        pieces_(machine, phi0),
+        phi0_(phi0),
+        omega_(omega),
+        size_(std::max(turnover(machine, omega), std::numeric_limits<double>::min())),
+        stepper_([this](const State&, State& slope, double phi) { slope = {excess(phi)}; },
+                 accuracy.relative) {}
+
+  double range() {
+    if (!integrate()) return std::numeric_limits<double>::quiet_NaN();
+    mean_ = stepper_.y()[0] / machine_.period;
+    least_ = greatest_ = 0;
+    return integrate() ? (greatest_ - least_) * size_ : std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  using State = AdaptiveSteps::State;
+
+  double excess(double phi) {
+    machine_.move_to(pieces_.inside(place_.piece, phi));
+    return machine_.torques(omega_, 0).sum() / size_ - mean_;
+  }
+
+  void include(double work) {
+    least_ = std::min(least_, work);
+    greatest_ = std::max(greatest_, work);
+  }
+
+  /// The end of the last step, and the place in it where the excess vanishes.
+  void note() {
+    include(stepper_.y()[0]);
+    const auto f = [this](double phi) { return excess(phi); };
+    const double before = f(stepper_.x_before()), after = f(stepper_.x());
+    if (!(before * after < 0)) return;
+    const double at = bracket_zero(f, stepper_.x_before(), before, stepper_.x(), after).first;
+    include(stepper_.at(at)[0]);
+  }
+
+  bool integrate() {
+    place_ = pieces_.place(phi0_, 1);
+    State y{};
+    for (std::size_t i = 0; i < pieces_.count(); ++i) {
+      stepper_.start(place_.phi, y);
+      while (stepper_.x() < pieces_.to(place_.piece)) {
+        if (!stepper_.step(pieces_.to(place_.piece))) return false;
+        note();
+      }
+      y = stepper_.y();
+      pieces_.move_on(place_, 1);
+    }
+    return true;
+  }
+
+  const Machine& machine_;
+  Pieces pieces_;
+  double phi0_, omega_, size_;
+  double mean_ = 0, least_ = 0, greatest_ = 0;
+  Place place_;
+  AdaptiveSteps stepper_;
+};
+
+}  // namespace
+
+double greatest_excess_work(const Machine& machine, double phi0, double omega,
+                            const Accuracy& accuracy) {
+  return ExcessWork(machine, phi0, omega, accuracy).range();
+}
+
+}  // namespace cognate::machine

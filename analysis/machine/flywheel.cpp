@@ -1,0 +1,108 @@
+#include "analysis/machine/flywheel.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace cognate::machine {
+namespace {
+
+/// Flywheels are looked for from this part of the approximate one on, doubled so many times.
+constexpr double kFirst = 1.0 / 64;
+constexpr int kMostDoublings = 40;
+constexpr int kSamples = 720;
+
+bool runs(const SteadyState& steady) {
+  return steady.missing == NoSteadyState::none ||
+         (steady.missing == NoSteadyState::any_speed && !steady.states.empty());
+}
+
+double mean_inertia(const Machine& machine) {
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    sum += machine.move_to(machine.period * (i + 0.5) / kSamples).value;
+  }
+  return sum / kSamples;
+}
+
+class FlywheelSearch {
+ public:
+  FlywheelSearch(const std::function<Machine(double)>& machine_with, double wanted,
+                 const SteadyGuess& guess, const Accuracy& accuracy)
+      : machine_with_(machine_with), wanted_(wanted), guess_(guess), accuracy_(accuracy) {}
+
+  Flywheel find(int steps) {
+    Flywheel found;
+    const Machine bare = machine_with_(0);
+    found.without = steady_state(bare, guess_, accuracy_, steps);
+    if (!runs(found.without)) return found;
+    const double mean = mean_speed(found.without);
+    found.greatest_excess = greatest_excess_work(bare, guess_.phi, mean, accuracy_);
+    found.approximate =
+        std::max(0.0, found.greatest_excess / (mean * mean * wanted_) - mean_inertia(bare));
+    if (const auto inertia = root(found)) {
+      found.inertia = *inertia;
+      found.steady = *inertia > 0 ? steady_state(machine_with_(*inertia), guess_, accuracy_, steps)
+                                  : found.without;
+      found.found = runs(found.steady);
+    }
+    return found;
+  }
+
+ private:
+  /// By how much the fluctuation with a flywheel is beyond the one wanted; NaN where there is none.
+  double beyond(double inertia) {
+    const SteadyState steady = steady_state(machine_with_(inertia), guess_, accuracy_, 1);
+    if (!runs(steady)) return std::numeric_limits<double>::quiet_NaN();
+    return fluctuation(steady) - wanted_;
+  }
+
+  std::optional<double> root(const Flywheel& found) {
+    double low = 0, at_low = fluctuation(found.without) - wanted_;
+    if (at_low <= 0) return 0;
+    const double size = std::max(found.approximate, mean_inertia(machine_with_(0)));
+    double high = kFirst * size;
+    for (int i = 0; i < kMostDoublings; ++i, high *= 2) {
+      const double at_high = beyond(high);
+      if (std::isnan(at_high)) return std::nullopt;
+      if (at_high <= 0) return refine(low, at_low, high, at_high);
+      low = high;
+      at_low = at_high;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<double> refine(double low, double at_low, double high, double at_high) {
+    if (at_high == 0) return high;
+    const double close = std::max(0.1 * accuracy_.relative, 1e-14);
+    const auto is_close = [&](double a, double b) { return b - a <= close * b; };
+    bool failed = false;
+    const auto f = [&](double inertia) {
+      const double value = failed ? 0 : beyond(inertia);
+      failed = failed || std::isnan(value);
+      return failed ? 0 : value;
+    };
+    std::uintmax_t evaluations = 60;
+    const auto [a, b] =
+        boost::math::tools::toms748_solve(f, low, high, at_low, at_high, is_close, evaluations);
+    if (failed) return std::nullopt;
+    return b;
+  }
+
+  const std::function<Machine(double)>& machine_with_;
+  double wanted_;
+  SteadyGuess guess_;
+  Accuracy accuracy_;
+};
+
+}  // namespace
+
+Flywheel flywheel_for(const std::function<Machine(double inertia)>& machine_with, double wanted,
+                      const SteadyGuess& guess, const Accuracy& accuracy, int steps) {
+  return FlywheelSearch(machine_with, wanted, guess, accuracy).find(steps);
+}
+
+}  // namespace cognate::machine

@@ -1,0 +1,288 @@
+#include "analysis/machine/run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/machine/adaptive_steps.hpp"
+#include "analysis/machine/pieces.hpp"
+#include "analysis/machine/steady_state.hpp"
+#include "analysis/mechanism/zeros.hpp"
+
+namespace cognate::machine {
+namespace {
+
+/// What the components of the state are: φ in its period, and scaled √J ω and works.
+enum Component : std::size_t { phi, momentum, motor, load };
+
+using State = AdaptiveSteps::State;
+
+/// Slower than this is only a direction.
+constexpr double kBarely = std::numeric_limits<double>::min();
+/// A machine that moves no further than this part of its period between rests, so many times on
+/// end, is at rest.
+constexpr double kNoTravel = 1e-9;
+constexpr int kMostRests = 8;
+/// How many times in a run a machine at rest is asked whether what depends on time moves it.
+constexpr int kWakes = 10000;
+constexpr std::size_t kAsk = 256;
+
+/// What may end a step, in the order in which they count where they coincide.
+enum class Event { none, rest, speed, travel, border };
+
+class Runner {
+ public:
+  Runner(const Machine& machine, const MachineState& from, const RunEnd& end,
+         const Accuracy& accuracy)
+      : machine_(machine),
+        end_(end),
+        accuracy_(accuracy),
+        pieces_(machine, end.approach ? end.approach->phi : 0),
+        from_(from),
+        stepper_([this](const State& y, State& dy, double x) { slope(y, dy, x); },
+                 accuracy.relative) {
+    const double size = std::abs(from.omega);
+    const double inertia = machine.move_to(pieces_.place(from.phi, 1).phi).value;
+    work_ = usual_work(size);
+    if (!(work_ > 0)) work_ = 0.5 * inertia * size * size;
+    if (!(work_ > 0)) work_ = 1;
+    momentum_ = std::sqrt(2 * std::max(work_, 0.5 * inertia * size * size));
+    time_ = machine.period * std::sqrt(inertia) / momentum_;
+  }
+
+  /// The motion with states at `times` (increasing).
+  MachineRun go(std::vector<double> times) {
+    times_ = std::move(times);
+    run_ = {.states = {from_}};
+    next_ = taken_ = 0;
+    now_ = from_;
+    if (!std::isfinite(time_) || !(time_ > 0)) return finish(RunStop::open);
+    int rests = 0;
+    while (true) {
+      if (now_.omega == 0) {
+        if (moved_ && end_.at_rest) return finish(RunStop::at_rest);
+        if (!set_out() && !wait()) return finish(waited_);
+      } else {
+        direction_ = now_.omega > 0 ? 1 : -1;
+      }
+      const double before = now_.phi;
+      if (const auto stop = stretch()) return finish(*stop);
+      const bool short_stretch = std::abs(now_.phi - before) <= kNoTravel * machine_.period;
+      rests = short_stretch ? rests + 1 : 0;
+      if (rests >= kMostRests) return finish(RunStop::stalled);
+    }
+  }
+
+ private:
+  /// What is worked in a period, as far as it can be told at the beginning.
+  double usual_work(double omega) const {
+    double work = turnover(machine_, omega, from_.time);
+    if (!machine_.depends_on_time || !end_.time) return work;
+    constexpr int kLooks = 32;
+    for (int i = 1; i <= kLooks; ++i) {
+      const double time = from_.time + (*end_.time - from_.time) * i / kLooks;
+      work = std::max(work, turnover(machine_, omega, time));
+    }
+    return work;
+  }
+
+  double speed(double inertia, double scaled) const {
+    const double speed = scaled * momentum_ / std::sqrt(inertia);
+    return direction_ * std::max(direction_ * speed, kBarely);
+  }
+
+  void slope(const State& y, State& slope, double x) {
+    const double inertia = machine_.move_to(pieces_.inside(place_.piece, y[phi])).value;
+    const double root = std::sqrt(inertia);
+    const double omega = y[momentum] * momentum_ / root;
+    const Torques acting = machine_.torques(speed(inertia, y[momentum]), x * time_);
+    slope = {omega * time_, acting.sum() / root * (time_ / momentum_),
+             acting.motor * omega * (time_ / work_), acting.load * omega * (time_ / work_), 0};
+  }
+
+  /// Whether a machine at rest starts to move now, and where to.
+  bool set_out() {
+    for (const int direction : {1, -1}) {
+      const Place place = pieces_.place(now_.phi, direction);
+      machine_.move_to(pieces_.inside(place.piece, place.phi));
+      const double acting = machine_.torques(direction * kBarely, now_.time).sum();
+      if (!(direction * acting > 0)) continue;
+      direction_ = direction;
+      return true;
+    }
+    return false;
+  }
+
+  /// Waits at rest for what depends on time to move the machine; else `waited_` says why it ends.
+  bool wait() {
+    waited_ = RunStop::stalled;
+    if (!machine_.depends_on_time || !end_.time) return false;
+    const double from = now_.time, length = *end_.time - from;
+    waited_ = RunStop::time;
+    for (int i = 1; i <= kWakes; ++i) {
+      now_.time = from + length * i / kWakes;
+      if (set_out()) return true;
+    }
+    return false;
+  }
+
+  MachineState state(double x, const State& y) {
+    const double inertia = machine_.move_to(pieces_.inside(place_.piece, y[phi])).value;
+    return {.time = x * time_,
+            .phi = pieces_.counted({place_.turn, place_.piece, y[phi]}),
+            .omega = y[momentum] * momentum_ / std::sqrt(inertia),
+            .motor_work = y[motor] * work_,
+            .load_work = y[load] * work_};
+  }
+
+  State state_vector() {
+    const double inertia = machine_.move_to(pieces_.inside(place_.piece, place_.phi)).value;
+    return {place_.phi, now_.omega * std::sqrt(inertia) / momentum_, now_.motor_work / work_,
+            now_.load_work / work_, 0};
+  }
+
+  /// What changes its sign where an event happens, positive before it.
+  double until(Event event, double x, const State& y) {
+    switch (event) {
+      case Event::rest:
+        return direction_ * y[momentum];
+      case Event::speed:
+        return speed_side_ * (*end_.speed - state(x, y).omega);
+      default:
+        return direction_ * (limit_ - y[phi]);
+    }
+  }
+
+  /// The first event of the last step and where in it that is.
+  std::pair<Event, double> first_event() {
+    std::pair<Event, double> first{Event::none, stepper_.x()};
+    for (const Event event : {Event::rest, Event::speed, limit_event_}) {
+      if (event == Event::speed && !end_.speed) continue;
+      const double after = until(event, stepper_.x(), stepper_.y());
+      if (after > 0) continue;
+      const double before = until(event, stepper_.x_before(), stepper_.y_before());
+      double at = stepper_.x_before();
+      if (after == 0) {
+        at = stepper_.x();
+      } else if (before > 0) {
+        const auto f = [&](double x) { return until(event, x, stepper_.at(x)); };
+        at = better_end(f, bracket_zero(f, at, before, stepper_.x(), after));
+      }
+      if (first.first == Event::none || at < first.second) first = {event, at};
+    }
+    return first;
+  }
+
+  void set_limit() {
+    limit_ = direction_ > 0 ? pieces_.to(place_.piece) : pieces_.from(place_.piece);
+    limit_event_ = Event::border;
+    if (!end_.travel) return;
+    const double target = from_.phi + direction_ * *end_.travel - place_.turn * machine_.period;
+    if (direction_ * (limit_ - target) < 0) return;
+    limit_ = target;
+    limit_event_ = Event::travel;
+  }
+
+  /// Moves on in one direction within one piece; the reason where the run ends in it.
+  std::optional<RunStop> stretch() {
+    place_ = pieces_.place(now_.phi, direction_);
+    set_limit();
+    speed_side_ = end_.speed && now_.omega > *end_.speed ? -1 : 1;
+    stepper_.start(now_.time / time_, state_vector());
+    moved_ = true;
+    while (true) {
+      if (++taken_ >= accuracy_.most_steps) return leave(RunStop::gave_up);
+      if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::gave_up);
+      if (!stepper_.step(next_time() / time_)) return leave(RunStop::open);
+      const auto [event, at] = first_event();
+      if (event != Event::none) return take(event, at);
+      while (next_ < times_.size() && stepper_.x() * time_ >= times_[next_] * (1 - 1e-15)) {
+        run_.states.push_back(state(stepper_.x(), stepper_.y()));
+        ++next_;
+      }
+      if (end_.time && stepper_.x() >= *end_.time / time_) {
+        now_ = state(stepper_.x(), stepper_.y());
+        return RunStop::time;
+      }
+    }
+  }
+
+  std::optional<RunStop> leave(RunStop why) {
+    now_ = state(stepper_.x(), stepper_.y());
+    return why;
+  }
+
+  double next_time() const {
+    double next = std::numeric_limits<double>::infinity();
+    if (next_ < times_.size()) next = times_[next_];
+    if (end_.time) next = std::min(next, *end_.time);
+    // A machine that drifts on without end is looked at now and then.
+    return std::min(next, stepper_.x() * time_ + 10 * time_);
+  }
+
+  /// Stands at the event, exactly; the reason where it ends the run.
+  std::optional<RunStop> take(Event event, double at) {
+    State y = stepper_.at(at);
+    if (event == Event::rest) y[momentum] = 0;
+    if (event == limit_event_) y[phi] = limit_;
+    now_ = state(at, y);
+    if (event == Event::travel) return RunStop::travel;
+    if (event == Event::speed) {
+      now_.omega = *end_.speed;
+      return RunStop::speed;
+    }
+    if (event == Event::border && has_approached()) return RunStop::approached;
+    return std::nullopt;
+  }
+
+  bool has_approached() const {
+    if (!end_.approach) return false;
+    const auto& [phi, omega, within] = *end_.approach;
+    const double turns = (now_.phi - phi) / machine_.period;
+    return std::abs(turns - std::round(turns)) <= 1e-9 &&
+           std::abs(now_.omega - omega) <= within * std::abs(omega);
+  }
+
+  MachineRun finish(RunStop stop) {
+    run_.states.push_back(now_);
+    run_.stop = stop;
+    return std::move(run_);
+  }
+
+  const Machine& machine_;
+  RunEnd end_;
+  Accuracy accuracy_;
+  Pieces pieces_;
+  MachineState from_, now_;
+  AdaptiveSteps stepper_;
+  double work_ = 1, momentum_ = 1, time_ = 1;
+  Place place_;
+  int direction_ = 1;
+  double limit_ = 0, speed_side_ = 1;
+  Event limit_event_ = Event::border;
+  bool moved_ = false;
+  RunStop waited_ = RunStop::stalled;
+  std::vector<double> times_;
+  std::size_t next_ = 0, taken_ = 0;
+  MachineRun run_;
+};
+
+}  // namespace
+
+MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
+               const Accuracy& accuracy, std::size_t records) {
+  Runner runner(machine, from, end, accuracy);
+  MachineRun whole = runner.go({});
+  if (records == 0) return whole;
+  const double duration = whole.states.back().time - from.time;
+  std::vector<double> times;
+  for (std::size_t i = 1; i <= records; ++i) {
+    times.push_back(from.time +
+                    duration * static_cast<double>(i) / static_cast<double>(records + 1));
+  }
+  return Runner(machine, from, end, accuracy).go(std::move(times));
+}
+
+}  // namespace cognate::machine

@@ -1,0 +1,212 @@
+#include "analysis/machine/steady_state.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "analysis/machine/run.hpp"
+
+namespace cognate::machine {
+namespace {
+
+/// How often K is doubled or halved in the search for a bracket.
+constexpr int kMostDoublings = 60;
+/// What counts as nothing, in tolerances and parts of what is worked in a period.
+constexpr double kNothing = 1e3;
+
+/// K at the beginning of a period, and what it grows by in it.
+struct Shot {
+  double kinetic = 0;
+  double growth = 0;
+};
+
+class Shooting {
+ public:
+  Shooting(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy)
+      : machine_(machine),
+        accuracy_(accuracy),
+        guess_(guess),
+        speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
+        inertia_(machine.move_to(guess.phi).value),
+        work_(turnover(machine, speed_)),
+        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy) {}
+
+  SteadyState find(int steps) {
+    if (machine_.depends_on_time) return missing(NoSteadyState::depends_on_time);
+    const double start = 0.5 * inertia_ * speed_ * speed_;
+    if (!std::isfinite(start) || !std::isfinite(work_)) return missing(NoSteadyState::open);
+    if (!shoot(start)) return missing(failure_);
+    const Shot first = shot_;
+    if (std::abs(first.growth) <= nothing() && is_any_speed(first)) {
+      if (guess_.speed && !cycle_.stands()) record(start, steps);
+      return missing(NoSteadyState::any_speed);
+    }
+    const bool found = first.growth >= 0 ? climb(first) : descend(first) || leap(first);
+    if (!found) return missing(failure_);
+    return finish(steps);
+  }
+
+ private:
+  double nothing() const { return kNothing * accuracy_.relative * std::max(work_, cycle_.range()); }
+
+  SteadyState missing(NoSteadyState why) {
+    steady_.missing = why;
+    steady_.surplus = shot_.growth;
+    return std::move(steady_);
+  }
+
+  /// Integrates a period from `kinetic`; false, with `failure_`, where that is not possible.
+  bool shoot(double kinetic) {
+    ++steady_.integrations;
+    const CycleEnd end = cycle_.run(kinetic);
+    if (end != CycleEnd::whole) {
+      failure_ = end == CycleEnd::open ? NoSteadyState::open : NoSteadyState::gave_up;
+      return false;
+    }
+    shot_ = {kinetic, cycle_.growth()};
+    return true;
+  }
+
+  /// K neither grows nor shrinks at this speed; whether that is so at others too.
+  bool is_any_speed(const Shot& first) {
+    for (const double factor : {4.0, 1.5}) {
+      if (!shoot(factor * first.kinetic) || std::abs(shot_.growth) > nothing()) return false;
+    }
+    return true;
+  }
+
+  /// From where K grows upwards, to where it shrinks. What a period makes of `below` is below the
+  /// fixed point as well, since orbits do not cross.
+  bool climb(Shot below) {
+    double stride = 1e-3 * below.kinetic;
+    for (int i = 0; i < kMostDoublings; ++i) {
+      if (!shoot(std::max(below.kinetic + stride, below.kinetic + 1.01 * below.growth)))
+        return false;
+      if (shot_.growth <= 0) {
+        low_ = below;
+        high_ = shot_;
+        return true;
+      }
+      below = shot_;
+      stride *= 3;
+    }
+    failure_ = NoSteadyState::runs_away;
+    return false;
+  }
+
+  /// From where K shrinks downwards, to where it grows.
+  bool descend(Shot above) {
+    double stride = 1e-3 * above.kinetic;
+    failure_ = NoSteadyState::stalls;
+    while (above.kinetic > 0) {
+      const double lower = std::min(above.kinetic - stride, above.kinetic + 1.01 * above.growth);
+      if (!shoot(std::max(lower, 0.0))) return false;
+      if (shot_.growth >= 0) {
+        low_ = shot_;
+        high_ = above;
+        return true;
+      }
+      above = shot_;
+      stride *= 3;
+    }
+    return false;
+  }
+
+  /// Above a speed from which the drive stops there may be others at which it gains speed.
+  bool leap(const Shot& first) {
+    if (failure_ != NoSteadyState::stalls) return false;
+    const Shot stalling = shot_;
+    double kinetic = first.kinetic;
+    for (int i = 0; i < kMostDoublings / 2; ++i) {
+      kinetic *= 2;
+      if (!shoot(kinetic)) return false;
+      if (shot_.growth > 0) return climb(shot_);
+    }
+    shot_ = stalling;
+    failure_ = NoSteadyState::stalls;
+    return false;
+  }
+
+  /// The fixed point within the bracket, to the accuracy of integration.
+  bool refine() {
+    if (low_.growth == 0) high_ = low_;
+    if (high_.growth == 0) low_ = high_;
+    if (low_.kinetic == high_.kinetic) return true;
+    bool failed = false;
+    const auto growth = [&](double kinetic) {
+      if (failed || !shoot(kinetic)) failed = true;
+      return failed ? 0 : shot_.growth;
+    };
+    const double close = std::max(0.01 * accuracy_.relative, 1e-15);
+    const auto is_close = [&](double a, double b) { return b - a <= close * b; };
+    std::uintmax_t evaluations = 100;
+    const auto [a, b] = boost::math::tools::toms748_solve(
+        growth, low_.kinetic, high_.kinetic, low_.growth, high_.growth, is_close, evaluations);
+    low_.kinetic = a;
+    high_.kinetic = b;
+    return !failed;
+  }
+
+  bool record(double kinetic, int steps) {
+    CycleDetail detail;
+    ++steady_.integrations;
+    if (cycle_.run(kinetic, steps, detail) != CycleEnd::whole) return false;
+    steady_.states = std::move(detail.states);
+    steady_.greatest = detail.greatest;
+    steady_.least = detail.least;
+    steady_.multiplier = detail.multiplier;
+    steady_.surplus = cycle_.growth();
+    steady_.energy_residual = energy_residual();
+    return true;
+  }
+
+  SteadyState finish(int steps) {
+    if (!refine()) return missing(failure_);
+    const double kinetic = 0.5 * (low_.kinetic + high_.kinetic);
+    if (!shoot(kinetic)) return missing(failure_);
+    if (cycle_.stands()) return missing(NoSteadyState::stalls);
+    if (!record(kinetic, steps)) return missing(NoSteadyState::gave_up);
+    return std::move(steady_);
+  }
+
+  double energy_residual() {
+    const MachineState& first = steady_.states.front();
+    RunEnd end;
+    end.travel = machine_.period;
+    const MachineRun turn = cognate::machine::run(
+        machine_, {.phi = first.phi, .omega = first.omega}, end, accuracy_, 0);
+    const MachineState& last = turn.states.back();
+    const double inertia = machine_.move_to(guess_.phi).value;
+    const double growth = 0.5 * inertia * (last.omega - first.omega) * (last.omega + first.omega);
+    const double work = last.motor_work + last.load_work;
+    const double size = std::max(work_, cycle_.range());
+    return size > 0 ? std::max(std::abs(growth - work), std::abs(work)) / size : 0;
+  }
+
+  const Machine& machine_;
+  Accuracy accuracy_;
+  SteadyGuess guess_;
+  double speed_, inertia_, work_;
+  Cycle cycle_;
+  Shot shot_, low_, high_;
+  SteadyState steady_;
+  NoSteadyState failure_ = NoSteadyState::none;
+};
+
+}  // namespace
+
+double mean_speed(const SteadyState& steady) {
+  return 0.5 * (steady.greatest.omega + steady.least.omega);
+}
+
+double fluctuation(const SteadyState& steady) {
+  return (steady.greatest.omega - steady.least.omega) / mean_speed(steady);
+}
+
+SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
+                         int steps) {
+  return Shooting(machine, guess, accuracy).find(steps);
+}
+
+}  // namespace cognate::machine

@@ -1,0 +1,121 @@
+#include "app/machine_table.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/csv.hpp"
+#include "app/messages.hpp"
+#include "app/metric_unit.hpp"
+#include "app/paint.hpp"
+#include "app/table_text.hpp"
+#include "app/text_table.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::MachineProblem;
+using problems::MachineResult;
+using problems::Status;
+
+std::string drive_words(const MachineProblem& problem) {
+  if (!problem.motor) return "without a motor";
+  if (problem.motor->line) return "with a motor of a straight line";
+  return problem.motor->torque.of_speed ? "with a motor whose torque depends on its speed"
+                                        : "with a motor";
+}
+
+std::string flywheel_words(const MachineProblem& problem) {
+  if (problem.fluctuation) {
+    return fmt::format(", a flywheel to be found for a fluctuation of {:.6g}",
+                       *problem.fluctuation);
+  }
+  return problem.flywheel > 0 ? fmt::format(", a flywheel of {:.6g} kg m2", problem.flywheel) : "";
+}
+
+std::string status_words(const MachineResult& result) {
+  switch (result.status) {
+    case Status::solved:
+      return "solved: every motion asked for exists";
+    case Status::time_limit:
+      return "stopped at the time limit";
+    case Status::interrupted:
+      return "interrupted";
+    default:
+      return "no solution: a motion asked for does not exist";
+  }
+}
+
+Colour colour_of(const MachineResult& result) {
+  if (result.status == Status::solved) return Colour::green;
+  return result.motions.empty() ? Colour::red : Colour::yellow;
+}
+
+void append_facts(std::string& text, const MachineResult& result, const Screen& screen) {
+  Column names{"metric", Align::left, {}};
+  Column values{"value", Align::left, {}};
+  Column units{"unit", Align::left, {}};
+  for (const auto& fact : result.facts) {
+    names.cells.push_back(printable(fact.name));
+    values.cells.push_back(printable(std::visit(WrittenValue{}, fact.value)));
+    units.cells.push_back(metric_unit(fact.name));
+  }
+  if (!names.cells.empty()) text += table_text({names, values, units}, screen);
+}
+
+std::size_t rows_of(const problems::MachineMotion& motion) {
+  return motion.columns.empty() ? 0 : motion.columns.front().values.size();
+}
+
+/// The values of `motion` under `name`; NaN where it has none.
+std::vector<double> values_of(const problems::MachineMotion& motion, std::string_view name) {
+  const auto column = std::ranges::find(motion.columns, name, &problems::Column::name);
+  if (column != motion.columns.end()) return column->values;
+  return std::vector<double>(rows_of(motion), std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+std::string describe(const MachineProblem& problem) {
+  std::vector<std::string_view> tasks;
+  for (const auto task : problem.run.tasks) tasks.push_back(problems::to_string(task));
+  const std::string_view moving = problem.mechanism
+                                      ? problems::to_string(problem.mechanism->mechanism.type)
+                                      : "equivalent inertia";
+  const auto what = fmt::format("machine of {} {}{}: {}", moving, drive_words(problem),
+                                flywheel_words(problem), fmt::join(tasks, ", "));
+  return printable(problem.title.empty() ? what : problem.title + ": " + what);
+}
+
+std::string machine_table(const MachineProblem& problem, const MachineResult& result,
+                          const Screen& screen) {
+  std::string text = describe(problem) + '\n';
+  text += paint(status_words(result), colour_of(result), screen.colour) + '\n';
+  append_facts(text, result, screen);
+  text += '\n';
+  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
+  return text + work_line(result.work);
+}
+
+std::string machine_csv(const MachineResult& result) {
+  if (result.motions.empty()) return csv_text({});
+  std::vector<std::string> tasks;
+  std::vector<problems::Column> columns = result.motions.front().columns;
+  for (auto& column : columns) column.values.clear();
+  for (const auto& motion : result.motions) {
+    tasks.insert(tasks.end(), rows_of(motion), std::string(problems::to_string(motion.task)));
+    for (auto& column : columns) {
+      const auto values = values_of(motion, column.name);
+      column.values.insert(column.values.end(), values.begin(), values.end());
+    }
+  }
+  return csv_text(columns, {"task", tasks});
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,24 @@
+// What holds for the machine's motions as a whole.
+
+const MACHINE_FACTS = {
+  speed_mean_rad_s: "rad/s", speed_max_rad_s: "rad/s", speed_min_rad_s: "rad/s", fluctuation: "", fluctuation_without_flywheel: "",
+  flywheel_inertia_kg_m2: "kg·m²", flywheel_inertia_approximate_kg_m2: "kg·m²", greatest_excess_work_J: "J", period_s: "s", energy_swing_J: "J",
+  motor_work_J: "J", motor_power_mean_W: "W", motor_power_max_W: "W", multiplier: "", energy_residual: "",
+  start_time_s: "s", start_turns: "", start_end_speed_rad_s: "rad/s", stop_time_s: "s", stop_turns: "", stop_end_speed_rad_s: "rad/s",
+};
+
+function machineFactText(name, facts) {
+  const value = facts.get(name);
+  const text = typeof value === "number" ? `${number(value, 6)} ${MACHINE_FACTS[name]}`.trim() : factText(value, "");
+  const place = facts.get(name.replace(/_rad_s$/, "_at_deg"));
+  return typeof place === "number" && name.endsWith("_rad_s") ? say("fact.at", { value: text, place: degreesShort(place, 5) }) : text;
+}
+
+// Those that there are in the order of the list, with their exact values beside the pointer.
+function showMachineFacts(facts) {
+  const known = Object.keys(MACHINE_FACTS).filter((name) => facts.has(name));
+  const others = [...facts.keys()].filter((name) => !(name in MACHINE_FACTS) && !/_at_deg$/.test(name));
+  byId("facts-list").replaceChildren(...known.flatMap((name) => fact(say(`machine.fact.${name}`), machineFactText(name, facts), String(facts.get(name)))),
+    ...others.flatMap((name) => fact(factName(name), factText(facts.get(name), ""))));
+  byId("facts").hidden = facts.size === 0;
+}

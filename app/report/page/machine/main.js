@@ -1,0 +1,113 @@
+// The page of a machine: which motion is shown, what time it is in it, and everything that follows.
+
+const data = JSON.parse(byId("data").textContent);
+const { result } = data;
+const motions = data.motions.map((motion) => new Motion(motion));
+const facts = new Map(data.facts.map(({ name, value }) => [name, value]));
+const mechanism = new Mechanism(data.mechanism ?? DRIVE_ALONE, data.drive ?? { from: 0, to: 360, round: true });
+const state = { time: 0, motion: motions[0] };
+const scene = new MechanismScene(byId("picture"), mechanism, (drive) => drive !== null && goTo(state.motion.timeAt(drive, state.time), true));
+scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
+const extras = new Extras(byId("extras"), [new Trace(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+extras.redraw = () => drawScene();
+extras.onToggle = () => showLegend();
+const curves = new Curves(byId("plots"), (time) => goTo(time, true), (time) => extras.point(time === null ? null : driveAt(time)));
+const controls = new Controls((seconds) => goTo(controls.player.next(state.time, [0, state.motion?.length ?? 0, true], seconds)),
+  (sense, large) => goTo(state.time + (sense * (large ? 10 : 1) * (state.motion?.length ?? 0)) / 360, true));
+
+// The drive's coordinate, within a turn, at a time of the motion shown.
+const driveAt = (time) => mechanism.within(state.motion ? state.motion.angle(time) : mechanism.start);
+
+// Everything that follows the time. `byHand` stops the clock.
+function goTo(time, byHand = false) {
+  if (time === null) return;
+  if (byHand) controls.play(false);
+  state.time = state.motion ? state.motion.within(time) : 0;
+  const drive = driveAt(state.time);
+  scene.move(drive);
+  extras.move(drive);
+  curves.move(state.time);
+  showTime(drive);
+  byId("open").hidden = mechanism.places(drive).every(Boolean);
+}
+
+function showTime(drive) {
+  const slider = byId("drive");
+  const text = say("machine.now", { time: number(state.time, 4), angle: degrees(drive, 1) });
+  slider.value = state.time;
+  slider.setAttribute("aria-valuetext", text);
+  byId("drive-value").textContent = text;
+  byId("pace").textContent = state.motion?.length ? say("machine.pace", { factor: number(controls.player.pace * controls.player.speed, 3) }) : "";
+}
+
+function choose(motion) {
+  Object.assign(state, { motion, time: 0 });
+  controls.player.pace = motion.pace;
+  for (const button of document.querySelectorAll("[data-task]")) button.setAttribute("aria-pressed", String(button.dataset.task === motion.task));
+  set(byId("drive"), { min: 0, max: motion.length });
+  byId("curves-title").textContent = say(`machine.task.${motion.task}`);
+  curves.build(machineSheets(motion, facts));
+  const marked = motion.steady && facts.has("speed_max_at_deg");
+  byId("marks").replaceChildren(...(marked ? [legendItem("good", "dashed", say("machine.greatest")), legendItem("bad", "dashed", say("machine.least"))] : []));
+  goTo(0);
+}
+
+function showTasks() {
+  byId("tasks").hidden = motions.length < 2;
+  byId("tasks").replaceChildren(...motions.map((motion) => {
+    const button = element("button", { type: "button", "data-task": motion.task }, say(`machine.task.${motion.task}`));
+    button.addEventListener("click", () => choose(motion));
+    return button;
+  }));
+}
+
+function showLegend() {
+  const bodies = mechanism.bodies.length > 9 ? [] : mechanism.bodies.slice(1).map((body, i) => legendItem(scene.tint(i + 1).slice(2), "line", sentence(term(body.name))));
+  const paths = mechanism.points.some((p) => p.moves && !p.isPin) ? [legendItem("curve", "line", say("legend.path"))] : [];
+  byId("legend").replaceChildren(...bodies, ...paths, ...extras.legend());
+}
+
+// Buttons that show and hide what the picture can have besides the mechanism.
+function listenToLayers() {
+  for (const button of document.querySelectorAll("[data-layer]")) {
+    const { layer } = button.dataset;
+    button.hidden = !mechanism.points.some((p) => layer === "names" || p.moves);
+    button.setAttribute("aria-pressed", String(Boolean(scene.shown[layer])));
+    button.addEventListener("click", () => {
+      scene.show({ [layer]: !scene.shown[layer] });
+      button.setAttribute("aria-pressed", String(scene.shown[layer]));
+    });
+  }
+}
+
+function drawScene() {
+  scene.build();
+  extras.rebuilt(scene);
+  goTo(state.time);
+}
+
+function listen() {
+  byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
+  new ResizeObserver(drawScene).observe(byId("picture"));
+  new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+}
+
+if (!data.mechanism) byId("stage-title").textContent = say("machine.drive");
+showHead(result, say("kind.machine"), [data.mechanism ? say("count.moving_bodies", { n: mechanism.bodies.length - 1 }) : "",
+  say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
+showNotes(result.notes ?? []);
+showWork(result.work);
+showMachineFacts(facts);
+followTheme(() => curves.redraw());
+if (data.thinned) byId("save").textContent = say("save.without_table");
+byId("save").addEventListener("click", () => saveResult(result));
+showTasks();
+showLegend();
+scene.build();
+extras.rebuilt(scene);
+listenToLayers();
+listen();
+byId("curves").hidden = motions.length === 0;
+if (motions.length) choose(motions[0]); else goTo(0);
+controls.start();
+if (motions.length === 0) controls.play(false);

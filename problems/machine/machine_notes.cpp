@@ -1,0 +1,58 @@
+#include "problems/machine/machine_notes.hpp"
+
+#include <fmt/core.h>
+
+#include <numbers>
+
+namespace cognate::problems {
+
+std::string steady_note(const machine::SteadyState& steady) {
+  using machine::NoSteadyState;
+  switch (steady.missing) {
+    case NoSteadyState::none:
+      return {};
+    case NoSteadyState::stalls:
+      return fmt::format(
+          "no steady state: the machine stalls, since motor and loads together take from it at "
+          "every speed ({:.6g} J in a period)",
+          -steady.surplus);
+    case NoSteadyState::runs_away:
+      return fmt::format(
+          "no steady state: the machine runs away, since motor and loads together give to it at "
+          "every speed ({:.6g} J in a period)",
+          steady.surplus);
+    case NoSteadyState::any_speed:
+      return "every speed is a steady one: torques do not depend on speed and do no work in a "
+             "period";
+    case NoSteadyState::depends_on_time:
+      return "no steady state: motor or loads depend on time";
+    case NoSteadyState::open:
+      return "no steady state: the mechanism cannot be assembled all the way round";
+    case NoSteadyState::gave_up:
+      break;
+  }
+  return "the search for the steady state was ended before it was done";
+}
+
+std::string ended_note(const std::string& what, const machine::MachineRun& run) {
+  using machine::RunStop;
+  const machine::MachineState& last = run.states.back();
+  const std::string place =
+      fmt::format("after {:.6g} s and {:.6g} turns, at {:.6g} rad/s", last.time,
+                  (last.phi - run.states.front().phi) / (2 * std::numbers::pi), last.omega);
+  switch (run.stop) {
+    case RunStop::stalled:
+      return fmt::format("{} fails: the machine stands still and nothing moves it, {}", what,
+                         place);
+    case RunStop::open:
+      return fmt::format("{} fails: the mechanism cannot be assembled further on, {}", what, place);
+    case RunStop::gave_up:
+      return fmt::format("{} was ended before it was done, {}", what, place);
+    case RunStop::at_rest:
+      return fmt::format("{} fails: the machine comes to rest, {}", what, place);
+    default:
+      return fmt::format("{} is not done within its limits: it ended {}", what, place);
+  }
+}
+
+}  // namespace cognate::problems

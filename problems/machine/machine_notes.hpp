@@ -1,0 +1,17 @@
+/// @file Why a machine does not do what was asked for, in sentences.
+#pragma once
+
+#include <string>
+
+#include "analysis/machine/run.hpp"
+#include "analysis/machine/steady_state.hpp"
+
+namespace cognate::problems {
+
+/// Why there is no steady state.
+std::string steady_note(const machine::SteadyState& steady);
+
+/// Where and why a motion ended that was not to end there; `what` begins the sentence: "the start".
+std::string ended_note(const std::string& what, const machine::MachineRun& run);
+
+}  // namespace cognate::problems

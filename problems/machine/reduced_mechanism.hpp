@@ -1,0 +1,44 @@
+/// @file A mechanism with its masses and loads, seen from its drive.
+#pragma once
+
+#include <vector>
+
+#include "analysis/machine/machine.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
+#include "problems/analysis/active_loads.hpp"
+#include "problems/machine/machine_problem.hpp"
+
+namespace cognate::problems {
+
+/// Evaluated once at a position, whose torques may then be asked for at several speeds. Allocates
+/// nothing after it is made.
+class ReducedMechanism {
+ public:
+  /// `strokes`: of the mechanism's loads, then of `loads`; may be empty where no load needs them.
+  ReducedMechanism(const AnalysisProblem& problem, const std::vector<MachineLoad>& loads,
+                   const Course& course, const std::vector<Stroke>& strokes);
+
+  /// Not numbers where the mechanism cannot be assembled, or stands at a dead point.
+  machine::EquivalentInertia move_to(double phi);
+
+  /// Of weights and loads.
+  double torque(double omega, double time);
+
+ private:
+  struct FunctionLoad {
+    MachineLoad load;
+    Travel travel;
+    ActiveLoads active;
+  };
+
+  double value(const FunctionLoad& load, double omega, double time) const;
+
+  FollowedMotion<2> motion_;
+  std::vector<Inertia> inertias_;
+  Vec2d gravity_;
+  ActiveLoads active_;
+  std::vector<FunctionLoad> functions_;
+  double phi_ = 0, weights_ = 0;
+};
+
+}  // namespace cognate::problems

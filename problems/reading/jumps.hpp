@@ -1,0 +1,14 @@
+/// @file Where a function of an angle jumps.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace cognate::problems::reading {
+
+/// The angles in [0, 2π), increasing, at which `f` jumps by a hundredth of what it varies over the
+/// turn or more; 0 where its value before 2π is not that at 0. Searched in `intervals` equal parts,
+/// of two jumps in one of which only one is found; each to the last digit.
+std::vector<double> find_jumps(const std::function<double(double)>& f, int intervals);
+
+}  // namespace cognate::problems::reading
