@@ -30,8 +30,7 @@ std::string in_words(gear::ToothFault fault) {
 ConstraintCheck check_of(const GearLimit& limit) {
   const double slack =
       kCheckTolerance * std::max({std::abs(limit.value), std::abs(limit.bound), limit.scale});
-  const double missing =
-      limit.at_least ? limit.bound - limit.value : limit.value - limit.bound;
+  const double missing = limit.at_least ? limit.bound - limit.value : limit.value - limit.bound;
   ConstraintCheck check{limit.name, limit.value, limit.bound, missing <= slack};
   const bool of_teeth = std::string_view(limit.name).starts_with("teeth.");
   if (of_teeth) {

@@ -111,11 +111,10 @@ void GearLimits::add_gear(std::size_t index) {
   struct Names {
     const char *tip, *undercut, *interference, *clearance;
   };
-  constexpr Names kNames[] = {
-      {"tip_thickness_min.pinion", "no_undercut.pinion", "no_interference.pinion",
-       "tip_clearance_min.pinion"},
-      {"tip_thickness_min.wheel", "no_undercut.wheel", "no_interference.wheel",
-       "tip_clearance_min.wheel"}};
+  constexpr Names kNames[] = {{"tip_thickness_min.pinion", "no_undercut.pinion",
+                               "no_interference.pinion", "tip_clearance_min.pinion"},
+                              {"tip_thickness_min.wheel", "no_undercut.wheel",
+                               "no_interference.wheel", "tip_clearance_min.wheel"}};
   const Names& names = kNames[index];
   const GearConstraints& c = problem_.constraints;
   const SpurGear& own = pair_.gears[index];
@@ -146,8 +145,8 @@ double GearLimits::violation() const {
 
 double total_contact_ratio(const GearPairProblem& problem, double module,
                            const PairGeometry& mesh) {
-  const double overlap = problem.face_width * std::abs(std::sin(problem.helix)) /
-                         (std::numbers::pi * module);
+  const double overlap =
+      problem.face_width * std::abs(std::sin(problem.helix)) / (std::numbers::pi * module);
   return mesh.contact_ratio + overlap;
 }
 

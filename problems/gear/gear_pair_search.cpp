@@ -69,8 +69,7 @@ GearPairSearch::Interval GearPairSearch::shifts_of(std::size_t index, bool witho
   Interval all{problem_.profile_shift_bounds.min, problem_.profile_shift_bounds.max};
   if (without_undercut) {
     const auto& gear = unshifted_[index];
-    all.from =
-        std::max(all.from, gear::least_profile_shift(gear.rack, gear.teeth) / normal_);
+    all.from = std::max(all.from, gear::least_profile_shift(gear.rack, gear.teeth) / normal_);
   }
   return all;
 }
@@ -156,15 +155,14 @@ FoundPair GearPairSearch::at(double first, double second, double centre_distance
 
 /// Where the sliding at the foot of both flanks is the same, by a zero and not by a minimum.
 double GearPairSearch::balanced_shift(double sum, double distance, double from, double to) const {
-  const gear::SpurPair pair = section_of(
-      problem_, {combination_.teeth, combination_.module, {from, sum - from}, distance});
+  const gear::SpurPair pair =
+      section_of(problem_, {combination_.teeth, combination_.module, {from, sum - from}, distance});
   const double shift = gear::balanced_shift(pair, from * normal_, to * normal_) / normal_;
   return std::isfinite(shift) ? std::clamp(shift, from, to) : from;
 }
 
 FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
-  const double distance =
-      problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
+  const double distance = problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
   const auto at_shift = [&](double first) { return at(first, sum - first, distance); };
   const auto& [one, two] = problem_.profile_shift;
   if (one) return at_shift(*one);
@@ -173,8 +171,8 @@ FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
   const Interval first = shifts_of(0, safe), second = shifts_of(1, safe);
   const Interval all{std::max(first.from, sum - second.to), std::min(first.to, sum - second.from)};
   if (all.empty()) return at_shift(0.5 * (all.from + all.to));
-  FoundPair best = least_of(at_shift, all.from, all.to,
-                            depth == SearchDepth::fine ? kFineSplit : kCoarseSplit);
+  FoundPair best =
+      least_of(at_shift, all.from, all.to, depth == SearchDepth::fine ? kFineSplit : kCoarseSplit);
   if (problem_.objective == GearObjective::balanced_sliding) {
     const FoundPair balanced = at_shift(balanced_shift(sum, distance, all.from, all.to));
     if (is_better(balanced, best)) best = balanced;
