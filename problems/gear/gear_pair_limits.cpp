@@ -129,9 +129,10 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    const double room = tip_room(pair_, gear::line_of_action(pair_), static_cast<int>(index));
-    const bool touches = mesh_->gears[index].interferes;  // beyond rounding
-    at_least(names.interference, std::min(touches ? room : std::max(room, 0.0), module), 0, module);
+    const bool touches = mesh_->gears[index].interferes;
+    const double overlap =
+        touches ? -gear::tip_room(pair_, gear::line_of_action(pair_), static_cast<int>(index)) : 0;
+    at_most(names.interference, overlap, 0, module);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));
