@@ -4,7 +4,7 @@
 namespace cognate::app {
 
 inline constexpr const char* kDescription =
-    R"(Cognate finds planar linkages and cams that do what a problem file asks for,
+    R"(Cognate finds planar linkages, cams and gears that do what a problem file asks,
 analyses mechanisms, says how machines run, and maps what is possible.
 )";
 
@@ -62,6 +62,8 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
     NAME.report.html   the mechanism moving, curves of motion and forces
   With --json no files are written unless --out is given.
   Where the mechanism cannot be assembled, cells are empty and a note says why.
+  Of a gear the table is its flank; an impossible gear, or pair of gears, ends
+  with exit status 1.
   Of a machine (kind = "machine"): the speed at which it runs, its fluctuation,
   the flywheel, starts and stops; why, where it has no steady motion.
 

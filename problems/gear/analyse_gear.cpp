@@ -37,8 +37,8 @@ void add_fillet(const SpurGear& section, int count, std::vector<FlankPoint>& row
   if (fillet.size() < 2) return;
   std::vector<double> along = {0};
   for (std::size_t i = 1; i < fillet.size(); ++i) {
-    along.push_back(along.back() + std::hypot(fillet[i].x - fillet[i - 1].x,
-                                              fillet[i].y - fillet[i - 1].y));
+    along.push_back(along.back() +
+                    std::hypot(fillet[i].x - fillet[i - 1].x, fillet[i].y - fillet[i - 1].y));
   }
   for (int k = 0; k <= count; ++k) {
     const double wanted = along.back() * k / count;
@@ -57,8 +57,7 @@ void add_involute(const SpurGear& section, int count, std::vector<FlankPoint>& r
   for (int k = 0; k <= count; ++k) {
     const double radius = from + (to - from) * k / count;
     const double half = 0.5 * gear::tooth_thickness(section, radius) / radius;
-    rows.push_back(
-        {{-radius * std::sin(half), radius * std::cos(half)}, OutlinePart::involute});
+    rows.push_back({{-radius * std::sin(half), radius * std::cos(half)}, OutlinePart::involute});
   }
 }
 
@@ -84,7 +83,8 @@ class FlankTable {
                      return gear::pressure_angle(section_, std::max(base, radius(row))) * 180 /
                             std::numbers::pi;
                    }),
-            column("is_involute", "", [&](const FlankPoint& row) { return involute(row) ? 1.0 : 0.0; })};
+            column("is_involute", "",
+                   [&](const FlankPoint& row) { return involute(row) ? 1.0 : 0.0; })};
   }
 
  private:

@@ -138,8 +138,8 @@ std::vector<std::string> bevel_notes(const GearPairDesign& design) {
         "The face width of {:g} reaches the apex of the cones, {:.6g} from their outer ends.",
         pair.face_width, cone));
   } else if (pair.face_width > cone / 3) {
-    notes.push_back(fmt::format("The face width is more than a third of the cone distance {:.6g}.",
-                                cone));
+    notes.push_back(
+        fmt::format("The face width is more than a third of the cone distance {:.6g}.", cone));
   }
   if (!is_external(pair)) return notes;
   const auto more = virtual_pair_notes(design.pair);

@@ -61,8 +61,7 @@ class Facts {
     const double normal = std::cos(gear_.helix);  // of a transverse module over a normal one
     add("undercut", gear::is_undercut(section_));
     add("least_teeth", gear::least_teeth(section_.rack, section_.profile_shift));
-    add("least_profile_shift",
-        gear::least_profile_shift(section_.rack, section_.teeth) / normal);
+    add("least_profile_shift", gear::least_profile_shift(section_.rack, section_.teeth) / normal);
   }
 
   void add_helix() {
@@ -106,9 +105,8 @@ SpanMeasurement span_measurement(const HelicalGear& gear) {
   const double share = std::cos(base_helix) * std::cos(base_helix);
   const double count = (z * (roll / share - inv) - thicker) / pi + 0.5;
   const int teeth = static_cast<int>(std::clamp(std::round(count), 1.0, std::max(1.0, z - 1)));
-  const double length =
-      normal.module * std::cos(alpha) * (pi * (teeth - 0.5) + z * inv + thicker) -
-      normal.thinning * std::cos(alpha);
+  const double length = normal.module * std::cos(alpha) * (pi * (teeth - 0.5) + z * inv + thicker) -
+                        normal.thinning * std::cos(alpha);
   return {teeth, length};
 }
 
@@ -116,8 +114,8 @@ double measurement_over_pins(const HelicalGear& gear, double diameter) {
   const SpurGear& normal = gear.normal;
   const SpurGear section = gear::transverse(gear);
   const double alpha = normal.rack.pressure_angle, z = normal.teeth;
-  const double space = 0.5 * pi - 2 * normal.profile_shift * std::tan(alpha) +
-                       normal.thinning / normal.module;
+  const double space =
+      0.5 * pi - 2 * normal.profile_shift * std::tan(alpha) + normal.thinning / normal.module;
   const double inv = gear::involute(section.rack.pressure_angle) +
                      diameter / (normal.module * z * std::cos(alpha)) - space / z;
   if (!(inv > 0)) return NAN;

@@ -26,14 +26,15 @@ std::string fault_note(ToothFault fault, const SpurGear& section, const std::str
       return fmt::format("{} has no rack that cuts it: the rounded corners of its tip overlap.",
                          name);
     case ToothFault::no_root:
-      return fmt::format("{} has no root circle: its {:g} teeth are cut to beyond its centre.", name,
-                         section.teeth);
+      return fmt::format("{} has no root circle: its {:g} teeth are cut to beyond its centre.",
+                         name, section.teeth);
     case ToothFault::cut_through:
       return fmt::format("{} has no teeth: the fillets of {:g} teeth cut them off.", name,
                          section.teeth);
     case ToothFault::no_flank:
       return fmt::format(
-          "{} has no involute flank: its form circle of radius {:.6g} lies above its tip, of radius "
+          "{} has no involute flank: its form circle of radius {:.6g} lies above its tip, of "
+          "radius "
           "{:.6g}.",
           name, gear::form_radius(section), gear::flank_end_radius(section));
     case ToothFault::none:
@@ -54,17 +55,19 @@ void add_continuity(const GearPairDesign& design, const gear::PairGeometry& mesh
 
 void add_backlash(const gear::SpurPair& pair, const gear::PairGeometry& mesh, Notes& notes) {
   if (!(mesh.backlash < -kRounding * pair.gears[0].module)) return;
-  notes.push_back(fmt::format("The teeth overlap by {:.6g} on the pitch circles: they mesh from a "
-                              "centre distance of {:.6f} on.",
-                              -mesh.backlash, gear::centre_distance_without_backlash(pair.gears)));
+  notes.push_back(
+      fmt::format("The teeth overlap by {:.6g} on the pitch circles: they mesh from a "
+                  "centre distance of {:.6f} on.",
+                  -mesh.backlash, gear::centre_distance_without_backlash(pair.gears)));
 }
 
 void add_interference(const gear::SpurPair& pair, const gear::PairGeometry& mesh, Notes& notes) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (mesh.gears[i].interferes) {
-      notes.push_back(fmt::format("The {}'s tips interfere with the {}: they reach below its "
-                                  "involute, which begins at radius {:.6g}.",
-                                  kNames[1 - i], kNames[i], gear::form_radius(pair.gears[i])));
+      notes.push_back(
+          fmt::format("The {}'s tips interfere with the {}: they reach below its "
+                      "involute, which begins at radius {:.6g}.",
+                      kNames[1 - i], kNames[i], gear::form_radius(pair.gears[i])));
     }
     if (mesh.gears[i].tip_clearance < -kRounding * pair.gears[0].module) {
       notes.push_back(fmt::format("The {}'s tips reach {:.6g} below the root circle of the {}.",
@@ -88,9 +91,10 @@ Notes section_notes(const SpurGear& section, double needed_shift, const std::str
   }
   const double tip = gear::tip_radius(section), pointed = gear::pointed_radius(section);
   if (tip > pointed * (1 + kRounding)) {
-    notes.push_back(fmt::format("{} is pointed: its flanks meet at radius {:.6g}, below the tip "
-                                "circle of radius {:.6g}.",
-                                name, pointed, tip));
+    notes.push_back(
+        fmt::format("{} is pointed: its flanks meet at radius {:.6g}, below the tip "
+                    "circle of radius {:.6g}.",
+                    name, pointed, tip));
   }
   return notes;
 }
@@ -124,9 +128,10 @@ Notes gear_pair_notes(const GearPairDesign& design) {
   const double least =
       gear::base_radius(design.pair.gears[0]) + gear::base_radius(design.pair.gears[1]);
   if (!(design.pair.centre_distance > least)) {
-    notes.push_back(fmt::format("The base circles overlap: the centre distance is {:.6g}, less than "
-                                "the sum of their radii, {:.6g}; such gears cannot mesh.",
-                                design.pair.centre_distance, least));
+    notes.push_back(
+        fmt::format("The base circles overlap: the centre distance is {:.6g}, less than "
+                    "the sum of their radii, {:.6g}; such gears cannot mesh.",
+                    design.pair.centre_distance, least));
   }
   const auto mesh = mesh_of(design.pair);
   if (!mesh) return notes;

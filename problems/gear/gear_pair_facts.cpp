@@ -19,7 +19,8 @@ class Facts {
     add("ratio", wheel.teeth / pinion.teeth);
     add("module", *settled_.module);
     add("centre_distance", design_.pair.centre_distance);
-    add("reference_centre_distance", gear::reference_radius(pinion) + gear::reference_radius(wheel));
+    add("reference_centre_distance",
+        gear::reference_radius(pinion) + gear::reference_radius(wheel));
     add("profile_shift_sum", *settled_.profile_shift[0] + *settled_.profile_shift[1]);
     add("zero_backlash_distance", gear::centre_distance_without_backlash(design_.pair.gears));
     if (mesh_) add_mesh();

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/gear/tip_room.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -17,23 +19,6 @@ constexpr double kNoNumber = 1e9;
 
 double sum_of_base_radii(const SpurPair& pair) {
   return gear::base_radius(pair.gears[0]) + gear::base_radius(pair.gears[1]);
-}
-
-double along_tangent(double radius, double base) {
-  return std::sqrt(std::max(0.0, (radius - base) * (radius + base)));
-}
-
-/// How far from the point where the line of action touches the base circle of `index` the mating
-/// tip reaches; negative where it passes it.
-double reached_place(const SpurPair& pair, std::size_t index) {
-  const SpurGear& other = pair.gears[1 - index];
-  return along_tangent(pair.centre_distance, sum_of_base_radii(pair)) -
-         along_tangent(gear::flank_end_radius(other), gear::base_radius(other));
-}
-
-/// The place there of the form circle.
-double form_place(const SpurGear& gear) {
-  return along_tangent(gear::form_radius(gear), gear::base_radius(gear));
 }
 
 }  // namespace
@@ -126,11 +111,10 @@ void GearLimits::add_gear(std::size_t index) {
   struct Names {
     const char *tip, *undercut, *interference, *clearance;
   };
-  constexpr Names kNames[] = {
-      {"tip_thickness_min.pinion", "no_undercut.pinion", "no_interference.pinion",
-       "tip_clearance_min.pinion"},
-      {"tip_thickness_min.wheel", "no_undercut.wheel", "no_interference.wheel",
-       "tip_clearance_min.wheel"}};
+  constexpr Names kNames[] = {{"tip_thickness_min.pinion", "no_undercut.pinion",
+                               "no_interference.pinion", "tip_clearance_min.pinion"},
+                              {"tip_thickness_min.wheel", "no_undercut.wheel",
+                               "no_interference.wheel", "tip_clearance_min.wheel"}};
   const Names& names = kNames[index];
   const GearConstraints& c = problem_.constraints;
   const SpurGear& own = pair_.gears[index];
@@ -145,7 +129,10 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    at_least(names.interference, reached_place(pair_, index), form_place(own), module);
+    const bool touches = mesh_->gears[index].interferes;
+    const double overlap =
+        touches ? -gear::tip_room(pair_, gear::line_of_action(pair_), static_cast<int>(index)) : 0;
+    at_most(names.interference, overlap, 0, module);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));
@@ -159,8 +146,8 @@ double GearLimits::violation() const {
 
 double total_contact_ratio(const GearPairProblem& problem, double module,
                            const PairGeometry& mesh) {
-  const double overlap = problem.face_width * std::abs(std::sin(problem.helix)) /
-                         (std::numbers::pi * module);
+  const double overlap =
+      problem.face_width * std::abs(std::sin(problem.helix)) / (std::numbers::pi * module);
   return mesh.contact_ratio + overlap;
 }
 

@@ -18,8 +18,12 @@ struct Effort {
   int samples = 0, steps = 0;
 };
 
-/// Over the pinion's shift, and over the sum of shifts.
-constexpr Effort kFineSplit{40, 48}, kFineSum{32, 40}, kCoarseSplit{8, 6}, kCoarseSum{8, 6};
+/// Over the pinion's shift alone; of two unknowns, over each; and to compare combinations.
+constexpr Effort kOneUnknown{40, 48}, kOfTwo{16, 32}, kCoarse{8, 6};
+
+const Effort& effort_of(SearchDepth depth) {
+  return depth == SearchDepth::fine ? kOfTwo : kCoarse;
+}
 
 /// One number to be least: below 0 where every limit is met, by the objective; else the violation.
 double merit(const FoundPair& found) {
@@ -69,8 +73,7 @@ GearPairSearch::Interval GearPairSearch::shifts_of(std::size_t index, bool witho
   Interval all{problem_.profile_shift_bounds.min, problem_.profile_shift_bounds.max};
   if (without_undercut) {
     const auto& gear = unshifted_[index];
-    all.from =
-        std::max(all.from, gear::least_profile_shift(gear.rack, gear.teeth) / normal_);
+    all.from = std::max(all.from, gear::least_profile_shift(gear.rack, gear.teeth) / normal_);
   }
   return all;
 }
@@ -156,15 +159,14 @@ FoundPair GearPairSearch::at(double first, double second, double centre_distance
 
 /// Where the sliding at the foot of both flanks is the same, by a zero and not by a minimum.
 double GearPairSearch::balanced_shift(double sum, double distance, double from, double to) const {
-  const gear::SpurPair pair = section_of(
-      problem_, {combination_.teeth, combination_.module, {from, sum - from}, distance});
+  const gear::SpurPair pair =
+      section_of(problem_, {combination_.teeth, combination_.module, {from, sum - from}, distance});
   const double shift = gear::balanced_shift(pair, from * normal_, to * normal_) / normal_;
   return std::isfinite(shift) ? std::clamp(shift, from, to) : from;
 }
 
 FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
-  const double distance =
-      problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
+  const double distance = problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
   const auto at_shift = [&](double first) { return at(first, sum - first, distance); };
   const auto& [one, two] = problem_.profile_shift;
   if (one) return at_shift(*one);
@@ -174,7 +176,7 @@ FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
   const Interval all{std::max(first.from, sum - second.to), std::min(first.to, sum - second.from)};
   if (all.empty()) return at_shift(0.5 * (all.from + all.to));
   FoundPair best = least_of(at_shift, all.from, all.to,
-                            depth == SearchDepth::fine ? kFineSplit : kCoarseSplit);
+                            problem_.centre_distance ? kOneUnknown : effort_of(depth));
   if (problem_.objective == GearObjective::balanced_sliding) {
     const FoundPair balanced = at_shift(balanced_shift(sum, distance, all.from, all.to));
     if (is_better(balanced, best)) best = balanced;
@@ -193,8 +195,7 @@ std::optional<FoundPair> GearPairSearch::best(SearchDepth depth) const {
   if (all.empty()) all.from = all.to = 0.5 * (all.from + all.to);
   if (!std::isfinite(all.from) || !std::isfinite(all.to)) return std::nullopt;
   const auto at_sum = [&](double sum) { return best_split(sum, depth); };
-  FoundPair found =
-      least_of(at_sum, all.from, all.to, depth == SearchDepth::fine ? kFineSum : kCoarseSum);
+  FoundPair found = least_of(at_sum, all.from, all.to, effort_of(depth));
   if (!std::isfinite(found.numbers.centre_distance)) return std::nullopt;
   return found;
 }

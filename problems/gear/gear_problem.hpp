@@ -65,8 +65,8 @@ struct GearPairProblem {
   double helix = 0;                ///< of the pinion; the wheel's is opposite
   double face_width = 0;
   double shaft_angle = std::numbers::pi / 2;  ///< bevel
-  gear::WormPair worm;             ///< worm: all that there is
-  std::optional<double> friction;  ///< worm: then efficiency and self-locking are told
+  gear::WormPair worm;                        ///< worm: all that there is
+  std::optional<double> friction;             ///< worm: then efficiency and self-locking are told
   GearObjective objective = GearObjective::balanced_sliding;
   GearConstraints constraints;
   Solve solve;

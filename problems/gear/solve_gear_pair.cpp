@@ -22,7 +22,7 @@ using Found = std::vector<std::optional<FoundPair>>;  ///< one for each combinat
 
 /// Of more combinations than these, each with two unknowns, those are searched finely that a coarse
 /// search puts first.
-constexpr std::size_t kMostFine = 400;
+constexpr std::size_t kMostFine = 100;
 
 /// Searches combinations; keeps what its parts share.
 class Solver {

@@ -91,14 +91,16 @@ std::vector<std::string> worm_notes(const GearPairDesign& design) {
   const gear::WormPair& worm = design.settled.worm;
   std::vector<std::string> notes;
   if (worm.wheel_shift < least_shift(worm) - 1e-12) {
-    notes.push_back(fmt::format("The wheel is undercut in the middle plane: {:g} teeth need a shift "
-                                "of at least {:.4f}.",
-                                worm.wheel_teeth, least_shift(worm)));
+    notes.push_back(
+        fmt::format("The wheel is undercut in the middle plane: {:g} teeth need a shift "
+                    "of at least {:.4f}.",
+                    worm.wheel_teeth, least_shift(worm)));
   }
   const auto geometry = gear::geometry(worm);
   if (geometry.worm_root_diameter <= 0 || geometry.wheel_root_diameter <= 0) {
-    notes.emplace_back("The teeth reach beyond the axis; a greater diameter_quotient, or more "
-                       "teeth, is wanted.");
+    notes.emplace_back(
+        "The teeth reach beyond the axis; a greater diameter_quotient, or more "
+        "teeth, is wanted.");
   }
   return notes;
 }

@@ -19,7 +19,8 @@ constexpr std::int64_t kMostCombinations = 400'000;
 void refuse_both(TableReader& mechanism, std::string_view key, TableReader& bounds,
                  std::string_view bound) {
   if (!mechanism.has(key) || !bounds.has(bound)) return;
-  bounds.fault(bound, fmt::format("is given beside {}; leave one of them out", mechanism.name(key)));
+  bounds.fault(bound,
+               fmt::format("is given beside {}; leave one of them out", mechanism.name(key)));
 }
 
 void want_either(TableReader& mechanism, std::string_view key, TableReader& bounds,
@@ -30,8 +31,7 @@ void want_either(TableReader& mechanism, std::string_view key, TableReader& boun
 }
 
 void read_teeth(TableReader& bounds, GearPairProblem& problem) {
-  const auto ranges =
-      bounds.twos(kTeethKey, kTeeth, "[[min, max], [min, max]]", {2, 2, "ranges"});
+  const auto ranges = bounds.twos(kTeethKey, kTeeth, "[[min, max], [min, max]]", {2, 2, "ranges"});
   if (!ranges) return;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& [min, max] = (*ranges)[i];

@@ -159,8 +159,7 @@ void read_search(TableReader& document, TableReader& mechanism, GearPairProblem&
   }
   problem.objective = target.choice<GearObjective>("objective").value_or(problem.objective);
   check_objective(target, problem);
-  problem.solve.designs =
-      solve.integer("designs", 1, kMostDesigns).value_or(problem.solve.designs);
+  problem.solve.designs = solve.integer("designs", 1, kMostDesigns).value_or(problem.solve.designs);
   for (TableReader* table : {&bounds, &target, &solve}) table->finish();
 }
 

@@ -7,8 +7,8 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg",
-                           kShift = "profile_shift", kReduction = "tip_reduction";
+constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg", kShift = "profile_shift",
+                           kReduction = "tip_reduction";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are told by the pair that they are one of.
@@ -26,10 +26,10 @@ Gearing read_gearing(TableReader& mechanism) {
 void check_root(TableReader& mechanism, const GearProblem& problem) {
   const gear::SpurGear section = gear::transverse(problem.gear);
   if (gear::root_radius(section) > 0) return;
-  mechanism.fault(kTeethKey,
-                  fmt::format("is {:g}, so few that the rack cuts to beyond the gear's centre; more "
-                              "teeth, or a greater profile_shift, is wanted",
-                              problem.gear.normal.teeth));
+  mechanism.fault(
+      kTeethKey, fmt::format("is {:g}, so few that the rack cuts to beyond the gear's centre; more "
+                             "teeth, or a greater profile_shift, is wanted",
+                             problem.gear.normal.teeth));
 }
 
 void check_tip(TableReader& mechanism, const GearProblem& problem) {
@@ -46,8 +46,7 @@ gear::BasicRack read_rack(TableReader& document) {
   TableReader table = document.table("rack");
   const std::size_t before = document.faults().size();
   gear::BasicRack rack;
-  rack.pressure_angle =
-      radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
+  rack.pressure_angle = radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
   rack.addendum = table.number("addendum", kRackAddendum).value_or(rack.addendum);
   rack.clearance = table.number("clearance", kRackClearance).value_or(rack.clearance);
   table.finish();
@@ -67,8 +66,7 @@ void refuse_keys(TableReader& table, std::initializer_list<std::string_view> key
 
 double read_helix(TableReader& mechanism, Gearing gearing) {
   if (gearing != Gearing::helical) {
-    refuse_keys(mechanism, {kHelixKey},
-                fmt::format("{} gears have none", to_string(gearing)));
+    refuse_keys(mechanism, {kHelixKey}, fmt::format("{} gears have none", to_string(gearing)));
     return 0;
   }
   const auto helix = mechanism.number(kHelixKey, kHelix);

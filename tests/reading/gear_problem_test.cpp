@@ -49,10 +49,10 @@ TEST(GearProblemTest, AHelicalGear) {
 }
 
 TEST(GearProblemTest, APairWithOneShiftFree) {
-  const auto read = parse_gear_pair(pair(kWhole +
-                                         "profile_shift = [0.3, \"free\"]\nbacklash = 0.1\n"
-                                         "[bounds]\ncentre_distance = [249, inf]\n[target]\n"
-                                         "objective = \"size\"\n[constraints]\nsliding_max = 3"));
+  const auto read =
+      parse_gear_pair(pair(kWhole + "profile_shift = [0.3, \"free\"]\nbacklash = 0.1\n"
+                                    "[bounds]\ncentre_distance = [249, inf]\n[target]\n"
+                                    "objective = \"size\"\n[constraints]\nsliding_max = 3"));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->profile_shift[0], 0.3);
   EXPECT_FALSE(read->profile_shift[1]);
@@ -75,8 +75,8 @@ TEST(GearProblemTest, TeethAndModulesWithinBounds) {
 }
 
 TEST(GearProblemTest, AWorm) {
-  const auto read = parse_gear_pair(pair(
-      "gearing = \"worm\"\nstarts = 2\nwheel_teeth = 40\nmodule = 4\nfriction = 0.05"));
+  const auto read = parse_gear_pair(
+      pair("gearing = \"worm\"\nstarts = 2\nwheel_teeth = 40\nmodule = 4\nfriction = 0.05"));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->worm.starts, 2);
   EXPECT_EQ(read->worm.module, 4);
@@ -134,9 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"NothingOfAPair",
                   "kind = \"gear-pair\"",
                   {{1, 1, "mechanism.teeth is missing"}, {1, 1, "mechanism.module is missing"}}},
-        FaultCase{"OneNumberOfTeeth",
-                  pair("teeth = [20]\nmodule = 1"),
-                  {{3, 9, "[z1, z2]"}}},
+        FaultCase{"OneNumberOfTeeth", pair("teeth = [20]\nmodule = 1"), {{3, 9, "[z1, z2]"}}},
         FaultCase{"TeethTwice",
                   pair(kWhole + "[bounds]\nteeth = [[10, 20], [30, 40]]"),
                   {{6, 9, "beside mechanism.teeth"}}},
@@ -180,9 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"UnknownGearing",
                   pair("gearing = \"spiral\"\n" + kWhole + "[bounds]\nmodules = [1]"),
                   {{3, 11, "allowed are"}}},
-        FaultCase{"ShiftWord",
-                  pair(kWhole + "profile_shift = [0, \"fre\"]"),
-                  {{5, 21, "number"}}}),
+        FaultCase{"ShiftWord", pair(kWhole + "profile_shift = [0, \"fre\"]"), {{5, 21, "number"}}}),
     name_of_case);
 
 TEST(GearProblemTest, SaysWhichCommandTakesIt) {

@@ -266,7 +266,7 @@ TEST(GearPairSearch, NoPairOfAGridIsBetterWithTeethAndModuleFree) {
 
 TEST(GearPairSearch, DesignsAreTheSameWithAnyNumberOfThreads) {
   GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
-  problem.teeth_bounds = {{{14, 20}, {30, 44}}};
+  problem.teeth_bounds = {{{14, 16}, {30, 33}}};
   problem.modules = {2};
   problem.solve.designs = 4;
   const auto alone = solve(problem, {.threads = 1}), together = solve(problem, {.threads = 3});
@@ -281,12 +281,12 @@ TEST(GearPairSearch, DesignsAreTheSameWithAnyNumberOfThreads) {
 
 TEST(GearPairSearch, HuntingTeethHaveNoCommonDivisor) {
   GearPairProblem problem = spur_problem(GearObjective::contact_ratio);
-  problem.teeth_bounds = {{{18, 24}, {36, 48}}};
+  problem.teeth_bounds = {{{18, 20}, {36, 41}}};
   problem.modules = {2};
   problem.constraints.hunting = true;
   problem.solve.designs = 100;
   const auto result = solve(problem, {});
-  ASSERT_GT(result.designs.size(), 10u);
+  ASSERT_GT(result.designs.size(), 4u);
   for (const auto& design : result.designs) {
     EXPECT_EQ(std::gcd(*design.settled.teeth[0], *design.settled.teeth[1]), 1);
   }
