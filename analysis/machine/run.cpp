@@ -193,19 +193,22 @@ class Runner {
     stepper_.start(now_.time / time_, state_vector());
     moved_ = true;
     while (true) {
+      record();
+      if (end_.time && stepper_.x() >= *end_.time / time_) return leave(RunStop::time);
       if (++taken_ >= accuracy_.most_steps) return leave(RunStop::gave_up);
       if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::gave_up);
       if (!stepper_.step(next_time() / time_)) return leave(RunStop::open);
       const auto [event, at] = first_event();
       if (event != Event::none) return take(event, at);
-      while (next_ < times_.size() && stepper_.x() * time_ >= times_[next_] * (1 - 1e-15)) {
-        run_.states.push_back(state(stepper_.x(), stepper_.y()));
-        ++next_;
-      }
-      if (end_.time && stepper_.x() >= *end_.time / time_) {
-        now_ = state(stepper_.x(), stepper_.y());
-        return RunStop::time;
-      }
+    }
+  }
+
+  /// The states that are due, which an event may have come upon.
+  void record() {
+    constexpr double kRounding = 1e-15;
+    while (next_ < times_.size() && stepper_.x() * time_ >= times_[next_] * (1 - kRounding)) {
+      run_.states.push_back(state(stepper_.x(), stepper_.y()));
+      ++next_;
     }
   }
 

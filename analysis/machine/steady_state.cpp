@@ -12,8 +12,11 @@ namespace {
 
 /// How often K is doubled or halved in the search for a bracket.
 constexpr int kMostDoublings = 60;
-/// What counts as nothing, in tolerances and parts of what is worked in a period.
-constexpr double kNothing = 1e3;
+/// What counts as nothing, in tolerances and parts of what is worked in a period; and where the
+/// fixed point is met.
+constexpr double kNothing = 100, kMet = 0.1;
+/// The loosest tolerance: a little more saves little time, and blurs what is nothing.
+constexpr double kLoosest = 1e-8;
 
 /// K at the beginning of a period, and what it grows by in it.
 struct Shot {
@@ -25,12 +28,12 @@ class Shooting {
  public:
   Shooting(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy)
       : machine_(machine),
-        accuracy_(accuracy),
+        accuracy_(at_most_loose(accuracy)),
         guess_(guess),
         speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
         inertia_(machine.move_to(guess.phi).value),
         work_(turnover(machine, speed_)),
-        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy) {}
+        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
 
   SteadyState find(int steps) {
     if (machine_.depends_on_time) return missing(NoSteadyState::depends_on_time);
@@ -48,6 +51,11 @@ class Shooting {
   }
 
  private:
+  static Accuracy at_most_loose(Accuracy accuracy) {
+    accuracy.relative = std::min(accuracy.relative, kLoosest);
+    return accuracy;
+  }
+
   double nothing() const { return kNothing * accuracy_.relative * std::max(work_, cycle_.range()); }
 
   SteadyState missing(NoSteadyState why) {
@@ -133,10 +141,11 @@ class Shooting {
     if (low_.growth == 0) high_ = low_;
     if (high_.growth == 0) low_ = high_;
     if (low_.kinetic == high_.kinetic) return true;
+    const double met = kMet * accuracy_.relative * work_;
     bool failed = false;
     const auto growth = [&](double kinetic) {
-      if (failed || !shoot(kinetic)) failed = true;
-      return failed ? 0 : shot_.growth;
+      failed = failed || !shoot(kinetic);
+      return failed || std::abs(shot_.growth) <= met ? 0 : shot_.growth;
     };
     const double close = std::max(0.01 * accuracy_.relative, 1e-15);
     const auto is_close = [&](double a, double b) { return b - a <= close * b; };

@@ -52,8 +52,8 @@ double fluctuation(const SteadyState& steady);
 SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
                          int steps);
 
-/// The speed at which the torques, averaged over the period at constant speed, change from driving
-/// to braking: the least such between 1e-4 and 1e6. Empty where there is none.
+/// About the speed at which the torques, averaged over the period at constant speed, change from
+/// driving to braking: the least such between 1e-4 and 7e5. Empty where there is none.
 std::optional<double> speed_of_mean_torques(const Machine& machine);
 
 /// ∫ (|motor| + |load|) dφ over a period at constant speed (J), from samples.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/angle.hpp"
 #include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/whole_motion.hpp"
 #include "problems/machine/load_breaks.hpp"
@@ -25,9 +26,18 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 AnalysisProblem with_all_loads(const AnalysisProblem& problem,
                                const std::vector<MachineLoad>& loads) {
   AnalysisProblem all = problem;
-  all.drive.start = 0;
   std::ranges::transform(loads, std::back_inserter(all.loads), &MachineLoad::rule);
   return all;
+}
+
+/// Where a load with `load` may jump or bend besides where its function says: what depends on a
+/// body's travel is asked to tell one way from the other.
+LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoad>& loads,
+                        std::size_t load) {
+  LoadRule rule = all.loads[load];
+  const std::size_t own = all.loads.size() - loads.size();
+  if (load >= own && loads[load - own].of_travel) rule.sense = LoadSense::advance;
+  return rule;
 }
 
 /// Whether the motion is back in its first assemblies after a turn; an antiparallelogram is not.
@@ -112,17 +122,19 @@ MachineModel::MachineModel(const MachineProblem& problem, const Deadline& deadli
 }
 
 void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Deadline& deadline) {
-  const AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
+  AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
+  all.drive.start = in_one_turn(problem_.run.start_phi);
   course_ = whole_motion(all, deadline);
   gap_ = gap_of(course_);
   if (turns() && !repeats(course_)) {
     period_ = 2 * kTurn;
-    course_ = follow_until(all, 0, period_, deadline);
+    course_ = follow_until(all, course_.start, course_.start + period_, deadline);
   }
   strokes_ = load_strokes(all, deadline);
   for (std::size_t i = 0; i < all.loads.size(); ++i) {
     const Stroke stroke = i < strokes_.size() ? strokes_[i] : Stroke{};
-    const auto more = load_breaks(all.mechanism.mechanism, course_, all.loads[i], stroke);
+    const LoadRule rule = rule_of_breaks(all, problem_.loads, i);
+    const auto more = load_breaks(all.mechanism.mechanism, course_, rule, stroke);
     breaks_.insert(breaks_.end(), more.begin(), more.end());
   }
   for (double& place : breaks_) {

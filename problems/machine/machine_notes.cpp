@@ -6,7 +6,7 @@
 
 namespace cognate::problems {
 
-std::string steady_note(const machine::SteadyState& steady) {
+std::string steady_note(const machine::SteadyState& steady, bool turns) {
   using machine::NoSteadyState;
   switch (steady.missing) {
     case NoSteadyState::none:
@@ -27,14 +27,15 @@ std::string steady_note(const machine::SteadyState& steady) {
     case NoSteadyState::depends_on_time:
       return "no steady state: motor or loads depend on time";
     case NoSteadyState::open:
-      return "no steady state: the mechanism cannot be assembled all the way round";
+      return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
+                   : "no steady state: the mechanism cannot be assembled all the way round";
     case NoSteadyState::gave_up:
       break;
   }
   return "the search for the steady state was ended before it was done";
 }
 
-std::string ended_note(const std::string& what, const machine::MachineRun& run) {
+std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns) {
   using machine::RunStop;
   const machine::MachineState& last = run.states.back();
   const std::string place =
@@ -45,7 +46,10 @@ std::string ended_note(const std::string& what, const machine::MachineRun& run) 
       return fmt::format("{} fails: the machine stands still and nothing moves it, {}", what,
                          place);
     case RunStop::open:
-      return fmt::format("{} fails: the mechanism cannot be assembled further on, {}", what, place);
+      return fmt::format(
+          "{} fails: {}, {}", what,
+          turns ? "motor or loads have no value" : "the mechanism cannot be assembled further on",
+          place);
     case RunStop::gave_up:
       return fmt::format("{} was ended before it was done, {}", what, place);
     case RunStop::at_rest:

@@ -123,13 +123,14 @@ class MachineTasks {
     const SteadyState& found = steady_state();
     if (!model_.turns()) result_.notes.push_back(model_.gap());
     if (!is_steady()) {
-      fail(steady_note(found));
+      fail(steady_note(found, model_.turns()));
       if (found.missing == NoSteadyState::any_speed) {
         result_.notes.emplace_back("with a start speed, that of the start is taken");
       }
       return;
     }
-    if (found.missing == NoSteadyState::any_speed) result_.notes.push_back(steady_note(found));
+    if (found.missing == NoSteadyState::any_speed)
+      result_.notes.push_back(steady_note(found, model_.turns()));
     const Machine whole = machine();
     result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
     append(result_.facts, steady_facts(problem_, whole, found));
@@ -183,9 +184,9 @@ class MachineTasks {
                       "rad/s",
                       *wanted.speed_end, steady_->least.omega, steady_->greatest.omega));
     } else if (is_limit(run.stop) && !wanted.speed_end) {
-      result_.notes.push_back(ended_note("the start", run));
+      result_.notes.push_back(ended_note("the start", run, model_.turns()));
     } else if (run.stop != RunStop::approached && run.stop != RunStop::speed) {
-      fail(ended_note("the start", run));
+      fail(ended_note("the start", run, model_.turns()));
     }
   }
 
@@ -201,7 +202,7 @@ class MachineTasks {
     const Machine whole = machine(false, problem_.brake.value_or(0));
     const MachineRun run = follow(whole, {.phi = problem_.run.start_phi, .omega = speed}, end);
     tell(MachineTask::stop, whole, run);
-    if (run.stop != RunStop::at_rest) fail(ended_note("the stop", run));
+    if (run.stop != RunStop::at_rest) fail(ended_note("the stop", run, model_.turns()));
   }
 
   const MachineProblem& problem_;
