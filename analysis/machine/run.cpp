@@ -231,13 +231,11 @@ class Runner {
     if (event == Event::rest) y[momentum] = 0;
     if (event == limit_event_) y[phi] = limit_;
     now_ = state(at, y);
+    if (event == limit_event_ && has_approached()) return RunStop::approached;
     if (event == Event::travel) return RunStop::travel;
-    if (event == Event::speed) {
-      now_.omega = *end_.speed;
-      return RunStop::speed;
-    }
-    if (event == Event::border && has_approached()) return RunStop::approached;
-    return std::nullopt;
+    if (event != Event::speed) return std::nullopt;
+    now_.omega = *end_.speed;
+    return RunStop::speed;
   }
 
   bool has_approached() const {
@@ -278,7 +276,7 @@ MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& e
                const Accuracy& accuracy, std::size_t records) {
   Runner runner(machine, from, end, accuracy);
   MachineRun whole = runner.go({});
-  if (records == 0) return whole;
+  if (records == 0 || whole.stop == RunStop::gave_up) return whole;
   const double duration = whole.states.back().time - from.time;
   std::vector<double> times;
   for (std::size_t i = 1; i <= records; ++i) {

@@ -13,6 +13,7 @@ namespace cognate::machine {
 enum class NoSteadyState {
   none,
   stalls,     ///< from every speed looked at the drive slows down until it stops
+  stands,     ///< the drive stops within a period in which it would gain as much as it loses
   runs_away,  ///< at every speed motor and loads do more work than none: it grows without bound
   any_speed,  ///< torques do not depend on speed and do no work in a period: every speed is one
   depends_on_time,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -168,6 +169,28 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
           .period = period_,
           .breaks = breaks_,
           .depends_on_time = depends_on_time_};
+}
+
+std::optional<double> MachineModel::without_inertia(double flywheel) const {
+  constexpr int kSamples = 360;
+  constexpr double kNothing = 1e-9;
+  if (!turns()) return std::nullopt;
+  const machine::Machine whole = machine({.flywheel = flywheel});
+  const auto inertia = [&](double phi) {
+    return whole.move_to(phi - period_ * std::floor(phi / period_)).value;
+  };
+  const double step = period_ / kSamples;
+  double least = inertia(0), greatest = least, at = 0;
+  for (int i = 1; i < kSamples; ++i) {
+    const double value = inertia(i * step);
+    greatest = std::max(greatest, value);
+    if (value >= least) continue;
+    least = value;
+    at = i * step;
+  }
+  at = boost::math::tools::brent_find_minima(inertia, at - step, at + step, 30).first;
+  if (inertia(at) > kNothing * greatest) return std::nullopt;
+  return in_one_turn(at);
 }
 
 }  // namespace cognate::problems

@@ -44,19 +44,14 @@ class MachineTasks {
   }
 
   MachineResult answer() {
-    if (problem_.fluctuation) find_flywheel();
-    for (const MachineTask task : problem_.run.tasks) {
-      switch (task) {
-        case MachineTask::steady:
-          steady();
-          break;
-        case MachineTask::start:
-          start();
-          break;
-        case MachineTask::stop:
-          stop();
-          break;
-      }
+    if (const auto place = model_.without_inertia(flywheel_)) {
+      fail(fmt::format(
+          "the machine's inertia vanishes where the drive is at {:.6g}°, and any torque "
+          "would bring any speed at once there; give the crank, a flywheel or the motor "
+          "an inertia",
+          *place * 360 / kTurn));
+    } else {
+      do_tasks();
     }
     result_.status = status();
     result_.work.seconds = deadline_.spent();
@@ -66,6 +61,15 @@ class MachineTasks {
   }
 
  private:
+  void do_tasks() {
+    if (problem_.fluctuation) find_flywheel();
+    for (const MachineTask task : problem_.run.tasks) {
+      if (task == MachineTask::steady) steady();
+      if (task == MachineTask::start) start();
+      if (task == MachineTask::stop) stop();
+    }
+  }
+
   Status status() const {
     if (deadline_.interrupted()) return Status::interrupted;
     if (deadline_.expired()) return Status::time_limit;

@@ -236,7 +236,20 @@ motor = {torque = "5 - w"}
 [run]
 tasks = ["stop"]
 )");
-  EXPECT_TRUE(says(coasts, "the stop is not done within its limits"));
+  EXPECT_TRUE(says(coasts, "the stop ended at its limit, after"));
+}
+
+TEST(RunMachine, NeedsInertiaEverywhere) {
+  // The slider alone has mass, and stands still at its dead centres.
+  const MachineResult result = result_of(R"(
+mechanism = {type = "slider-crank", pivot = [0, 0], crank = 0.1, coupler = 0.45, offset = 0.03}
+motor = {torque = "5 - w"}
+[[link]]
+name = "slider"
+mass = 5
+)");
+  EXPECT_EQ(result.status, Status::no_solution);
+  EXPECT_TRUE(says(result, "the machine's inertia vanishes where the drive is at"));
 }
 
 TEST(RunMachine, OfARockingDriveHasNoSteadyState) {
