@@ -190,7 +190,8 @@ std::optional<double> MachineModel::without_inertia(double flywheel) const {
   }
   at = boost::math::tools::brent_find_minima(inertia, at - step, at + step, 30).first;
   if (inertia(at) > kNothing * greatest) return std::nullopt;
-  return in_one_turn(at);
+  constexpr double kClose = 1e-6;
+  return std::abs(std::remainder(at, kTurn)) < kClose ? 0 : in_one_turn(at);
 }
 
 }  // namespace cognate::problems
