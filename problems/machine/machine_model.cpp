@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/angle.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
 #include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/whole_motion.hpp"
 #include "problems/machine/load_breaks.hpp"
@@ -41,10 +42,17 @@ LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoa
   return rule;
 }
 
-/// Whether the motion is back in its first assemblies after a turn; an antiparallelogram is not.
-bool repeats(const Course& course) {
-  const CourseRun& run = course.runs.front();
-  return sides_at(run, course.start) == sides_at(run, course.end);
+/// Whether all bodies stand after a turn as they did before; `two_turns` is the motion from where a
+/// machine's course begins. Beside that place, since a change point may lie there.
+bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
+  constexpr double kBeside = 0.01, kSame = 1e-6;
+  FollowedMotion<0> first(mechanism, two_turns), second(mechanism, two_turns);
+  if (!first.move_to(two_turns.start + kBeside)) return true;
+  if (!second.move_to(two_turns.start + kTurn + kBeside)) return true;
+  const auto stand_alike = [](const auto& a, const auto& b) {
+    return squared_norm(a.direction - b.direction) < kSame;
+  };
+  return std::ranges::equal(first.bodies(), second.bodies(), stand_alike);
 }
 
 /// Why the drive does not turn fully; empty where it does.
@@ -127,9 +135,12 @@ void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Dea
   all.drive.start = in_one_turn(problem_.run.start_phi);
   course_ = whole_motion(all, deadline);
   gap_ = gap_of(course_);
-  if (turns() && !repeats(course_)) {
-    period_ = 2 * kTurn;
-    course_ = follow_until(all, course_.start, course_.start + period_, deadline);
+  if (turns() && !course_.runs.front().changes.empty()) {
+    Course two_turns = follow_until(all, course_.start, course_.start + 2 * kTurn, deadline);
+    if (!repeats(all.mechanism.mechanism, two_turns)) {
+      period_ = 2 * kTurn;
+      course_ = std::move(two_turns);
+    }
   }
   strokes_ = load_strokes(all, deadline);
   for (std::size_t i = 0; i < all.loads.size(); ++i) {

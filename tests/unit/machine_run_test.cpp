@@ -269,10 +269,9 @@ tasks = ["steady", "start"]
   EXPECT_TRUE(says(result, "the drive cannot turn fully"));
 }
 
-// At 180° its links lie in one line, and it goes on in the other assembly.
-TEST(RunMachine, OfAChangePointLinkageRepeatsAfterTwoTurns) {
-  const MachineResult result = result_of(R"(
-mechanism = {type = "four-bar", fixed_pivots = [[0, 0], [4, 0]], crank = 1, coupler = 2, rocker = 3}
+/// With a motor, and masses on coupler and rocker.
+std::string four_bar(const std::string& lengths, const std::string& start_deg) {
+  return "mechanism = {type = \"four-bar\", " + lengths + "}\n" + R"(
 motor = {torque = "50 - 5*w"}
 [[link]]
 name = "coupler"
@@ -282,13 +281,31 @@ centre = [1, 0.5]
 name = "rocker"
 inertia = 3
 [run]
-start_deg = 30
 tolerance = 1e-8
-)");
+start_deg = )" +
+         start_deg;
+}
+
+TEST(RunMachine, OfAChangePointLinkageRepeatsAfterTwoTurns) {
+  // At 180° its links lie in one line, and it goes on in the other assembly.
+  const MachineResult result = result_of(
+      four_bar("fixed_pivots = [[0, 0], [4, 0]], crank = 1, coupler = 2, rocker = 3", "30"));
   EXPECT_EQ(result.status, Status::solved);
   ASSERT_EQ(result.motions.size(), 1U);
   EXPECT_NEAR(column(result.motions[0], "crank_deg").back(), 30 + 720, 1e-9);
   EXPECT_LT(fact(result, "energy_residual"), 1e-6);
+}
+
+TEST(RunMachine, OfAParallelogramRepeatsAfterOneThoughItStartsAtAChangePoint) {
+  for (const char* start : {"0", "30"}) {
+    const MachineResult result = result_of(
+        four_bar("fixed_pivots = [[0, 0], [3, 0]], crank = 1, coupler = 3, rocker = 1", start));
+    EXPECT_EQ(result.status, Status::solved);
+    // Its coupler does not turn: J is 2 + 3 kg m² all round, and the speed is even.
+    EXPECT_NEAR(fact(result, "period_s"), 2 * kPi / 10, 1e-8);
+    EXPECT_NEAR(fact(result, "speed_max_rad_s"), 10, 1e-7);
+    EXPECT_NEAR(column(result.motions.at(0), "inertia_kg_m2")[50], 5, 1e-9);
+  }
 }
 
 TEST(RunMachine, EndsWhenItsTimeIsUp) {
