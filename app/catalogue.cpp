@@ -7,6 +7,8 @@ constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
     {"cam", "a follower is to move by given laws over a turn of a cam"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
+    {"gear", "a gear as its rack cuts it is evaluated (cognate analyze)"},
+    {"gear-pair", "two gears are to mesh; teeth, shifts or centre distance are found"},
     {"machine",
      "what a motor, loads and inertias make of a mechanism's motion: steady, start, stop (cognate "
      "analyze)"},
@@ -29,7 +31,8 @@ constexpr Entry kSolveOptions[] = {
      "within a bound on the error. MEASURE: \"transmission_angle\" (the least acute one, "
      "greatest), "
      "\"link_ratio\" (longest over shortest link, least), \"size\" (longest link, least), "
-     "\"peak_acceleration\" or \"torque_ripple\" (over the full turn, least)"},
+     "\"peak_acceleration\", \"torque_ripple\", \"speed_fluctuation\", \"flywheel_inertia\" or "
+     "\"motor_power\" (over the full turn, least)"},
     {"loss",
      "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
      "that gross errors in the target do not govern"},
@@ -54,6 +57,10 @@ constexpr Metric kMetrics[] = {
     {"peak_acceleration", "length/s2 or rad/s2",
      "greatest over the turn, of the coupler point or of a function's rocker, where asked for"},
     {"torque_ripple", "N m", "greatest less least driving torque, where asked for"},
+    {"speed_fluctuation", "1",
+     "(greatest - least)/mean speed, where asked for; from 2 on the machine does not come round"},
+    {"flywheel_inertia", "kg m2", "least flywheel for a given fluctuation, where asked for"},
+    {"motor_power", "W", "greatest power of the drive over the turn, where asked for"},
     {"input_start_deg", "deg", "input angle at the start, from A to D (functions)"},
     {"output_start_deg", "deg", "output angle at the start, from A to D (functions)"},
     {"precision_residual", "1", "what an exact synthesis leaves of its equations"},
@@ -109,6 +116,11 @@ constexpr Metric kMetrics[] = {
      "over the diagonal of the box along the line that holds both moving pivots meanwhile"}};
 
 constexpr Metric kFacts[] = {
+    {"combinations", "1", "of teeth and module that were tested (gear pairs)"},
+    {"refused_by_ratio, refused_by_hunting", "1", "of these, outside the tolerance, or divisible"},
+    {"refused_by_centre_distance", "1", "that no shifts within bounds bring to the distance"},
+    {"refused_by_undercut", "1", "that only undercut gears would"},
+    {"combinations_searched", "1", "for their best shifts"},
     {"problems_solved", "1", "searches and refinements from neighbours, with solve.objectives"},
     {"solutions", "1", "positions and points with the contact asked for (straight lines)"},
     {"dyads", "1", "real dyads through five poses: 0, 2 or 4 (motions)"},

@@ -187,6 +187,12 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
                      [](const Design& d) { return number(d.metrics.peak_acceleration, 4); });
   columns.add_if_any("torque ripple [N m]", Align::right,
                      [](const Design& d) { return number(d.metrics.torque_ripple, 4); });
+  columns.add_if_any("speed fluctuation", Align::right,
+                     [](const Design& d) { return number(d.metrics.speed_fluctuation, 4); });
+  columns.add_if_any("flywheel [kg m2]", Align::right,
+                     [](const Design& d) { return number(d.metrics.flywheel_inertia, 4); });
+  columns.add_if_any("motor power [W]", Align::right,
+                     [](const Design& d) { return number(d.metrics.motor_power, 4); });
   columns.add_dimensions();
   if (choice.coupler_point) {
     columns.add_if_any("coupler point [length]", Align::left, coupler_point_text);

@@ -154,11 +154,23 @@ constexpr Entry kConstraints[] = {
      "over the full turn, at [drive] speed: of the coupler point, or of a function's rocker"},
     {"torque_ripple_max",
      "greatest less least driving torque over the full turn, with [[link]], [[load]], gravity"},
+    {"speed_fluctuation_max",
+     "(greatest - least)/mean crank speed of the steady motion, below 2, with [drive] speed, "
+     "[[link]], [[load]], gravity, [flywheel] inertia"},
+    {"flywheel_inertia_max",
+     "the least flywheel on the crank for [flywheel] fluctuation, with [drive] speed, ..."},
+    {"motor_power_max",
+     "greatest power of the drive at [drive] speed, with [[link]], [[load]], ..."},
     {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
     {"no_extra_loop",
      "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
 
-constexpr Entry kDrive[] = {{"speed", "of the crank, constant, rad/s (default 1)"}};
+constexpr Entry kDrive[] = {
+    {"speed",
+     "of the crank, rad/s: constant (default 1), or the mean of a speed that may fluctuate"}};
+
+constexpr Entry kFlywheel[] = {{"inertia", "on the crank, for speed_fluctuation_max (default 0)"},
+                               {"fluctuation", "that it is to leave, for flywheel_inertia_max"}};
 
 constexpr Entry kLink[] = {
     {"name, between",
@@ -168,14 +180,18 @@ constexpr Entry kLink[] = {
 
 constexpr Entry kLoad[] = {
     {"on, at", "\"coupler-point\", \"B\", \"C\", or a link and [u, v] in its axes"},
-    {"force, torque", "[fx, fy] and a torque, which act all the time"}};
+    {"force, torque", "[fx, fy] and a torque"},
+    {"when",
+     "\"always\" (default); on the rocker of a crank-rocker \"advance\" (while it turns "
+     "counter-clockwise) or \"return\""}};
 
 constexpr KeyedEntry kCommon[] = {
     {"[bounds]", "of what is sought", kBounds},
     {"[constraints]", "on the designs", kConstraints},
-    {"[drive]", "for peak_acceleration_max and torque_ripple_max", kDrive},
-    {"[[link]]", "for torque_ripple_max, as is gravity = [x, y]", kLink},
-    {"[[load]]", "for torque_ripple_max", kLoad}};
+    {"[drive]", "for peak accelerations, torques, speeds and powers over the turn", kDrive},
+    {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
+    {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
+    {"[[load]]", "likewise", kLoad}};
 
 }  // namespace
 

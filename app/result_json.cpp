@@ -47,6 +47,9 @@ ordered_json metrics_json(const problems::Metrics& metrics) {
   for (const auto defect : metrics.defects) table["defects"].push_back(to_string(defect));
   set_finite(table, "peak_acceleration", metrics.peak_acceleration);
   set_finite(table, "torque_ripple", metrics.torque_ripple);
+  set_finite(table, "speed_fluctuation", metrics.speed_fluctuation);
+  set_finite(table, "flywheel_inertia", metrics.flywheel_inertia);
+  set_finite(table, "motor_power", metrics.motor_power);
   if (metrics.input_start) table["input_start_deg"] = degrees(*metrics.input_start);
   if (metrics.output_start) table["output_start_deg"] = degrees(*metrics.output_start);
   set_finite(table, "precision_residual", metrics.precision_residual);

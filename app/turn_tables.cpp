@@ -50,6 +50,7 @@ ordered_json load_table(const problems::WorkingLoad& load) {
   }
   table["force"] = to_json(load.force);
   table["torque"] = load.torque;
+  if (load.sense != problems::LoadSense::always) table["when"] = to_string(load.sense);
   return table;
 }
 
@@ -66,13 +67,20 @@ void add_turn_limits(const problems::Constraints& given, ordered_json& table) {
   };
   add("peak_acceleration_max", given.peak_acceleration_max);
   add("torque_ripple_max", given.torque_ripple_max);
+  add("speed_fluctuation_max", given.speed_fluctuation_max);
+  add("flywheel_inertia_max", given.flywheel_inertia_max);
+  add("motor_power_max", given.motor_power_max);
 }
 
 void add_operation(const problems::Constraints& given, ordered_json& tables) {
-  if (!given.peak_acceleration_max && !given.torque_ripple_max) return;
+  const bool by_forces = given.torque_ripple_max || given.speed_fluctuation_max ||
+                         given.flywheel_inertia_max || given.motor_power_max;
+  if (!given.peak_acceleration_max && !by_forces) return;
   const problems::Operation& operation = given.operation;
   tables["drive"] = {{"speed", operation.speed}};
-  if (!given.torque_ripple_max) return;
+  if (!by_forces) return;
+  if (operation.flywheel > 0) tables["flywheel"]["inertia"] = operation.flywheel;
+  if (operation.fluctuation > 0) tables["flywheel"]["fluctuation"] = operation.fluctuation;
   for (std::size_t i = 0; i < operation.links.size(); ++i) {
     const problems::LinkMass& mass = operation.links.at(i);
     const auto link = static_cast<problems::MovingLink>(i);

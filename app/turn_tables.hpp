@@ -7,7 +7,7 @@
 
 namespace cognate::app {
 
-/// Adds `clearance`, `peak_acceleration_max` and `torque_ripple_max` to `[constraints]`.
+/// Adds what is limited over the full turn to `[constraints]`.
 void add_turn_limits(const problems::Constraints& given, nlohmann::ordered_json& table);
 
 /// Adds `drive`, `link`, `load` and `gravity` to the tables of a file, where a limit refers to

@@ -169,11 +169,14 @@ Relaxation of_clearance(std::size_t index) {
 /// What holds over the full turn, which only a turning crank can keep to: the class stays.
 void add_turn_limits(const Constraints& constraints, std::vector<Relaxation>& all) {
   for (std::size_t i = 0; i < constraints.clearances.size(); ++i) all.push_back(of_clearance(i));
-  if (is_limit(constraints.peak_acceleration_max)) {
-    all.push_back(of_most("peak_acceleration_max", &Constraints::peak_acceleration_max));
-  }
-  if (is_limit(constraints.torque_ripple_max)) {
-    all.push_back(of_most("torque_ripple_max", &Constraints::torque_ripple_max));
+  constexpr std::pair<const char*, std::optional<double> Constraints::*> kMost[] = {
+      {"peak_acceleration_max", &Constraints::peak_acceleration_max},
+      {"torque_ripple_max", &Constraints::torque_ripple_max},
+      {"speed_fluctuation_max", &Constraints::speed_fluctuation_max},
+      {"flywheel_inertia_max", &Constraints::flywheel_inertia_max},
+      {"motor_power_max", &Constraints::motor_power_max}};
+  for (const auto& [key, most] : kMost) {
+    if (is_limit(constraints.*most)) all.push_back(of_most(key, most));
   }
 }
 

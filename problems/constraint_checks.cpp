@@ -112,9 +112,12 @@ class Checks {
   }
 
   /// Of a value over the turn; one that is not known is not allowed.
-  void check_most(const std::string& name, std::optional<double> value, double limit) {
+  /// Where there is a finite limit.
+  void check_limit(const std::string& name, std::optional<double> value,
+                   const std::optional<double>& limit) {
+    if (!is_limit(limit)) return;
     const double reached = value.value_or(kInfinity);
-    add(name, reached, limit, reached <= limit * (1 + kCheckTolerance));
+    add(name, reached, *limit, reached <= *limit * (1 + kCheckTolerance));
   }
 
   void check_pivot_region(const Box& region) {
@@ -251,12 +254,14 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
   checks.check_clearances(constraints.clearances);
-  if (const auto& most = constraints.peak_acceleration_max; is_limit(most)) {
-    checks.check_most("peak_acceleration_max", metrics.peak_acceleration, *most);
-  }
-  if (const auto& most = constraints.torque_ripple_max; is_limit(most)) {
-    checks.check_most("torque_ripple_max", metrics.torque_ripple, *most);
-  }
+  checks.check_limit("peak_acceleration_max", metrics.peak_acceleration,
+                     constraints.peak_acceleration_max);
+  checks.check_limit("torque_ripple_max", metrics.torque_ripple, constraints.torque_ripple_max);
+  checks.check_limit("speed_fluctuation_max", metrics.speed_fluctuation,
+                     constraints.speed_fluctuation_max);
+  checks.check_limit("flywheel_inertia_max", metrics.flywheel_inertia,
+                     constraints.flywheel_inertia_max);
+  checks.check_limit("motor_power_max", metrics.motor_power, constraints.motor_power_max);
   if (constraints.no_branch_defect) {
     checks.check_defect("no_branch_defect", Defect::branch, metrics);
   }

@@ -79,7 +79,10 @@ struct Constraints {
   /// Infinite: known of designs, but not limited. The first of the coupler point (length/s²) or of
   /// the rocker (rad/s²), the other the greatest less the least driving torque.
   std::optional<double> peak_acceleration_max, torque_ripple_max;
-  Operation operation;     ///< under which those two are meant
+  /// Likewise: (ω_max − ω_min)/ω_m of the steady motion, the inertia of the least flywheel (kg·m²)
+  /// and the greatest power of the drive (W); see turn_energy.hpp.
+  std::optional<double> speed_fluctuation_max, flywheel_inertia_max, motor_power_max;
+  Operation operation;     ///< under which those are meant
   bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
   /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
   /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
@@ -99,7 +102,8 @@ inline bool is_limit(const std::optional<double>& most) {
 /// Whether a limit over the full turn of the crank is among them.
 inline bool limits_turn(const Constraints& constraints) {
   return !constraints.clearances.empty() || is_limit(constraints.peak_acceleration_max) ||
-         is_limit(constraints.torque_ripple_max);
+         is_limit(constraints.torque_ripple_max) || is_limit(constraints.speed_fluctuation_max) ||
+         is_limit(constraints.flywheel_inertia_max) || is_limit(constraints.motor_power_max);
 }
 
 /// `solve.solver`.
@@ -127,7 +131,10 @@ enum class Measure {
   link_ratio,
   size,
   peak_acceleration,
-  torque_ripple
+  torque_ripple,
+  speed_fluctuation,
+  flywheel_inertia,
+  motor_power
 };
 
 /// `[solve]`.

@@ -56,12 +56,10 @@ double value_or_worst(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::infinity());
 }
 
-double acceleration(const Design& design) {
-  return value_or_worst(design.metrics.peak_acceleration);
-}
-
-double ripple(const Design& design) {
-  return value_or_worst(design.metrics.torque_ripple);
+/// A metric of a finished design.
+template <std::optional<double> Metrics::*metric>
+double metric_of(const Design& design) {
+  return value_or_worst(design.metrics.*metric);
 }
 
 /// Keeps `limit` to `greatest`.
@@ -70,12 +68,9 @@ bool tighten(std::optional<double>& limit, double greatest) {
   return *limit > 0;
 }
 
-bool limit_acceleration(DesignLimits& limits, double greatest) {
-  return tighten(limits.constraints.peak_acceleration_max, greatest);
-}
-
-bool limit_ripple(DesignLimits& limits, double greatest) {
-  return tighten(limits.constraints.torque_ripple_max, greatest);
+template <std::optional<double> Constraints::*limit>
+bool limit_metric(DesignLimits& limits, double greatest) {
+  return tighten(limits.constraints.*limit, greatest);
 }
 
 constexpr MeasureRule kRules[] = {
@@ -86,9 +81,16 @@ constexpr MeasureRule kRules[] = {
      true, link_ratio, limit_link_ratio},
     {Measure::size, "longest_link", "the longest link", false, 0, true, longest_link, limit_size},
     {Measure::peak_acceleration, "peak_acceleration", "the peak acceleration", false, 0, false,
-     acceleration, limit_acceleration},
+     metric_of<&Metrics::peak_acceleration>, limit_metric<&Constraints::peak_acceleration_max>},
     {Measure::torque_ripple, "torque_ripple", "the ripple of the driving torque", false, 0, false,
-     ripple, limit_ripple}};
+     metric_of<&Metrics::torque_ripple>, limit_metric<&Constraints::torque_ripple_max>},
+    {Measure::speed_fluctuation, "speed_fluctuation", "the fluctuation of the speed", false, 0,
+     false, metric_of<&Metrics::speed_fluctuation>,
+     limit_metric<&Constraints::speed_fluctuation_max>},
+    {Measure::flywheel_inertia, "flywheel_inertia", "the inertia of the flywheel", false, 0, false,
+     metric_of<&Metrics::flywheel_inertia>, limit_metric<&Constraints::flywheel_inertia_max>, true},
+    {Measure::motor_power, "motor_power", "the greatest power of the drive", false, 0, false,
+     metric_of<&Metrics::motor_power>, limit_metric<&Constraints::motor_power_max>, true}};
 
 }  // namespace
 

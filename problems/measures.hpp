@@ -28,6 +28,9 @@ struct MeasureRule {
   double (*value)(const Design& design);
   /// Lets `limits` allow no design worse than `value`; false where they then allow none at all.
   bool (*limit)(DesignLimits& limits, double value);
+  /// Whether a design may need nothing at all: then what is a thousandth of the first counts as
+  /// nothing, so that levels have an end.
+  bool may_vanish = false;
 
   /// A number that grows as designs get better, so that equal steps of it are equal gains: the
   /// angle; the logarithm of a ratio or length, negative.

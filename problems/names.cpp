@@ -63,7 +63,10 @@ constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
                                         {"link_ratio", Measure::link_ratio},
                                         {"size", Measure::size},
                                         {"peak_acceleration", Measure::peak_acceleration},
-                                        {"torque_ripple", Measure::torque_ripple}};
+                                        {"torque_ripple", Measure::torque_ripple},
+                                        {"speed_fluctuation", Measure::speed_fluctuation},
+                                        {"flywheel_inertia", Measure::flywheel_inertia},
+                                        {"motor_power", Measure::motor_power}};
 constexpr Named<ErrorMeasure> kErrorMeasures[] = {
     {"rms_error_max", ErrorMeasure::rms_length},
     {"rms_error_deg_max", ErrorMeasure::rms_angle},

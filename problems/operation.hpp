@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/vec2.hpp"
+#include "problems/load_sense.hpp"
 
 namespace cognate::problems {
 
@@ -32,17 +33,21 @@ struct LinkMass {
   double mass_per_length = 0;  ///< ρ, kg/m
 };
 
-/// `[[load]]`: a force (N, global axes) and a torque (N·m) that act all the time.
+/// `[[load]]`: a force (N, global axes) and a torque (N·m) that act all the time or, on the rocker
+/// of a crank-rocker, in one of its strokes.
 struct WorkingLoad {
   LinkPlace at;
   Vec2d force{};
   double torque = 0;
+  LoadSense sense = LoadSense::always;
 };
 
-/// `[drive]`, `[[link]]`, `[[load]]` and `gravity` of a design problem. Lengths in m go with N and
-/// kg; in another unit torques are in kg·length²/s².
+/// `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and `gravity` of a design problem. Lengths in m
+/// go with N and kg; in another unit torques are in kg·length²/s².
 struct Operation {
-  double speed = 1;  ///< of the crank, rad/s, constant
+  double speed = 1;        ///< of the crank, rad/s: constant, or its mean where the speed may vary
+  double flywheel = 0;     ///< inertia that turns with the crank, kg·m²
+  double fluctuation = 0;  ///< that a flywheel is to leave, where one is sought
   std::array<LinkMass, 3> links{};
   std::vector<WorkingLoad> loads;
   Vec2d gravity{};  ///< acceleration of free fall

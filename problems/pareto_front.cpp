@@ -21,6 +21,8 @@ constexpr double kEven = 1.2;
 constexpr double kSameError = 1e-9;
 /// A level counts as kept by what checks allow.
 constexpr double kSameLevel = 2 * kCheckTolerance;
+/// What is this share of the first value counts as nothing, where a measure may vanish.
+constexpr double kNothing = 1e-3;
 
 bool is_as_good(const FrontPoint& a, const FrontPoint& b) {
   return a.level >= b.level - kSameLevel && a.error <= b.error * (1 + kSameError);
@@ -58,6 +60,10 @@ void FrontSearch::report() {
   if (run_.progress) run_.progress(share_, kInfinity);
 }
 
+double FrontSearch::level_of(const Design& design) const {
+  return problem_.rule.level(std::max(problem_.rule.value(design), nothing_));
+}
+
 Result FrontSearch::begin() {
   Result first = problem_.solve(problem_.limits, {}, run_.seed);
   ++searches_;
@@ -66,7 +72,8 @@ Result FrontSearch::begin() {
   if (!first.designs.empty() && all_satisfied(first.designs.front().constraints)) {
     const Design& best = first.designs.front();
     const double error = problem_.error(best);
-    const double level = problem_.rule.level(problem_.rule.value(best));
+    if (problem_.rule.may_vanish) nothing_ = kNothing * problem_.rule.value(best);
+    const double level = level_of(best);
     insert({-kInfinity, level, error <= problem_.met ? 0 : error, first.designs});
   }
   return first;
@@ -89,7 +96,7 @@ std::optional<FrontPoint> FrontSearch::solved(double bound, const std::vector<De
   if (deadline_.reached() || found.status != Status::solved) return std::nullopt;
   const Design& best = found.designs.front();
   const double error = problem_.error(best);
-  const double level = problem_.rule.level(problem_.rule.value(best));
+  const double level = level_of(best);
   return FrontPoint{bound, level, error <= problem_.met ? 0 : error, std::move(found.designs)};
 }
 

@@ -81,6 +81,8 @@ class FrontSearch {
   FrontPoint stepped_back(const FrontPoint& last, double way);
   std::vector<Design> beside(double level) const;
   void insert(FrontPoint point);
+  double level_of(const Design& design) const;
+  double top_level() const;
   bool has_top() const;
   double top(double from) const;
   const FrontPoint& last_within(double most) const;
@@ -97,8 +99,9 @@ class FrontSearch {
   const Deadline& deadline_;
   Work& work_;
   bool ended_by_error_ = false;
-  int searches_ = 0;  ///< problems solved
-  double share_ = 0;  ///< done, for progress
+  int searches_ = 0;    ///< problems solved
+  double share_ = 0;    ///< done, for progress
+  double nothing_ = 0;  ///< values up to this count as this; see MeasureRule::may_vanish
   std::vector<FrontPoint> points_;
 };
 

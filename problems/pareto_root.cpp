@@ -26,14 +26,18 @@ constexpr int kReaches = 6;
 
 }  // namespace
 
-/// Whether a level is known that no design passes.
+/// The level that no design passes; infinite where none is known.
+double FrontSearch::top_level() const {
+  return problem_.rule.level(std::max(problem_.rule.best, nothing_));
+}
+
 bool FrontSearch::has_top() const {
-  return std::isfinite(problem_.rule.level(problem_.rule.best));
+  return std::isfinite(top_level());
 }
 
 /// That level, or one that is looked at first.
 double FrontSearch::top(double from) const {
-  return has_top() ? problem_.rule.level(problem_.rule.best) : from + kReach;
+  return has_top() ? top_level() : from + kReach;
 }
 
 /// The greatest level at which the error is at most so much, closed in on.

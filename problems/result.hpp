@@ -57,6 +57,9 @@ struct Metrics {
   /// Over the full turn, where the file limits them: of the coupler point (length/s²) or, of a
   /// function, the rocker (rad/s²); greatest less least driving torque.
   std::optional<double> peak_acceleration, torque_ripple;
+  /// Likewise: of the steady motion, 2 and more where it would not come round; the least flywheel
+  /// (kg·m²); the greatest power of the drive (W).
+  std::optional<double> speed_fluctuation, flywheel_inertia, motor_power;
   std::optional<double> input_start, output_start;      ///< function generation: α₀, φ₀
   std::optional<double> precision_residual, condition;  ///< exact synthesis: of what it solved
   std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds

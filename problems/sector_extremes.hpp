@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "problems/turn_limits.hpp"
@@ -22,10 +24,16 @@ struct SectorExtreme {
 };
 using SectorExtremes = std::array<SectorExtreme, TurnLimits::kSectors>;
 
+/// A number with its derivatives by the dimensions.
+using DimensionJet = ceres::Jet<double, std::tuple_size_v<LimitSlopes>>;
+
+/// Whether the links' angles are wanted, besides their directions.
+enum class TurnAngles { none, all };
+
 /// A four-bar at a table of crank angles from its frame.
 class TurnTable {
  public:
-  explicit TurnTable(const TurnDimensions& dimensions);
+  explicit TurnTable(const TurnDimensions& dimensions, TurnAngles angles = TurnAngles::none);
 
   /// Of `quantity`, which maps (PlacedLinkage<T>, TurnState<T>) to T for every number type;
   /// `with_slopes`: derivatives too.
@@ -44,12 +52,43 @@ class TurnTable {
     return all;
   }
 
+  /// A quantity where half the crank's angle, in [0, π], has the direction `half`; not a number
+  /// where the linkage does not close.
+  template <class Quantity>
+  DimensionJet value(const Quantity& quantity, const Vec2d& half) const {
+    const double part = std::atan2(half.y, half.x) / std::numbers::pi;
+    const int k = static_cast<int>(kAngles * part);
+    const Vec2d beyond = half * conj(half_directions().at(at(k)));
+    return full(quantity, k, beyond.y / beyond.x);
+  }
+
+  /// The mean over the sectors' ends where the linkage closes; 0 where it nowhere does. Its
+  /// derivatives only `with_slopes`.
+  template <class Quantity>
+  DimensionJet mean(const Quantity& quantity, bool with_slopes) const {
+    DimensionJet sum;
+    int count = 0;
+    for (int k = 0; k < kAngles; k += kPerSector) {
+      if (!states_[at(k)].closes) continue;
+      sum +=
+          with_slopes ? full(quantity, k, 0) : DimensionJet(quantity(plain_, states_[at(k)].state));
+      ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : sum;
+  }
+
+  /// How often a link turns round, counter-clockwise, in a turn of the crank.
+  double turns(MovingLink link) const { return turns_.at(static_cast<std::size_t>(link)); }
+
+  const Lengths<double>& links() const { return plain_.links; }
+  double assembly() const { return assembly_; }
+
  private:
   static constexpr int kPerSector = 12;
   static constexpr int kAngles = kPerSector * TurnLimits::kSectors;
-  static constexpr int kDimensions = 9;
+  static constexpr int kDimensions = DimensionJet::DIMENSION;
   using OneJet = ceres::Jet<double, 1>;
-  using FullJet = ceres::Jet<double, kDimensions>;
+  using FullJet = DimensionJet;
 
   /// A slope so small beside others counts for nothing: its square is that of rounding.
   static constexpr double kFlat = 1e-8;
@@ -58,6 +97,36 @@ class TurnTable {
     TurnState<double> state;
     bool closes = false;
   };
+
+  void follow_angles();
+
+  /// The angle of a link that stands nearly as `near` does.
+  template <class T>
+  static T angle_near(const LinkTurning<double>& near, double turned, const Vec2<T>& direction) {
+    using std::atan2;
+    const Vec2<T> from{T(near.direction.x), T(near.direction.y)};
+    return T(near.angle + turned) + atan2(cross(from, direction), dot(from, direction));
+  }
+
+  /// Adds the links' angles to a state beyond angle k of the table, where the crank stands at
+  /// `crank`.
+  template <class T>
+  void add_angles(int k, const T& crank, TurnState<T>& state) const {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const bool again = k == kAngles;
+    const TurnState<double>& near = states_[at(again ? 0 : k)].state;
+    const auto turned = [&](MovingLink link) { return again ? kTurn * turns(link) : 0; };
+    state.crank.angle = crank;
+    state.coupler.angle =
+        angle_near(near.coupler, turned(MovingLink::coupler), state.coupler.direction);
+    state.rocker.angle =
+        angle_near(near.rocker, turned(MovingLink::rocker), state.rocker.direction);
+  }
+
+  static double crank_angle(int k, double offset) {
+    return 2 * std::numbers::pi * k / kAngles + 2 * std::atan(offset);
+  }
+
   /// A value and its slope by the crank's angle, at the half direction of angle k and `offset`, the
   /// tangent of half the angle beyond.
   struct Sloping {
@@ -84,8 +153,9 @@ class TurnTable {
 
   template <class Quantity>
   Sloping sloping(const Quantity& quantity, int k, double offset) const {
-    const auto state =
+    auto state =
         turn_state(one_.links, one_closure_, turning(half_direction(k, offset)), assembly_);
+    if (angles_ == TurnAngles::all) add_angles(k, OneJet(crank_angle(k, offset), 0), state);
     const OneJet value = quantity(one_, state);
     return {offset, value.a, value.v[0]};
   }
@@ -121,7 +191,8 @@ class TurnTable {
     const CrankDirection<double> plain = crank_direction(half_direction(k, offset));
     const CrankDirection<FullJet> direction{FullJet(plain.cos), FullJet(plain.sin),
                                             FullJet(plain.versine), plain.side};
-    const auto state = turn_state(full_.links, full_closure_, direction, assembly_);
+    auto state = turn_state(full_.links, full_closure_, direction, assembly_);
+    if (angles_ == TurnAngles::all) add_angles(k, FullJet(crank_angle(k, offset)), state);
     return quantity(full_, state);
   }
 
@@ -171,6 +242,8 @@ class TurnTable {
     return extreme(quantity, best, left, right, with_slopes);
   }
 
+  TurnAngles angles_;
+  std::array<double, 3> turns_{1, 0, 0};
   double assembly_;
   double step_;  ///< tangent of half an angle of the table
   PlacedLinkage<double> plain_;

@@ -42,6 +42,7 @@ namespace {
 
 void shrink_operation(Operation& operation, double size) {
   const double square = size * size;
+  operation.flywheel /= square;
   for (LinkMass& link : operation.links) {
     link.mass_per_length *= size;
     link.moment /= square;
@@ -63,7 +64,10 @@ void Similarity::move(Constraints& constraints) const {
     clearance.box = {point(clearance.box.min), point(clearance.box.max)};
   }
   shrink(constraints.peak_acceleration_max);
-  if (constraints.torque_ripple_max) *constraints.torque_ripple_max /= size * size;
+  for (auto* of_energy : {&constraints.torque_ripple_max, &constraints.flywheel_inertia_max,
+                          &constraints.motor_power_max}) {
+    if (*of_energy) **of_energy /= size * size;
+  }
   shrink_operation(constraints.operation, size);
 }
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "problems/sector_extremes.hpp"
+#include "problems/turn_energy.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -65,14 +65,23 @@ struct Calm {
   }
 };
 
-/// The driving torque, or with the sign −1 its negative.
+/// A share of the driving torque, which may be negative.
 struct Torque {
   const Operation& operation;
-  double sign;
+  double share;
 
   template <class T>
   T operator()(const PlacedLinkage<T>& of, const TurnState<T>& at) const {
-    return T(sign) * driving_torque(of, at, operation);
+    return T(share) * driving_torque(of, at, operation);
+  }
+};
+
+struct InertiaAtCrank {
+  const Operation& operation;
+
+  template <class T>
+  T operator()(const PlacedLinkage<T>& of, const TurnState<T>& at) const {
+    return equivalent_inertia(of, at, operation);
   }
 };
 
@@ -93,6 +102,28 @@ class Rows {
         add(1, 0, {});
       }
     }
+  }
+
+  /// What is left of 1 by base − share·(a + b) for the least values of two quantities in any two
+  /// sectors.
+  void add_pairs(double base, const DimensionJet& share, const SectorExtremes& first,
+                 const SectorExtremes& second) {
+    for (const SectorExtreme& a : first) {
+      for (const SectorExtreme& b : second) {
+        const double sum = a.value + b.value;
+        LimitSlopes by{};
+        for (std::size_t i = 0; i < by.size(); ++i) {
+          const auto of_share = share.v[static_cast<Eigen::Index>(i)];
+          by.at(i) = share.a * (a.slopes.at(i) + b.slopes.at(i));
+          if (of_share != 0) by.at(i) += of_share * sum;
+        }
+        add_share(base - share.a * sum, -1, by);
+      }
+    }
+  }
+
+  void add_unknown(int count) {
+    for (int i = 0; i < count; ++i) add(1, 0, {});
   }
 
   /// What is left of 1 by `r`, whose slopes are `sign` times those given; −∞ where the linkage does
@@ -132,14 +163,62 @@ std::vector<SideDistance> sides_of(const Clearance& clearance) {
   return sides;
 }
 
+/// The rows that ask whether speeds can stay within so much of their mean.
+class EnergyRows {
+ public:
+  EnergyRows(const Operation& operation, const TurnTable& table, Rows& rows)
+      : operation_(operation), table_(table), rows_(rows) {}
+
+  void add_fluctuation(double most) {
+    const DimensionJet scale =
+        most * square() * table_.mean(InertiaAtCrank{operation_}, rows_.with_slopes());
+    const TurnWork work(operation_, table_);
+    if (!work.is_known() || !(scale.a > 0)) return rows_.add_unknown(kPairs);
+    add(operation_, work, most, 1, 1., 1. / scale);
+  }
+
+  void add_flywheel(double most) {
+    Operation without = operation_;
+    without.flywheel = 0;
+    const TurnWork work(without, table_);
+    if (!work.is_known()) return rows_.add_unknown(kPairs);
+    const double fluctuation = operation_.fluctuation;
+    add(without, work, fluctuation, 1 / (fluctuation * square() * most), 0, DimensionJet(1.));
+  }
+
+  static constexpr int kPairs = kSectors * kSectors;
+
+ private:
+  double square() const { return operation_.speed * operation_.speed; }
+
+  void add(const Operation& operation, const TurnWork& work, double fluctuation, double share,
+           double base, const DimensionJet& scale) {
+    const double speed = std::abs(operation.speed);
+    const EnergyWithin below{operation, work, speed * (1 + fluctuation / 2), share};
+    const EnergyWithin above{operation, work, speed * (1 - fluctuation / 2), -share};
+    const bool sloped = rows_.with_slopes();
+    rows_.add_pairs(base, scale, table_.least(below, sloped), table_.least(above, sloped));
+  }
+
+  const Operation& operation_;
+  const TurnTable& table_;
+  Rows& rows_;
+};
+
+double finite_or_none(const std::optional<double>& most) {
+  return is_limit(most) ? *most : 0;
+}
+
 }  // namespace
 
 TurnLimits::TurnLimits(const Constraints& constraints, Accelerated accelerated)
     : clearances_(constraints.clearances),
       accelerated_(accelerated),
+      ripple_max_(finite_or_none(constraints.torque_ripple_max)),
+      power_max_(finite_or_none(constraints.motor_power_max)),
+      fluctuation_max_(finite_or_none(constraints.speed_fluctuation_max)),
+      flywheel_max_(finite_or_none(constraints.flywheel_inertia_max)),
       operation_(constraints.operation) {
-  const double ripple = constraints.torque_ripple_max.value_or(0);
-  if (std::isfinite(ripple)) ripple_max_ = ripple;
   if (const auto& most = constraints.peak_acceleration_max) {
     acceleration_share_ = operation_.speed * operation_.speed / *most;
   }
@@ -147,14 +226,19 @@ TurnLimits::TurnLimits(const Constraints& constraints, Accelerated accelerated)
   for (const Clearance& clearance : clearances_) {
     quantities += clearance.inside ? sides_of(clearance).size() : 1;
   }
-  if (acceleration_share_ > 0) ++quantities;
-  count_ = kSectors * (static_cast<int>(quantities) + (ripple_max_ > 0 ? kSectors : 0));
+  for (const double one_each : {acceleration_share_, power_max_}) {
+    if (one_each > 0) ++quantities;
+  }
+  for (const double pairs : {ripple_max_, fluctuation_max_, flywheel_max_}) {
+    if (pairs > 0) quantities += kSectors;
+  }
+  count_ = kSectors * static_cast<int>(quantities);
 }
 
 void TurnLimits::evaluate(const TurnDimensions& at, std::span<double> values,
                           std::span<LimitSlopes> slopes) const {
   if (count_ == 0) return;
-  const TurnTable table(at);
+  const TurnTable table(at, limits_energy() ? TurnAngles::all : TurnAngles::none);
   Rows rows(values, slopes);
   const bool sloped = rows.with_slopes();
   for (const Clearance& clearance : clearances_) {
@@ -170,54 +254,18 @@ void TurnLimits::evaluate(const TurnDimensions& at, std::span<double> values,
   }
   if (ripple_max_ > 0) {
     const double share = 1 / ripple_max_;
-    const SectorExtremes least = table.least(Torque{operation_, share}, sloped);
-    const SectorExtremes most = table.least(Torque{operation_, -share}, sloped);
-    for (const SectorExtreme& high : most) {
-      for (const SectorExtreme& low : least) {
-        LimitSlopes by;
-        for (std::size_t i = 0; i < by.size(); ++i) by[i] = high.slopes[i] + low.slopes[i];
-        rows.add_share(-high.value - low.value, -1, by);
-      }
+    rows.add_pairs(0, DimensionJet(1.), table.least(Torque{operation_, -share}, sloped),
+                   table.least(Torque{operation_, share}, sloped));
+  }
+  if (power_max_ > 0) {
+    const double share = operation_.speed / power_max_;
+    for (const SectorExtreme& least : table.least(Torque{operation_, -share}, sloped)) {
+      rows.add_share(-least.value, -1, least.slopes);
     }
   }
-}
-
-TurnTable::TurnTable(const TurnDimensions& dimensions)
-    : assembly_(sign(dimensions.assembly)), step_(std::tan(std::numbers::pi / kAngles)) {
-  const auto& [links, point, pivot, angle, assembly] = dimensions;
-  plain_ = {links, point, pivot, {std::cos(angle), std::sin(angle)}};
-  const auto jet = [](double value) { return OneJet(value); };
-  one_ = {{jet(links.crank), jet(links.coupler), jet(links.rocker), jet(links.frame)},
-          {jet(point.x), jet(point.y)},
-          {jet(pivot.x), jet(pivot.y)},
-          {jet(plain_.turn.x), jet(plain_.turn.y)}};
-  full_ = {{{links.crank, 0}, {links.coupler, 1}, {links.rocker, 2}, {links.frame, 3}},
-           {{point.x, 4}, {point.y, 5}},
-           {{pivot.x, 6}, {pivot.y, 7}},
-           {{plain_.turn.x, 8}, {plain_.turn.y, 8}}};
-  full_.turn.x.v[8] = -plain_.turn.y;
-  full_.turn.y.v[8] = plain_.turn.x;
-  one_closure_ = Closure<OneJet>(one_.links);
-  full_closure_ = Closure<FullJet>(full_.links);
-  const Closure<double> closure(links);
-  for (int k = 0; k < kAngles; ++k) {
-    Sample& sample = states_.at(at(k));
-    const auto direction = crank_direction(half_directions().at(at(k)));
-    sample.state = turn_state(links, closure, direction, assembly_);
-    sample.closes = std::isfinite(sample.state.rocker.bend);
-  }
-}
-
-const std::array<Vec2d, TurnTable::kAngles + 1>& TurnTable::half_directions() {
-  static const auto all = [] {
-    std::array<Vec2d, kAngles + 1> halves;
-    for (int k = 0; k <= kAngles; ++k) {
-      const double half = std::numbers::pi * k / kAngles;
-      halves.at(at(k)) = {std::cos(half), std::sin(half)};
-    }
-    return halves;
-  }();
-  return all;
+  EnergyRows energy(operation_, table, rows);
+  if (fluctuation_max_ > 0) energy.add_fluctuation(fluctuation_max_);
+  if (flywheel_max_ > 0) energy.add_flywheel(flywheel_max_);
 }
 
 }  // namespace cognate::problems

@@ -1,5 +1,6 @@
 /// @file Limits that hold over the full turn of the crank, as functions c ≥ 0 of a four-bar's
-/// dimensions: clearances of moving points, peak acceleration, ripple of the driving torque.
+/// dimensions: clearances of moving points, peak acceleration, ripple of the driving torque, power
+/// of the drive, fluctuation of the speed, inertia of a flywheel.
 #pragma once
 
 #include <array>
@@ -33,6 +34,9 @@ using LimitSlopes = std::array<double, 9>;
 /// of the greatest distance beyond a side. With r = |a|/a_max, or r the greatest torque of one
 /// sector less the least of another, over the ripple allowed: 1 − r, from r = 1 on −ln r, so that
 /// what grows beyond all bounds near a change point is mended by steps of a sensible size.
+/// Likewise with r the power over the greatest allowed, or, of two sectors, the flywheel that their
+/// energies ask for over the greatest allowed (turn_energy.hpp), or 1 and what of a flywheel is
+/// lacking for the fluctuation allowed over the mean inertia.
 ///
 /// Where the linkage does not close in a sector, its rows are 1: to close is demanded by its class.
 class TurnLimits {
@@ -48,10 +52,13 @@ class TurnLimits {
                 std::span<LimitSlopes> slopes) const;
 
  private:
+  bool limits_energy() const { return fluctuation_max_ > 0 || flywheel_max_ > 0; }
+
   std::vector<Clearance> clearances_;
   double acceleration_share_ = 0;  ///< ω²/a_max; 0 where it is not limited
   Accelerated accelerated_;
-  double ripple_max_ = 0;  ///< 0 where it is not limited
+  // Each 0 where it is not limited.
+  double ripple_max_ = 0, power_max_ = 0, fluctuation_max_ = 0, flywheel_max_ = 0;
   Operation operation_;
   int count_ = 0;
 };

@@ -25,6 +25,20 @@ double peak_acceleration(const FourBar& linkage, Accelerated accelerated, double
 /// The greatest less the least driving torque. Infinite where the linkage does not close.
 double torque_ripple(const FourBar& linkage, const Operation& operation);
 
+/// The greatest power that the drive gives at the operation's constant speed, 0 where it only
+/// brakes. Infinite where the linkage does not close.
+double motor_power(const FourBar& linkage, const Operation& operation);
+
+/// δ = (ω_max − ω_min)/ω of the steady motion of mean speed ω = ½ (ω_max + ω_min) under a driving
+/// torque that is the same at every angle, the operation's flywheel included. The speed is the root
+/// of twice the energy over the inertia, with its sign: from 2 on the machine stands still before
+/// it has come round. Infinite where the linkage does not close or weighs nothing at some angle.
+double speed_fluctuation(const FourBar& linkage, const Operation& operation);
+
+/// The least inertia of a flywheel on the crank with which that is at most the operation's
+/// `fluctuation`, instead of its own flywheel; 0 where none is needed.
+double flywheel_inertia(const FourBar& linkage, const Operation& operation);
+
 /// What of velocities, accelerations and forces nothing in `constraints` asks for.
 std::vector<std::string> skipped_evaluations(const Constraints& constraints);
 

@@ -1,5 +1,6 @@
 /// @file What limits over the full turn are about, at one crank angle, as templates on the number
-/// type: places, accelerations and the driving torque of a four-bar whose crank has constant speed.
+/// type: places, accelerations, inertia and the driving torque of a four-bar whose crank has
+/// constant speed.
 ///
 /// The links' angular velocities and accelerations by the crank's angle follow from the closure
 /// l₁e₁ + l₂e₂ = l₄ + l₃e₃ differentiated once and twice and projected on e₃ and e₂; the torque
@@ -24,12 +25,14 @@ struct PlacedLinkage {
 };
 
 /// A link's direction (a unit vector in the frame's axes), and the first and second derivative of
-/// its angle by the crank's.
+/// its angle by the crank's. The angle itself, continuous over the turn, only where it is asked
+/// for.
 template <class T>
 struct LinkTurning {
   Vec2<T> direction;
   T rate{};
   T bend{};
+  T angle{};
 };
 
 template <class T>
@@ -101,31 +104,78 @@ inline LinkPlace place_of(MovingPoint point) {
   return {.link = MovingLink::coupler, .at_coupler_point = true};
 }
 
-/// The driving torque at the speed of `operation`, counter-clockwise: with v′, v″ and φ′, φ″ the
-/// derivatives of the centres of mass and of the links' angles by the crank's,
-/// Σ (m (ω² v″ − g)·v′ + J ω² φ″ φ′) − Σ (F·v′ + M φ′).
 template <class T>
-T driving_torque(const PlacedLinkage<T>& of, const TurnState<T>& at, const Operation& operation) {
-  const auto in_frame = [&](const Vec2d& v) { return conj(of.turn) * Vec2<T>{T(v.x), T(v.y)}; };
-  const T square(operation.speed * operation.speed);
-  const LinkTurning<T>* const turnings[] = {&at.crank, &at.coupler, &at.rocker};
+Vec2<T> in_frame(const PlacedLinkage<T>& of, const Vec2d& v) {
+  return conj(of.turn) * Vec2<T>{T(v.x), T(v.y)};
+}
+
+template <class T>
+const LinkTurning<T>& turning_link(const TurnState<T>& at, MovingLink link) {
+  const LinkTurning<T>* const all[] = {&at.crank, &at.coupler, &at.rocker};
+  return *all[static_cast<std::size_t>(link)];
+}
+
+/// A link with what it weighs in this linkage.
+template <class T>
+struct MovingMass {
+  T mass, moment;
+  PointTurning<T> centre;
+  LinkTurning<T> link;
+};
+
+/// Calls `use` with every link that weighs something.
+template <class T, class Use>
+void each_mass(const PlacedLinkage<T>& of, const TurnState<T>& at, const Operation& operation,
+               const Use& use) {
   const T* const lengths[] = {&of.links.crank, &of.links.coupler, &of.links.rocker};
-  const Vec2<T> gravity = in_frame(operation.gravity);
-  T torque(0);
   for (std::size_t i = 0; i < operation.links.size(); ++i) {
     const LinkMass& link = operation.links[i];
     if (link.mass == 0 && link.moment == 0 && link.mass_per_length == 0) continue;
     const T& length = *lengths[i];
     const T rod = T(link.mass_per_length) * length;
-    const T mass = T(link.mass) + rod, moment = T(link.moment) + rod * length * length * T(1. / 12);
-    const PointTurning<T> centre = turning_of(of, at, link.centre);
-    torque = torque + mass * dot(square * centre.bend - gravity, centre.rate) +
-             moment * square * turnings[i]->bend * turnings[i]->rate;
+    use(MovingMass<T>{T(link.mass) + rod, T(link.moment) + rod * length * length * T(1. / 12),
+                      turning_of(of, at, link.centre),
+                      turning_link(at, static_cast<MovingLink>(i))});
   }
+}
+
+/// Σ m v′² + J φ′² of the links, and the flywheel: with the crank's speed ω the kinetic energy is
+/// half of this times ω².
+template <class T>
+T equivalent_inertia(const PlacedLinkage<T>& of, const TurnState<T>& at,
+                     const Operation& operation) {
+  T inertia(operation.flywheel);
+  each_mass(of, at, operation, [&](const MovingMass<T>& body) {
+    inertia = inertia + body.mass * squared_norm(body.centre.rate) +
+              body.moment * body.link.rate * body.link.rate;
+  });
+  return inertia;
+}
+
+/// Whether a load acts, given how its link turns.
+template <class T>
+bool acts(const WorkingLoad& load, const TurnState<T>& at, double speed) {
+  if (load.sense == LoadSense::always) return true;
+  const bool advances = turning_link(at, load.at.link).rate * T(speed) > T(0);
+  return advances == (load.sense == LoadSense::advance);
+}
+
+/// The driving torque at the speed of `operation`, counter-clockwise: with v′, v″ and φ′, φ″ the
+/// derivatives of the centres of mass and of the links' angles by the crank's,
+/// Σ (m (ω² v″ − g)·v′ + J ω² φ″ φ′) − Σ (F·v′ + M φ′).
+template <class T>
+T driving_torque(const PlacedLinkage<T>& of, const TurnState<T>& at, const Operation& operation) {
+  const T square(operation.speed * operation.speed);
+  const Vec2<T> gravity = in_frame(of, operation.gravity);
+  T torque(0);
+  each_mass(of, at, operation, [&](const MovingMass<T>& body) {
+    torque = torque + body.mass * dot(square * body.centre.bend - gravity, body.centre.rate) +
+             body.moment * square * body.link.bend * body.link.rate;
+  });
   for (const WorkingLoad& load : operation.loads) {
-    const T& rate = turnings[static_cast<std::size_t>(load.at.link)]->rate;
-    torque = torque - dot(in_frame(load.force), turning_of(of, at, load.at).rate) -
-             T(load.torque) * rate;
+    if (!acts(load, at, operation.speed)) continue;
+    torque = torque - dot(in_frame(of, load.force), turning_of(of, at, load.at).rate) -
+             T(load.torque) * turning_link(at, load.at.link).rate;
   }
   return torque;
 }

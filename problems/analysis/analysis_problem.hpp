@@ -9,6 +9,7 @@
 #include "analysis/mechanism/forces.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 #include "problems/analysis/named_mechanism.hpp"
+#include "problems/load_sense.hpp"
 
 namespace cognate::problems {
 
@@ -21,11 +22,7 @@ struct DriveSweep {
   DriveRate rate;
 };
 
-/// When a load acts.
-enum class LoadSense { always, advance, retreat };
-
-/// `[[load]]`. `advance`: while the body it acts on moves in its positive sense (along its guide,
-/// or counter-clockwise), `retreat` (written "return"): in the negative sense.
+/// `[[load]]`.
 struct LoadRule {
   Attached<double> at;
   Vec2d force{};

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,10 @@ void check_measure(TableReader& table, const ObjectiveScope& scope, const Constr
                 "has \"size\", but a function is one of ratios of lengths; \"link_ratio\" or "
                 "\"transmission_angle\" is wanted");
   }
-  const bool over_turn = measure == Measure::peak_acceleration ||
-                         measure == Measure::torque_ripple ||
+  constexpr std::array kOverTurn{Measure::peak_acceleration, Measure::torque_ripple,
+                                 Measure::speed_fluctuation, Measure::flywheel_inertia,
+                                 Measure::motor_power};
+  const bool over_turn = std::ranges::count(kOverTurn, measure) > 0 ||
                          (measure == Measure::transmission_angle && scope.needs_full_turn);
   if (over_turn && !turns_fully(constraints)) {
     table.fault(kKey, fmt::format("has \"{}\", which is taken over the full turn of the crank; "

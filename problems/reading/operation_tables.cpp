@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "problems/names.hpp"
 #include "problems/reading/nearest.hpp"
 #include "problems/reading/quantity_rules.hpp"
 
@@ -138,9 +139,33 @@ std::optional<LinkPlace> read_place(TableReader& load, bool has_coupler_point) {
   return LinkPlace{.link = MovingLink::coupler, .at_coupler_point = true};
 }
 
-void read_loads(TableReader& document, bool has_coupler_point, Operation& operation) {
+/// Of a load on `place`.
+LoadSense read_sense(TableReader& load, const std::optional<LinkPlace>& place, bool has_strokes) {
+  constexpr std::string_view kWhen = "when";
+  if (!load.has(kWhen)) return LoadSense::always;
+  if (!load.has_text(kWhen)) {
+    load.fault(kWhen,
+               "is no word, but loads of a design problem act all the time or in strokes of the "
+               "rocker; \"always\", \"advance\" or \"return\" is wanted");
+    return LoadSense::always;
+  }
+  const LoadSense sense = load.choice<LoadSense>(kWhen).value_or(LoadSense::always);
+  if (sense == LoadSense::always) return sense;
+  if (place && place->link != MovingLink::rocker) {
+    load.fault(kWhen,
+               "names a stroke of the rocker, on which the load is not; \"always\" is wanted, or "
+               "a load on \"rocker\" or \"C\"");
+  } else if (!has_strokes) {
+    load.fault(kWhen,
+               "names a stroke of the rocker, which needs constraints.class = \"crank-rocker\"; "
+               "\"always\" is wanted, or that class");
+  }
+  return sense;
+}
+
+void read_loads(TableReader& document, const OperationUse& use, Operation& operation) {
   for (TableReader& load : document.tables("load", {0, kMostLoads, "loads"})) {
-    const auto place = read_place(load, has_coupler_point);
+    const auto place = read_place(load, use.has_coupler_point);
     const auto at = load.two(kAt, kQuantity, "[u, v]");
     const Two force = load.two("force", kQuantity, "[fx, fy]").value_or(Two{});
     WorkingLoad rule{.force = {force[0], force[1]}};
@@ -148,11 +173,7 @@ void read_loads(TableReader& document, bool has_coupler_point, Operation& operat
     if (!load.has("force") && !load.has("torque")) {
       load.fault("force", "is missing; a force [fx, fy], a torque, or both are wanted");
     }
-    if (load.has("when") && load.text("when").value_or("always") != "always") {
-      load.fault("when",
-                 "is limited, but loads of a design problem act all the time; \"always\" "
-                 "is wanted");
-    }
+    rule.sense = read_sense(load, place, use.has_strokes);
     load.finish();
     if (!place) continue;
     rule.at = at ? placed(*place, {(*at)[0], (*at)[1]}) : *place;
@@ -160,46 +181,91 @@ void read_loads(TableReader& document, bool has_coupler_point, Operation& operat
   }
 }
 
-bool weighs_or_bears(const Operation& operation) {
-  return !operation.loads.empty() || std::ranges::any_of(operation.links, [](const LinkMass& link) {
+bool weighs(const Operation& operation) {
+  return std::ranges::any_of(operation.links, [](const LinkMass& link) {
     return link.mass > 0 || link.moment > 0 || link.mass_per_length > 0;
   });
+}
+
+void read_drive(TableReader& document, const OperationUse& use, Operation& operation) {
+  constexpr std::string_view kDrive = "drive", kKey = "speed";
+  TableReader drive = document.table(kDrive);
+  operation.speed = drive.number(kKey, kSpeed).value_or(operation.speed);
+  if (!drive.has(kKey) && (use.by_energy() || use.by_power)) {
+    drive.fault(kKey,
+                "is missing; the crank's mean speed in rad/s is wanted, on which the speed's "
+                "fluctuation, the flywheel and the power depend");
+  }
+  drive.finish();
+  if (document.has(kDrive) && !use.by_acceleration && !use.by_forces()) {
+    document.fault(kDrive,
+                   "is given, but no limit depends on it; add "
+                   "constraints.peak_acceleration_max, torque_ripple_max, speed_fluctuation_max, "
+                   "flywheel_inertia_max or motor_power_max, or leave it out");
+  }
+}
+
+void read_flywheel(TableReader& document, const OperationUse& use, Operation& operation) {
+  constexpr std::string_view kInertia = "inertia", kFluctuation = "fluctuation";
+  TableReader flywheel = document.table("flywheel");
+  operation.flywheel = flywheel.number(kInertia, kDensity).value_or(0);
+  operation.fluctuation = flywheel.number(kFluctuation, kSpeedFluctuation).value_or(0);
+  if (flywheel.has(kInertia) && !use.by_fluctuation) {
+    flywheel.fault(kInertia,
+                   "is given, but no limit depends on it; add constraints.speed_fluctuation_max, "
+                   "or leave it out");
+  }
+  if (flywheel.has(kFluctuation) && !use.by_flywheel) {
+    flywheel.fault(kFluctuation,
+                   "is given, but no limit depends on it; add constraints.flywheel_inertia_max, "
+                   "or leave it out");
+  }
+  if (!flywheel.has(kFluctuation) && use.by_flywheel) {
+    flywheel.fault(kFluctuation,
+                   "is missing; the fluctuation that the flywheel is to leave, above 0 and below "
+                   "2, is wanted");
+  }
+  flywheel.finish();
+}
+
+/// What does without masses and loads that are needed.
+void check_bodies(TableReader& document, const OperationUse& use, const Operation& operation) {
+  if (!weighs(operation) && operation.loads.empty()) {
+    document.fault("link",
+                   "is missing, and so is load, without which no torque drives the linkage; "
+                   "[[link]] with masses or [[load]] is wanted with what the constraints or "
+                   "objectives say of torque, speed, flywheel or power");
+  } else if (use.by_fluctuation && !weighs(operation) && operation.flywheel == 0) {
+    document.fault("link",
+                   "is missing, and so is flywheel.inertia, without which nothing keeps up the "
+                   "speed; [[link]] with masses or a flywheel is wanted with "
+                   "constraints.speed_fluctuation_max");
+  }
 }
 
 }  // namespace
 
 Operation read_operation(TableReader& document, const OperationUse& use) {
-  constexpr std::string_view kDrive = "drive", kGravity = "gravity";
+  constexpr std::string_view kGravity = "gravity";
   Operation operation;
-  TableReader drive = document.table(kDrive);
-  operation.speed = drive.number("speed", kSpeed).value_or(operation.speed);
-  drive.finish();
+  read_drive(document, use, operation);
   const std::size_t before = document.faults().size();
+  read_flywheel(document, use, operation);
   read_links(document, operation);
-  read_loads(document, use.has_coupler_point, operation);
+  read_loads(document, use, operation);
   const Two gravity = document.two(kGravity, kQuantity, "[x, y]").value_or(Two{});
   operation.gravity = {gravity[0], gravity[1]};
 
-  if (document.has(kDrive) && !use.by_acceleration && !use.by_torque) {
-    document.fault(kDrive,
-                   "is given, but no limit depends on it; add "
-                   "constraints.peak_acceleration_max or torque_ripple_max, or leave it "
-                   "out");
-  }
   for (const std::string_view key :
        {std::string_view("link"), std::string_view("load"), kGravity}) {
-    if (use.by_torque || !document.has(key)) continue;
+    if (use.by_forces() || !document.has(key)) continue;
     document.fault(key,
                    "is given, but no limit depends on it; add constraints.torque_ripple_max, "
-                   "or leave it out");
+                   "speed_fluctuation_max, flywheel_inertia_max or motor_power_max, or leave it "
+                   "out");
   }
   const bool sound = document.faults().size() == before;
-  if (use.by_torque && sound && !weighs_or_bears(operation)) {
-    document.fault("link",
-                   "is missing, and so is load, without which no torque drives the "
-                   "linkage; [[link]] with masses or [[load]] is wanted with "
-                   "constraints.torque_ripple_max");
-  }
+  if (use.by_forces() && sound) check_bodies(document, use, operation);
   return operation;
 }
 

@@ -172,7 +172,8 @@ void finish_curve(TableReader& mechanism, TableReader& bounds, TableReader& cons
   refuse(mechanism, "coupler_point");
   for (const std::string_view key : {"pivot_a", "pivot_d", "coupler_point"}) refuse(bounds, key);
   for (const std::string_view key :
-       {"pivot_region", "clearance", "peak_acceleration_max", "torque_ripple_max"}) {
+       {"pivot_region", "clearance", "peak_acceleration_max", "torque_ripple_max",
+        "speed_fluctuation_max", "flywheel_inertia_max", "motor_power_max"}) {
     refuse(constraints, key);
   }
 }

@@ -21,6 +21,9 @@ inline constexpr NumberRule kLinkLength{is_positive_quantity, "a length from 1e-
 inline constexpr NumberRule kMass{[](double x) { return x >= 0 && is_quantity(x); },
                                   "0 or a number from 1e-30 to 1e30"};
 
+inline constexpr NumberRule kSpeedFluctuation{[](double x) { return x >= 1e-12 && x < 2; },
+                                              "a number from 1e-12 and below 2"};
+
 inline constexpr NumberRule kShare{[](double x) { return x == 0 || (x >= 1e-12 && x <= 1); },
                                    "a fraction from 0 to 1"};
 

@@ -14,11 +14,26 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kClearance = "clearance", kPeak = "peak_acceleration_max",
-                           kRipple = "torque_ripple_max";
+constexpr std::string_view kClearance = "clearance";
 constexpr std::size_t kMostClearances = 20;
 
 constexpr NumberRule kLimit{is_positive_quantity, "a number from 1e-30 to 1e30"};
+
+/// A greatest value over the turn, and the objective that it may be.
+struct TurnLimit {
+  std::string_view key;
+  Measure measure;
+  std::optional<double> Constraints::*most;
+  const NumberRule& rule = kLimit;
+};
+
+constexpr TurnLimit kLimits[] = {
+    {"peak_acceleration_max", Measure::peak_acceleration, &Constraints::peak_acceleration_max},
+    {"torque_ripple_max", Measure::torque_ripple, &Constraints::torque_ripple_max},
+    {"speed_fluctuation_max", Measure::speed_fluctuation, &Constraints::speed_fluctuation_max,
+     kSpeedFluctuation},
+    {"flywheel_inertia_max", Measure::flywheel_inertia, &Constraints::flywheel_inertia_max},
+    {"motor_power_max", Measure::motor_power, &Constraints::motor_power_max}};
 
 void read_obstacle(TableReader& clearance, Clearance& limit) {
   const bool is_area = limit.box.min.x < limit.box.max.x && limit.box.min.y < limit.box.max.y;
@@ -73,8 +88,8 @@ void check_class(TableReader& constraints, std::string_view key, const Constrain
 
 void read_turn_limits(TableReader& document, TableReader& constraints, const TableReader& solve,
                       const TurnScope& scope, Constraints& limits) {
-  for (const std::string_view key : {kClearance, kPeak, kRipple}) {
-    if (!constraints.has(key)) continue;
+  const auto check = [&](std::string_view key) {
+    if (!constraints.has(key)) return;
     if (!scope.refusal.empty()) {
       constraints.fault(key, scope.refusal);
     } else if (key == kClearance && !scope.has_place) {
@@ -84,24 +99,27 @@ void read_turn_limits(TableReader& document, TableReader& constraints, const Tab
     } else {
       check_class(constraints, key, limits);
     }
-  }
+  };
+  check(kClearance);
   for (TableReader& clearance : constraints.tables(kClearance, {0, kMostClearances, "tables"})) {
     read_clearance(clearance, scope, limits);
   }
-  limits.peak_acceleration_max = constraints.number(kPeak, kLimit);
-  limits.torque_ripple_max = constraints.number(kRipple, kLimit);
+  for (const auto& [key, measure, most, rule] : kLimits) {
+    check(key);
+    limits.*most = constraints.number(key, rule);
+    const bool is_objective = solve.has_word("objectives", to_string(measure));
+    const bool is_asked = constraints.has(key) || is_objective;
+    if (is_asked) limits.*most = (limits.*most).value_or(std::numeric_limits<double>::infinity());
+  }
   if (!scope.refusal.empty()) return;
-  const auto is_objective = [&](Measure measure) {
-    return solve.has_word("objectives", to_string(measure));
-  };
-  const bool by_peak = is_objective(Measure::peak_acceleration);
-  const bool by_ripple = is_objective(Measure::torque_ripple);
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  if (by_peak) limits.peak_acceleration_max = limits.peak_acceleration_max.value_or(kAny);
-  if (by_ripple) limits.torque_ripple_max = limits.torque_ripple_max.value_or(kAny);
-  limits.operation =
-      read_operation(document, {constraints.has(kPeak) || by_peak,
-                                constraints.has(kRipple) || by_ripple, scope.has_coupler_point});
+  limits.operation = read_operation(
+      document, {.by_acceleration = limits.peak_acceleration_max.has_value(),
+                 .by_ripple = limits.torque_ripple_max.has_value(),
+                 .by_fluctuation = limits.speed_fluctuation_max.has_value(),
+                 .by_flywheel = limits.flywheel_inertia_max.has_value(),
+                 .by_power = limits.motor_power_max.has_value(),
+                 .has_coupler_point = scope.has_coupler_point,
+                 .has_strokes = limits.required_class == RequiredClass::crank_rocker});
 }
 
 }  // namespace cognate::problems::reading

@@ -16,8 +16,9 @@ struct TurnScope {
   bool has_coupler_point = true;
 };
 
-/// `clearance`, `peak_acceleration_max` and `torque_ripple_max` of `[constraints]`, after its class
-/// has been read, and of `document` what these refer to: `[drive]`, `[[link]]`, `[[load]]` and
+/// `clearance`, `peak_acceleration_max`, `torque_ripple_max`, `speed_fluctuation_max`,
+/// `flywheel_inertia_max` and `motor_power_max` of `[constraints]`, after its class has been read,
+/// and of `document` what these refer to: `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and
 /// `gravity`. What `objectives` of the table `solve` names without a limit is to be known, too.
 void read_turn_limits(TableReader& document, TableReader& constraints, const TableReader& solve,
                       const TurnScope& scope, Constraints& limits);
