@@ -30,11 +30,11 @@ tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
   constexpr std::string_view kAsked[] = {
       "is that of a design problem, which 'cognate solve' solves",
       "is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this mechanism",
-      "is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
-      "given",
+      ("is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
+       "given"),
       "is \"gear\": there is nothing to solve, 'cognate analyze' evaluates this gear",
-      "is \"gear-pair\": 'cognate solve' finds what it leaves free, 'cognate analyze' evaluates a "
-      "whole one",
+      ("is \"gear-pair\": 'cognate solve' finds what it leaves free, 'cognate analyze' evaluates a "
+       "whole one"),
       "is \"machine\": there is nothing to solve, 'cognate analyze' runs this machine"};
   return tl::unexpected(
       Faults{{read.kind.line, read.kind.column,

@@ -82,8 +82,8 @@ test("a motion plays slower than it is, stops, and is moved by keys", () => visi
 }));
 
 test("a plot is picked at an angle, and the machine goes there", { skip: !hasCurves }, () => visit("press", still, async (page) => {
-  const plot = await page.locator("#plots .u-over").first().boundingBox();
-  await page.mouse.click(plot.x + 0.25 * plot.width, plot.y + 40);
+  const plot = page.locator("#plots .u-over").first();
+  await plot.click({ position: { x: 0.25 * (await plot.boundingBox()).width, y: 40 } });
   assert.ok(Math.abs(wrapped((await crank(page)) - 90)) < 1.5, String(await crank(page)));
 }));
 
