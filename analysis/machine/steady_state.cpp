@@ -24,15 +24,6 @@ constexpr int kSearches = 20;
 /// The loosest tolerance: a little more saves little time, and blurs what is nothing.
 constexpr double kLoosest = 1e-8;
 
-/// What is worked in a period at about this speed; a motor without a load works at others alone.
-double usual_work(const Machine& machine, double omega) {
-  double work = 0;
-  for (const double factor : {0.8, 1.0, 1.25}) {
-    work = std::max(work, turnover(machine, factor * omega));
-  }
-  return work;
-}
-
 /// K at the beginning of a period, and what it grows by in it.
 struct Shot {
   double kinetic = 0;
@@ -47,13 +38,13 @@ class Shooting {
         guess_(guess),
         speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
         inertia_(machine.move_to(guess.phi).value),
-        work_(usual_work(machine, speed_)),
+        work_(turnover(machine, speed_)),
         cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
 
   /// Whether errors were held against far more than is worked at the speed that was found.
   bool was_coarse(const SteadyState& found) const {
     return !found.states.empty() &&
-           kCoarse * usual_work(machine_, found.states.front().omega) < work_;
+           kCoarse * turnover(machine_, found.states.front().omega) < work_;
   }
 
   SteadyState find(int steps) {

@@ -57,7 +57,9 @@ SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const
 /// driving to braking: the least such between 1e-4 and 7e5. Empty where there is none.
 std::optional<double> speed_of_mean_torques(const Machine& machine);
 
-/// ∫ (|motor| + |load|) dφ over a period at constant speed (J), from samples.
+/// ∫ (|motor| + |load|) dφ over a period at about this speed (J), from samples: the greatest at
+/// 0.8, 1 and 1.25 times it, since a motor without a load works at other speeds than its steady one
+/// alone.
 double turnover(const Machine& machine, double omega, double time = 0);
 
 }  // namespace cognate::machine
