@@ -7,6 +7,8 @@ constexpr Entry kProblemKinds[] = {
     {"analysis", "a given mechanism is evaluated over its drive (cognate analyze)"},
     {"cam", "a follower is to move by given laws over a turn of a cam"},
     {"function-generation", "the rocker's angle is to follow a function of the crank's angle"},
+    {"gear", "a gear as its rack cuts it is evaluated (cognate analyze)"},
+    {"gear-pair", "two gears are to mesh; teeth, shifts or centre distance are found"},
     {"machine",
      "what a motor, loads and inertias make of a mechanism's motion: steady, start, stop (cognate "
      "analyze)"},
@@ -114,6 +116,11 @@ constexpr Metric kMetrics[] = {
      "over the diagonal of the box along the line that holds both moving pivots meanwhile"}};
 
 constexpr Metric kFacts[] = {
+    {"combinations", "1", "of teeth and module that were tested (gear pairs)"},
+    {"refused_by_ratio, refused_by_hunting", "1", "of these, outside the tolerance, or divisible"},
+    {"refused_by_centre_distance", "1", "that no shifts within bounds bring to the distance"},
+    {"refused_by_undercut", "1", "that only undercut gears would"},
+    {"combinations_searched", "1", "for their best shifts"},
     {"problems_solved", "1", "searches and refinements from neighbours, with solve.objectives"},
     {"solutions", "1", "positions and points with the contact asked for (straight lines)"},
     {"dyads", "1", "real dyads through five poses: 0, 2 or 4 (motions)"},

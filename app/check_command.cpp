@@ -7,6 +7,7 @@
 #include "app/analysis_table.hpp"
 #include "app/cam_description.hpp"
 #include "app/commands.hpp"
+#include "app/gear_description.hpp"
 #include "app/machine_json.hpp"
 #include "app/machine_table.hpp"
 #include "app/messages.hpp"

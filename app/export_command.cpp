@@ -83,6 +83,10 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
     const auto cam = result_cam(*design);
     if (!cam) return refuse_file(cam.error());
     made = export_cam(*cam, exporting, stem_of(file));
+  } else if (type == "gear" || type == "gear-pair") {
+    const auto gears = result_gears(*design);
+    if (!gears) return refuse_file(gears.error());
+    made = export_gears(*gears, exporting, stem_of(file));
   } else {
     const auto linkage = result_linkage(*design);
     if (!linkage) return refuse_file(linkage.error());

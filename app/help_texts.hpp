@@ -4,8 +4,8 @@
 namespace cognate::app {
 
 inline constexpr const char* kDescription =
-    R"(Cognate finds planar linkages and cams that do what a problem file asks for,
-analyses mechanisms, and maps what is possible.
+    R"(Cognate finds planar linkages, cams and gears that do what a problem file asks,
+analyses mechanisms, says how machines run, and maps what is possible.
 )";
 
 inline constexpr const char* kFooter =
@@ -15,7 +15,8 @@ inline constexpr const char* kFooter =
   cognate list                    every key that a file may have
 
 Examples:
-  cognate analyze press.toml      how a mechanism moves and what it bears
+  cognate analyze press.toml      how a mechanism moves and what it bears, or
+                                  how a machine runs (kind = "machine")
   cognate sweep sizes.toml        vary the numbers of a file, and keep the best
   cognate export press.result.json --format dxf
   cognate list --metrics          what a result says of a design, in which unit
@@ -24,7 +25,8 @@ Examples:
 Exit status:
   0  done; for solve: at least one design meets every constraint
   1  the problem was well posed, but no design meets every constraint; for
-     analyze: the mechanism can be assembled nowhere; for sweep: no row passes
+     analyze: the mechanism can be assembled nowhere, or the machine does not
+     run as asked for; for sweep: no row passes
   2  bad input: options, a file, or a place that cannot be written to
   3  a fault of Cognate's own
 
@@ -54,11 +56,16 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
   What is true of the motion as a whole (class, transmission angle, limits, time
   ratio, greatest forces) on standard output, and three files in DIR, NAME being
   FILE's name without its ending:
-    NAME.csv           one row for each step of the drive; units in the header
+    NAME.csv           one row for each step of the drive; units in the header;
+                       of a machine the motion (task) first
     NAME.result.json   the same numbers and the facts, for programs
     NAME.report.html   the mechanism moving, curves of motion and forces
   With --json no files are written unless --out is given.
   Where the mechanism cannot be assembled, cells are empty and a note says why.
+  Of a gear the table is its flank; an impossible gear, or pair of gears, ends
+  with exit status 1.
+  Of a machine (kind = "machine"): the speed at which it runs, its fluctuation,
+  the flywheel, starts and stops; why, where it has no steady motion.
 
 Examples:
   cognate analyze press.toml

@@ -7,6 +7,7 @@
 #include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
+#include "app/gear_catalogue.hpp"
 #include "app/machine_catalogue.hpp"
 #include "app/mechanism_catalogue.hpp"
 #include "app/messages.hpp"
@@ -93,6 +94,11 @@ std::string cam_text() {
          '\n' + keyed_section("tables of a cam", cam_tables()) + '\n' + motion_law_section();
 }
 
+std::string gear_text() {
+  return keyed_section("tables of a gear", gear_tables()) + '\n' +
+         keyed_section("tables of a gear pair", gear_pair_tables());
+}
+
 std::string study_text() {
   return keyed_section("tables of a study, which cognate sweep runs", study_tables()) + '\n' +
          section("samplings of a study (vary.sampling = ...)", samplings());
@@ -102,7 +108,7 @@ std::string capabilities_text() {
   return section("problem kinds (kind = ...)", problem_kinds()) + '\n' +
          keyed_section("keys of the kinds that cognate solve takes", synthesis_problems()) + '\n' +
          keyed_section("tables of all these kinds", common_tables()) + '\n' + cam_text() + '\n' +
-         section("options of [solve]", solve_options()) + '\n' +
+         gear_text() + '\n' + section("options of [solve]", solve_options()) + '\n' +
          section("solvers (solve.solver = ...)", solvers()) + '\n' +
          keyed_section(
              "mechanisms to be analysed (mechanism.type = ...) and their keys in [mechanism]",
@@ -132,6 +138,10 @@ std::string metrics_section(const std::string& heading, std::span<const Metric> 
 std::string metrics_text() {
   return metrics_section("metric of a design", metrics()) + '\n' +
          metrics_section("metric of a cam", cam_metrics()) + '\n' +
+         metrics_section("metric of a gear (of a pair: pinion., wheel. or worm. before it)",
+                         gear_metrics()) +
+         '\n' + metrics_section("metric of a gear pair", gear_pair_metrics()) + '\n' +
+         metrics_section("column of a gear", gear_columns()) + '\n' +
          metrics_section("fact of a synthesis", facts()) + '\n' +
          metrics_section("further metric of a study", study_extras()) + '\n' +
          metrics_section("metric of an analysis", analysis_metrics()) + '\n' +
@@ -190,6 +200,9 @@ ordered_json list_json(bool with_metrics) {
   if (with_metrics) {
     document["metrics"] = metrics_json(metrics());
     document["cam_metrics"] = metrics_json(cam_metrics());
+    document["gear_metrics"] = metrics_json(gear_metrics());
+    document["gear_pair_metrics"] = metrics_json(gear_pair_metrics());
+    document["gear_columns"] = metrics_json(gear_columns());
     document["facts"] = metrics_json(facts());
     document["study_metrics"] = metrics_json(study_extras());
     document["analysis_metrics"] = metrics_json(analysis_metrics());
@@ -203,6 +216,8 @@ ordered_json list_json(bool with_metrics) {
   document["common_tables"] = keyed_json(common_tables());
   document["cam_followers"] = keyed_json(cam_followers());
   document["cam_tables"] = keyed_json(cam_tables());
+  document["gear_tables"] = keyed_json(gear_tables());
+  document["gear_pair_tables"] = keyed_json(gear_pair_tables());
   document["motion_laws"] = motion_laws_json();
   document["mechanisms"] = keyed_json(mechanisms());
   document["dyads"] = keyed_json(dyads());

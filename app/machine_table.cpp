@@ -43,12 +43,14 @@ std::string status_words(const MachineResult& result) {
   switch (result.status) {
     case Status::solved:
       return "solved: every motion asked for exists";
+    case Status::infeasible:
+      return "not every motion asked for exists, or ends as it should";
     case Status::time_limit:
       return "stopped at the time limit";
     case Status::interrupted:
       return "interrupted";
     default:
-      return "no solution: a motion asked for does not exist";
+      return "no solution: no motion asked for exists";
   }
 }
 

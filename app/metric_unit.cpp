@@ -7,6 +7,7 @@
 
 #include "app/cam_catalogue.hpp"
 #include "app/catalogue.hpp"
+#include "app/gear_catalogue.hpp"
 #include "app/machine_catalogue.hpp"
 #include "app/study/study_metrics.hpp"
 
@@ -32,12 +33,21 @@ std::string unit_in(std::string_view name) {
   return "";
 }
 
+/// A metric of a gear of a pair without the gear's name.
+std::string_view of_gear(std::string_view name) {
+  for (const std::string_view gear : {"pinion.", "wheel.", "worm."}) {
+    if (name.starts_with(gear)) return name.substr(gear.size());
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string metric_unit(std::string_view name) {
   if (name.ends_with("_at_deg")) return "deg";
-  for (const auto listed :
-       {metrics(), cam_metrics(), analysis_metrics(), machine_metrics(), study_extras()}) {
+  name = of_gear(name);
+  for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras(),
+                            gear_metrics(), gear_pair_metrics(), machine_metrics()}) {
     for (const Metric& metric : listed) {
       const auto keys = single_keys(metric.key);
       if (std::ranges::find(keys, name) == keys.end()) continue;

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "problems/cam/cam_problem.hpp"
+#include "problems/gear/gear_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::app {
@@ -18,5 +19,10 @@ nlohmann::ordered_json to_json(const problems::Problem& problem);
 /// `constraints`, and, where the file has them, `drive` and `contact`. A segment's angle or share
 /// that is free is a range.
 nlohmann::ordered_json to_json(const problems::CamProblem& problem);
+
+/// The same of a gear, `mechanism`, `rack` and `output`, and of a pair, besides `bounds`, `target`,
+/// `constraints` and `solve` where it is one that can be searched for.
+nlohmann::ordered_json to_json(const problems::GearProblem& problem);
+nlohmann::ordered_json to_json(const problems::GearPairProblem& problem);
 
 }  // namespace cognate::app

@@ -7,6 +7,8 @@
 #include "app/cam_table.hpp"
 #include "app/commands.hpp"
 #include "app/computation.hpp"
+#include "app/gear_json.hpp"
+#include "app/gear_table.hpp"
 #include "app/report/report.hpp"
 #include "app/result_json.hpp"
 #include "app/study/problem_atlas.hpp"
@@ -77,6 +79,12 @@ ExitStatus solve_cam(const std::filesystem::path& file, const problems::CamProbl
   return solve_with<problems::CamResult>(file, problem, options, solve, cam_table);
 }
 
+ExitStatus solve_gear_pair(const std::filesystem::path& file,
+                           const problems::GearPairProblem& problem, const Options& options) {
+  const auto solve = [&](const problems::Run& run) { return problems::solve(problem, run); };
+  return solve_with<problems::GearPairResult>(file, problem, options, solve, gear_pair_table);
+}
+
 }  // namespace
 
 ExitStatus solve_command(const std::filesystem::path& file, const Options& options) {
@@ -87,6 +95,9 @@ ExitStatus solve_command(const std::filesystem::path& file, const Options& optio
   }
   if (const auto* problem = std::get_if<problems::Problem>(&*task)) {
     return solve_linkage(file, *problem, options);
+  }
+  if (const auto* problem = std::get_if<problems::GearPairProblem>(&*task)) {
+    return solve_gear_pair(file, *problem, options);
   }
   return refuse(file, problems::read_problem(file).error());  // of an analysis: there is nothing
 }

@@ -9,6 +9,7 @@
 #include "analysis/mobility.hpp"
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
+#include "problems/gear/gear_problem.hpp"
 #include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
@@ -97,6 +98,10 @@ template <>
 std::span<const Named<MotionParameter>> names<MotionParameter>();
 template <>
 std::span<const Named<CamObjective>> names<CamObjective>();
+template <>
+std::span<const Named<Gearing>> names<Gearing>();
+template <>
+std::span<const Named<GearObjective>> names<GearObjective>();
 
 /// How `value` is written, e.g. "crank-rocker"; empty for a number that is no value of the enum.
 template <class Enum>

@@ -30,8 +30,11 @@ tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
   constexpr std::string_view kAsked[] = {
       "is that of a design problem, which 'cognate solve' solves",
       "is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this mechanism",
-      "is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
-      "given",
+      ("is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are all "
+       "given"),
+      "is \"gear\": there is nothing to solve, 'cognate analyze' evaluates this gear",
+      ("is \"gear-pair\": 'cognate solve' finds what it leaves free, 'cognate analyze' evaluates a "
+       "whole one"),
       "is \"machine\": there is nothing to solve, 'cognate analyze' runs this machine"};
   return tl::unexpected(
       Faults{{read.kind.line, read.kind.column,
@@ -48,6 +51,14 @@ tl::expected<AnalysisProblem, Faults> only_analysis(Reading read) {
 
 tl::expected<CamProblem, Faults> only_cam(Reading read) {
   return only<CamProblem>(std::move(read), "kind = \"cam\"");
+}
+
+tl::expected<GearProblem, Faults> only_gear(Reading read) {
+  return only<GearProblem>(std::move(read), "kind = \"gear\"");
+}
+
+tl::expected<GearPairProblem, Faults> only_gear_pair(Reading read) {
+  return only<GearPairProblem>(std::move(read), "kind = \"gear-pair\"");
 }
 
 tl::expected<MachineProblem, Faults> only_machine(Reading read) {
@@ -80,6 +91,14 @@ tl::expected<CamProblem, Faults> parse_cam(std::string_view text) {
   return parse(text).and_then(only_cam);
 }
 
+tl::expected<GearProblem, Faults> parse_gear(std::string_view text) {
+  return parse(text).and_then(only_gear);
+}
+
+tl::expected<GearPairProblem, Faults> parse_gear_pair(std::string_view text) {
+  return parse(text).and_then(only_gear_pair);
+}
+
 tl::expected<MachineProblem, Faults> parse_machine(std::string_view text) {
   return parse(text).and_then(only_machine);
 }
@@ -102,6 +121,14 @@ tl::expected<MachineProblem, Faults> read_machine(const std::filesystem::path& f
 
 tl::expected<CamProblem, Faults> read_cam(const std::filesystem::path& file) {
   return read(file).and_then(only_cam);
+}
+
+tl::expected<GearProblem, Faults> read_gear(const std::filesystem::path& file) {
+  return read(file).and_then(only_gear);
+}
+
+tl::expected<GearPairProblem, Faults> read_gear_pair(const std::filesystem::path& file) {
+  return read(file).and_then(only_gear_pair);
 }
 
 }  // namespace cognate::problems

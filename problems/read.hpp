@@ -10,6 +10,7 @@
 
 #include "problems/analysis/analysis_problem.hpp"
 #include "problems/cam/cam_problem.hpp"
+#include "problems/gear/gear_problem.hpp"
 #include "problems/machine/machine_problem.hpp"
 #include "problems/problem.hpp"
 
@@ -22,9 +23,10 @@ struct Fault {
   std::string message;  ///< what is wrong; what is allowed
 };
 
-/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, or
-/// what a machine does.
-using Task = std::variant<Problem, AnalysisProblem, CamProblem, MachineProblem>;
+/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, a gear
+/// or a pair of them, or what a machine does.
+using Task = std::variant<Problem, AnalysisProblem, CamProblem, GearProblem, GearPairProblem,
+                          MachineProblem>;
 
 /// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
@@ -49,5 +51,13 @@ tl::expected<MachineProblem, std::vector<Fault>> read_machine(const std::filesys
 /// The same where a cam is wanted.
 tl::expected<CamProblem, std::vector<Fault>> parse_cam(std::string_view text);
 tl::expected<CamProblem, std::vector<Fault>> read_cam(const std::filesystem::path& file);
+
+/// The same where a gear is wanted.
+tl::expected<GearProblem, std::vector<Fault>> parse_gear(std::string_view text);
+tl::expected<GearProblem, std::vector<Fault>> read_gear(const std::filesystem::path& file);
+
+/// The same where a pair of gears is wanted.
+tl::expected<GearPairProblem, std::vector<Fault>> parse_gear_pair(std::string_view text);
+tl::expected<GearPairProblem, std::vector<Fault>> read_gear_pair(const std::filesystem::path& file);
 
 }  // namespace cognate::problems

@@ -1,11 +1,13 @@
 /// @file Helical, bevel and worm gears by their virtual spur gears.
 ///
-/// Geometry of Li & Xu 2011, 5.5 to 5.7 (ISO 21771, ISO 23509 for the straight bevel, Tregold's
+/// Geometry of Li & Xu 2011, 5.5 to 5.7 (ISO 21771, ISO 23509 for the straight bevel, Tredgold's
 /// approximation): each is reduced to spur gears, to which spur_gear.hpp and spur_pair.hpp apply.
-/// Angles in radians.
+/// Angles in radians. Numbers that make no gear give infinities and what is not a number, as the
+/// formulas do.
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "analysis/gear/spur_pair.hpp"
 
@@ -20,7 +22,7 @@ struct HelicalGear {
 };
 
 /// Its transverse section: m_t = m_n/cos β, tan α_t = tan α_n/cos β, h_t* = h_n* cos β, x_t = x_n
-/// cos β.
+/// cos β. The fillet is that of a circular corner as deep; the rack's own is there an ellipse.
 SpurGear transverse(const HelicalGear& gear);
 double virtual_teeth(const HelicalGear& gear);  ///< z/cos³β
 double overlap_ratio(const HelicalGear& gear);  ///< b sin|β|/(π m_n)
@@ -42,12 +44,17 @@ struct BevelGear {
   double cone_distance = 0;
   double tip_angle = 0, root_angle = 0;  ///< of the cones of tip and root (common apex)
   double outer_tip_diameter = 0, outer_root_diameter = 0;
-  double mean_module = 0;  ///< at half the face width
+  double mean_module = 0;  ///< transverse, at half the face width
   SpurGear virtual_gear;   ///< z/cos δ teeth on the back cone
 };
 
-/// tan δ₁ = sin Σ/(z₂/z₁ + cos Σ).
+/// tan δ₁ = sin Σ/(z₂/z₁ + cos Σ), δ₂ = Σ − δ₁. A cone of a right angle or more (Σ > π/2 and
+/// cos Σ ≤ −z₁/z₂) is a face gear or an internal one: its virtual gear has no positive number of
+/// teeth.
 BevelGear bevel_gear(const BevelPair& pair, int index);
+
+/// The virtual gears in mesh, on the back cones developed into the plane, without backlash.
+SpurPair virtual_pair(const BevelPair& pair);
 
 /// A cylindrical worm and its wheel, axes at a right angle. Module: axial.
 struct WormPair {
@@ -71,9 +78,11 @@ struct WormGeometry {
 
 WormGeometry geometry(const WormPair& pair);
 
-/// Efficiency of the worm driving, tan γ/tan(γ + ρ′), with ρ′ the friction angle μ/cos α_n; and
-/// whether the wheel cannot drive it.
+/// Efficiency of the worm driving, tan γ/tan(γ + ρ′), where tan ρ′ = μ/cos α_n; 0 where it cannot
+/// turn the wheel.
 double efficiency(const WormPair& pair, double friction);
+
+/// Whether the wheel cannot drive the worm: γ ≤ ρ′.
 bool locks_itself(const WormPair& pair, double friction);
 
 }  // namespace cognate::gear

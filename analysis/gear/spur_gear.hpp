@@ -28,7 +28,8 @@ double tip_half_width(const BasicRack& rack);
 
 /// `teeth` is a whole number but for virtual gears. `tip_reduction`: by how many modules the tip
 /// circle is smaller than (z/2 + h_a* + x) m. `thinning`: by how much the tooth is thinner at the
-/// reference circle than m (π/2 + 2 x tan α), a length.
+/// reference circle than m (π/2 + 2 x tan α), a length: the tool's tooth is as much thicker, its
+/// depth the same.
 struct SpurGear {
   double teeth = 0;
   double module = 1;
@@ -45,7 +46,7 @@ double root_radius(const SpurGear& gear);       ///< (z/2 − h_a* − c* + x) m
 
 /// The radius at which the involute begins: where the end of the rack's straight flank leaves it;
 /// of an undercut gear where the trochoid of the rack's tip cuts the involute. It is that of the
-/// flank as cut, not (z/2 − h_a*) m, which is larger or even inside the base circle.
+/// flank as cut, not (z/2 − h_a*) m, which is less or even inside the base circle.
 double form_radius(const SpurGear& gear);
 
 /// Whether the rack's straight flank reaches beyond the point where the base circle touches the
@@ -58,12 +59,38 @@ double least_teeth(const BasicRack& rack, double profile_shift);
 /// x_min = h_a* − ½ z sin²α.
 double least_profile_shift(const BasicRack& rack, double teeth);
 
-/// Arc thickness of the tooth at `radius` ≥ the base radius: r_y (s/r + 2 (inv α − inv α_y)).
-/// Negative beyond the radius where the flanks meet.
+/// α_y of the involute at `radius`, cos α_y = r_b/r_y. Not a number inside the base circle.
+double pressure_angle(const SpurGear& gear, double radius);
+
+/// Half the angle that a tooth takes at its base circle, were its involutes to reach there:
+/// s/(2 r) + inv α.
+double base_half_angle(const SpurGear& gear);
+
+/// Arc thickness of the tooth at `radius`: r_y (s/r + 2 (inv α − inv α_y)), also where form or tip
+/// circle leave no involute. Negative beyond the radius where the flanks meet, not a number inside
+/// the base circle.
 double tooth_thickness(const SpurGear& gear, double radius);
 
-/// Where the flanks of a tooth meet, cos α_p = r_b / r_p; infinite where no tooth is so thick that
-/// this radius is a number, the base radius where the tooth has no thickness there already.
+/// Where the flanks of a tooth meet, inv α_p = s/(2 r) + inv α; the base radius where the tooth has
+/// no thickness there already.
 double pointed_radius(const SpurGear& gear);
+
+/// Where the involute ends: the lesser of tip and pointed radius.
+double flank_end_radius(const SpurGear& gear);
+
+/// The thickness of the tooth, along a straight line across it, where its fillets leave least of
+/// it: at the form circle, or below of an undercut gear. Negative: they cut the tooth off.
+double waist_thickness(const SpurGear& gear);
+
+/// Why a gear with finite, positive teeth, module and pressure angle can't be made.
+enum class ToothFault {
+  none,
+  rack_overlaps,  ///< the rounded corners of the rack's tip
+  no_root,        ///< the root circle has no radius
+  no_flank,       ///< the involute would begin above the tip, or where the tooth is pointed already
+  cut_through     ///< by fillets that meet within the tooth
+};
+
+ToothFault tooth_fault(const SpurGear& gear);
 
 }  // namespace cognate::gear

@@ -1,7 +1,8 @@
 /// @file Two spur gears in mesh, at any centre distance.
 ///
 /// Angles and contact ratio as Li & Xu 2011, 5.3, have them, with the working pressure angle from
-/// cos α′ = (a/a′) cos α; sliding as ISO 21771. The pinion drives where one of the two must.
+/// cos α′ = (a/a′) cos α; sliding as ISO 21771. The pinion, the first gear, drives where one of the
+/// two must.
 #pragma once
 
 #include <array>
@@ -16,23 +17,37 @@ struct SpurPair {
   double centre_distance = 0;
 };
 
-/// The centre distance at which the backlash is zero: inv α′ = inv α + 2 (x₁ + x₂) tan α/(z₁ + z₂),
-/// less what teeth are thinner. Not a number where no angle is that small.
+/// α′ of cos α′ = (r_b1 + r_b2)/a′. Not a number where the centres are closer than the sum of base
+/// radii.
+double working_pressure_angle(const SpurPair& pair);
+
+/// The centre distance at which the backlash, an arc on the working pitch circles, is `backlash`
+/// ≥ 0; with none inv α′ = inv α + 2 (x₁ + x₂) tan α/(z₁ + z₂), less what teeth are thinner. Not a
+/// number where no involute is that small.
+double centre_distance_with_backlash(const std::array<SpurGear, 2>& gears, double backlash);
 double centre_distance_without_backlash(const std::array<SpurGear, 2>& gears);
 
-/// The sum of profile shifts with which two gears of these teeth have no backlash at
-/// `centre_distance`. Not a number where the centre distance is less than the sum of base radii.
-double profile_shift_sum(const std::array<SpurGear, 2>& gears, double centre_distance);
+/// The sum of profile shifts with which two gears of these teeth and thinning have `backlash` at
+/// `centre_distance`, whatever shifts they have. Not a number where the centre distance is less
+/// than the sum of base radii.
+double profile_shift_sum(const std::array<SpurGear, 2>& gears, double centre_distance,
+                         double backlash = 0);
 
 /// What happens to one of the gears of a pair.
 struct GearInMesh {
   double working_radius = 0;
-  /// The least and the greatest radius of its flank that touch the other's.
+  /// The least and the greatest radius of its flank that touch the other's; both that of the one
+  /// point where the path would begin if there is no path.
   double contact_start = 0, contact_end = 0;
-  /// Where the mating tip would touch it: of interference this is below the form radius.
+  /// Where the mating tip would touch it if its involute went on to the base circle; the base
+  /// radius where the tip passes the base tangent's point. Below the form radius the path of
+  /// contact is shortened by what the fillet leaves of the flank.
   double reached_radius = 0;
-  bool interferes = false;   ///< the other's tip meets its fillet or passes its base tangent
-  double tip_clearance = 0;  ///< from its tip to the other's root
+  /// The other's tip digs into its fillet or root. The fillet of an undercut gear may be out of the
+  /// way where contact can't reach; that of another is in it below the form circle, and may be
+  /// above, where the other's tip is prolonged or has little clearance.
+  bool interferes = false;
+  double tip_clearance = 0;  ///< from its tip to the other's root; negative: the tip cuts in
   double sliding_start = 0;  ///< specific sliding 1 − v_other/v_own at contact_start…
   double sliding_end = 0;    ///< …and contact_end; −∞ on the base circle
 };
@@ -41,15 +56,27 @@ struct GearInMesh {
 struct PairGeometry {
   double working_pressure_angle = 0;
   double contact_ratio = 0;  ///< length of the path of contact over the base pitch
-  double path_length = 0;
-  double approach = 0, recess = 0;    ///< path lengths before and after the pitch point
+  double path_length = 0;    ///< 0 where the flanks never meet on the line of action
+  /// Path lengths before and after the pitch point; one is negative if that is not on the path.
+  double approach = 0, recess = 0;
   double backlash = 0;                ///< arc on the working pitch circles; negative: teeth overlap
   double normal_backlash = 0;         ///< along the line of action
   double greatest_sliding_speed = 0;  ///< over the pitch line's speed, at an end of the path
   std::array<GearInMesh, 2> gears;
 };
 
-/// Nothing but numbers if the centre distance is at least the sum of base radii.
+/// The path of contact goes from the wheel's tip to the pinion's, each where its tooth is pointed
+/// if that is lower, but not below the form circle of either.
+///
+/// All is finite, but for sliding on a base circle, if the centre distance is more than the sum of
+/// base radii and either gear has an involute (`tooth_fault`); else what depends on the working
+/// pressure angle is not a number.
 PairGeometry geometry(const SpurPair& pair);
+
+/// The pinion's profile shift, of those from `least` to `greatest`, with which the specific sliding
+/// at the foot of both flanks is the same, with the sum of shifts and the centre distance of `pair`
+/// and the tips of its gears going with their shifts. The end of the range that is nearer to it if
+/// it is not within.
+double balanced_shift(const SpurPair& pair, double least, double greatest);
 
 }  // namespace cognate::gear

@@ -81,7 +81,9 @@ void Cycle::note_extreme(CycleDetail& detail) {
   const auto f = [&](double phi) { return bend(phi, stepper_.at(phi)); };
   const double before = bend(stepper_.x_before(), stepper_.y_before());
   const double after = bend(stepper_.x(), stepper_.y());
-  if (!(before * after < 0)) return;
+  // Of a speed that is all but even, changes of sign are rounding.
+  const double rounding = accuracy_.relative * work_ / machine_.period;
+  if (!(before * after < 0) || std::max(std::abs(before), std::abs(after)) <= rounding) return;
   const auto [low, high] = bracket_zero(f, stepper_.x_before(), before, stepper_.x(), after);
   compare(state(low, stepper_.at(low)));
 }

@@ -53,8 +53,8 @@ struct MachineState {
 /// How exactly to integrate, and when to give up.
 struct Accuracy {
   double relative = 1e-10;  ///< error of a step, relative to the state and to the work of a period
-  std::size_t most_steps = 2'000'000;  ///< of one integration
-  std::function<bool()> stop{};        ///< asked now and then
+  std::size_t most_steps = 500'000;  ///< of one integration
+  std::function<bool()> stop{};      ///< asked now and then
 };
 
 }  // namespace cognate::machine

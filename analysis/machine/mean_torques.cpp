@@ -1,48 +1,47 @@
+#include <array>
 #include <cmath>
 
 #include "analysis/machine/steady_state.hpp"
-#include "analysis/mechanism/zeros.hpp"
 
 namespace cognate::machine {
 namespace {
 
+/// Places evenly spread over the period, none at its ends.
 constexpr int kSamples = 90;
 
-/// Calls `take` with the torques at places evenly spread over the period, none at its ends.
-template <class Take>
-void sample(const Machine& machine, double omega, double time, Take&& take) {
-  for (int i = 0; i < kSamples; ++i) {
-    machine.move_to(machine.period * (i + 0.5) / kSamples);
-    take(machine.torques(omega, time));
-  }
-}
-
-double mean_torque(const Machine& machine, double omega) {
-  double sum = 0;
-  sample(machine, omega, 0, [&](const Torques& acting) { sum += acting.sum(); });
-  return sum / kSamples;
-}
+/// The speeds looked at, each so many times the one before.
+constexpr double kLeast = 1e-4, kFactor = 1.5;
+constexpr std::size_t kSpeeds = 57;
+constexpr int kFewSamples = 36;
 
 }  // namespace
 
 double turnover(const Machine& machine, double omega, double time) {
-  double sum = 0;
-  sample(machine, omega, time,
-         [&](const Torques& acting) { sum += std::abs(acting.motor) + std::abs(acting.load); });
-  return sum / kSamples * machine.period;
+  constexpr std::array<double, 3> kFactors{0.8, 1, 1.25};
+  std::array<double, kFactors.size()> sums{};
+  for (int i = 0; i < kSamples; ++i) {
+    machine.move_to(machine.period * (i + 0.5) / kSamples);
+    for (std::size_t k = 0; k < kFactors.size(); ++k) {
+      const Torques acting = machine.torques(kFactors[k] * omega, time);
+      sums[k] += std::abs(acting.motor) + std::abs(acting.load);
+    }
+  }
+  double greatest = 0;
+  for (const double sum : sums) greatest = std::fmax(greatest, sum);  // passes over what is NaN
+  return greatest / kSamples * machine.period;
 }
 
 std::optional<double> speed_of_mean_torques(const Machine& machine) {
-  constexpr double kLeast = 1e-4, kMost = 1e6, kFactor = 1.25;
-  const auto f = [&](double omega) { return mean_torque(machine, omega); };
-  double before = f(kLeast);
-  for (double omega = kLeast; omega < kMost; omega *= kFactor) {
-    const double next = kFactor * omega;
-    const double after = f(next);
-    if (before > 0 && after <= 0) {
-      return after < 0 ? bracket_zero(f, omega, before, next, after).first : next;
-    }
-    before = after;
+  std::array<double, kSpeeds> speeds{}, sums{};
+  for (std::size_t k = 0; k < kSpeeds; ++k) speeds[k] = kLeast * std::pow(kFactor, double(k));
+  for (int i = 0; i < kFewSamples; ++i) {
+    machine.move_to(machine.period * (i + 0.5) / kFewSamples);
+    for (std::size_t k = 0; k < kSpeeds; ++k) sums[k] += machine.torques(speeds[k], 0).sum();
+  }
+  for (std::size_t k = 1; k < kSpeeds; ++k) {
+    if (!(sums[k - 1] > 0 && sums[k] <= 0)) continue;
+    const double part = sums[k - 1] / (sums[k - 1] - sums[k]);
+    return speeds[k - 1] + part * (speeds[k] - speeds[k - 1]);
   }
   return std::nullopt;
 }

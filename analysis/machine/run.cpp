@@ -193,19 +193,22 @@ class Runner {
     stepper_.start(now_.time / time_, state_vector());
     moved_ = true;
     while (true) {
+      record();
+      if (end_.time && stepper_.x() >= *end_.time / time_) return leave(RunStop::time);
       if (++taken_ >= accuracy_.most_steps) return leave(RunStop::gave_up);
       if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::gave_up);
       if (!stepper_.step(next_time() / time_)) return leave(RunStop::open);
       const auto [event, at] = first_event();
       if (event != Event::none) return take(event, at);
-      while (next_ < times_.size() && stepper_.x() * time_ >= times_[next_] * (1 - 1e-15)) {
-        run_.states.push_back(state(stepper_.x(), stepper_.y()));
-        ++next_;
-      }
-      if (end_.time && stepper_.x() >= *end_.time / time_) {
-        now_ = state(stepper_.x(), stepper_.y());
-        return RunStop::time;
-      }
+    }
+  }
+
+  /// The states that are due, which an event may have come upon.
+  void record() {
+    constexpr double kRounding = 1e-15;
+    while (next_ < times_.size() && stepper_.x() * time_ >= times_[next_] * (1 - kRounding)) {
+      run_.states.push_back(state(stepper_.x(), stepper_.y()));
+      ++next_;
     }
   }
 
@@ -228,13 +231,11 @@ class Runner {
     if (event == Event::rest) y[momentum] = 0;
     if (event == limit_event_) y[phi] = limit_;
     now_ = state(at, y);
+    if (event == limit_event_ && has_approached()) return RunStop::approached;
     if (event == Event::travel) return RunStop::travel;
-    if (event == Event::speed) {
-      now_.omega = *end_.speed;
-      return RunStop::speed;
-    }
-    if (event == Event::border && has_approached()) return RunStop::approached;
-    return std::nullopt;
+    if (event != Event::speed) return std::nullopt;
+    now_.omega = *end_.speed;
+    return RunStop::speed;
   }
 
   bool has_approached() const {
@@ -275,7 +276,7 @@ MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& e
                const Accuracy& accuracy, std::size_t records) {
   Runner runner(machine, from, end, accuracy);
   MachineRun whole = runner.go({});
-  if (records == 0) return whole;
+  if (records == 0 || whole.stop == RunStop::gave_up) return whole;
   const double duration = whole.states.back().time - from.time;
   std::vector<double> times;
   for (std::size_t i = 1; i <= records; ++i) {

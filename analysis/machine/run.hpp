@@ -36,7 +36,8 @@ struct MachineRun {
 /// Integrates in time, with √J ω for the speed: its derivative M/√J needs no slope of J and is
 /// smooth at rest. Begins anew at every break that φ passes and wherever the motion turns round,
 /// with the torques of the side to which it goes. States are recorded at equal steps of time,
-/// `records` of them besides the ends, for which the motion is integrated a second time.
+/// `records` of them besides the ends, for which the motion is integrated a second time; none where
+/// it was given up.
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
                const Accuracy& accuracy, std::size_t records);
 

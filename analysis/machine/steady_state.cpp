@@ -10,10 +10,19 @@
 namespace cognate::machine {
 namespace {
 
-/// How often K is doubled or halved in the search for a bracket.
-constexpr int kMostDoublings = 60;
-/// What counts as nothing, in tolerances and parts of what is worked in a period.
-constexpr double kNothing = 1e3;
+/// How often K is doubled where the drive stops from below.
+constexpr int kMostDoublings = 30;
+/// What counts as nothing, in tolerances and parts of what is worked in a period; and where the
+/// fixed point is met.
+constexpr double kNothing = 100, kMet = 0.1;
+/// Motions of so many times the energy or work first looked at are on their way to infinity.
+constexpr double kFar = 1e15;
+/// A search whose errors were held against so many times the work there is at the speed found is
+/// made again from there, so many times.
+constexpr double kCoarse = 10;
+constexpr int kSearches = 20;
+/// The loosest tolerance: a little more saves little time, and blurs what is nothing.
+constexpr double kLoosest = 1e-8;
 
 /// K at the beginning of a period, and what it grows by in it.
 struct Shot {
@@ -25,12 +34,18 @@ class Shooting {
  public:
   Shooting(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy)
       : machine_(machine),
-        accuracy_(accuracy),
+        accuracy_(at_most_loose(accuracy)),
         guess_(guess),
         speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
         inertia_(machine.move_to(guess.phi).value),
         work_(turnover(machine, speed_)),
-        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy) {}
+        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
+
+  /// Whether errors were held against far more than is worked at the speed that was found.
+  bool was_coarse(const SteadyState& found) const {
+    return !found.states.empty() &&
+           kCoarse * turnover(machine_, found.states.front().omega) < work_;
+  }
 
   SteadyState find(int steps) {
     if (machine_.depends_on_time) return missing(NoSteadyState::depends_on_time);
@@ -39,7 +54,9 @@ class Shooting {
     if (!shoot(start)) return missing(failure_);
     const Shot first = shot_;
     if (std::abs(first.growth) <= nothing() && is_any_speed(first)) {
-      if (guess_.speed && !cycle_.stands()) record(start, steps);
+      if (guess_.speed && !shoot(start)) return missing(failure_);
+      if (guess_.speed && cycle_.stands()) return missing(NoSteadyState::stands);
+      if (guess_.speed) record(start, steps);
       return missing(NoSteadyState::any_speed);
     }
     const bool found = first.growth >= 0 ? climb(first) : descend(first) || leap(first);
@@ -48,6 +65,11 @@ class Shooting {
   }
 
  private:
+  static Accuracy at_most_loose(Accuracy accuracy) {
+    accuracy.relative = std::min(accuracy.relative, kLoosest);
+    return accuracy;
+  }
+
   double nothing() const { return kNothing * accuracy_.relative * std::max(work_, cycle_.range()); }
 
   SteadyState missing(NoSteadyState why) {
@@ -79,8 +101,9 @@ class Shooting {
   /// From where K grows upwards, to where it shrinks. What a period makes of `below` is below the
   /// fixed point as well, since orbits do not cross.
   bool climb(Shot below) {
+    const double farthest = kFar * std::max(below.kinetic, work_);
     double stride = 1e-3 * below.kinetic;
-    for (int i = 0; i < kMostDoublings; ++i) {
+    while (below.kinetic < farthest) {
       if (!shoot(std::max(below.kinetic + stride, below.kinetic + 1.01 * below.growth)))
         return false;
       if (shot_.growth <= 0) {
@@ -118,7 +141,7 @@ class Shooting {
     if (failure_ != NoSteadyState::stalls) return false;
     const Shot stalling = shot_;
     double kinetic = first.kinetic;
-    for (int i = 0; i < kMostDoublings / 2; ++i) {
+    for (int i = 0; i < kMostDoublings; ++i) {
       kinetic *= 2;
       if (!shoot(kinetic)) return false;
       if (shot_.growth > 0) return climb(shot_);
@@ -133,10 +156,11 @@ class Shooting {
     if (low_.growth == 0) high_ = low_;
     if (high_.growth == 0) low_ = high_;
     if (low_.kinetic == high_.kinetic) return true;
+    const double met = kMet * accuracy_.relative * work_;
     bool failed = false;
     const auto growth = [&](double kinetic) {
-      if (failed || !shoot(kinetic)) failed = true;
-      return failed ? 0 : shot_.growth;
+      failed = failed || !shoot(kinetic);
+      return failed || std::abs(shot_.growth) <= met ? 0 : shot_.growth;
     };
     const double close = std::max(0.01 * accuracy_.relative, 1e-15);
     const auto is_close = [&](double a, double b) { return b - a <= close * b; };
@@ -165,7 +189,7 @@ class Shooting {
     if (!refine()) return missing(failure_);
     const double kinetic = 0.5 * (low_.kinetic + high_.kinetic);
     if (!shoot(kinetic)) return missing(failure_);
-    if (cycle_.stands()) return missing(NoSteadyState::stalls);
+    if (cycle_.stands()) return missing(NoSteadyState::stands);
     if (!record(kinetic, steps)) return missing(NoSteadyState::gave_up);
     return std::move(steady_);
   }
@@ -206,7 +230,16 @@ double fluctuation(const SteadyState& steady) {
 
 SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
                          int steps) {
-  return Shooting(machine, guess, accuracy).find(steps);
+  SteadyGuess from = guess;
+  int integrations = 0;
+  for (int i = 0;; ++i) {
+    Shooting shooting(machine, from, accuracy);
+    SteadyState found = shooting.find(steps);
+    found.integrations += integrations;
+    if (i == kSearches || !shooting.was_coarse(found)) return found;
+    integrations = found.integrations;
+    from.speed = found.states.front().omega;
+  }
 }
 
 }  // namespace cognate::machine

@@ -13,6 +13,7 @@ namespace cognate::machine {
 enum class NoSteadyState {
   none,
   stalls,     ///< from every speed looked at the drive slows down until it stops
+  stands,     ///< the drive stops within a period in which it would gain as much as it loses
   runs_away,  ///< at every speed motor and loads do more work than none: it grows without bound
   any_speed,  ///< torques do not depend on speed and do no work in a period: every speed is one
   depends_on_time,
@@ -52,11 +53,13 @@ double fluctuation(const SteadyState& steady);
 SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
                          int steps);
 
-/// The speed at which the torques, averaged over the period at constant speed, change from driving
-/// to braking: the least such between 1e-4 and 1e6. Empty where there is none.
+/// About the speed at which the torques, averaged over the period at constant speed, change from
+/// driving to braking: the least such between 1e-4 and 7e5. Empty where there is none.
 std::optional<double> speed_of_mean_torques(const Machine& machine);
 
-/// ∫ (|motor| + |load|) dφ over a period at constant speed (J), from samples.
+/// ∫ (|motor| + |load|) dφ over a period at about this speed (J), from samples: the greatest at
+/// 0.8, 1 and 1.25 times it, since a motor without a load works at other speeds than its steady one
+/// alone.
 double turnover(const Machine& machine, double omega, double time = 0);
 
 }  // namespace cognate::machine

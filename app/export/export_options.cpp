@@ -20,7 +20,8 @@ tl::expected<ExportFormat, std::string> parse_format(std::string_view text) {
   if (text == "csv") return ExportFormat::csv;
   if (text == "json") return ExportFormat::json;
   if (text == "dot") return ExportFormat::dot;
-  return refusal("--format", text, "dxf, svg or csv, for linkages also json or dot");
+  return refusal("--format", text,
+                 "dxf, svg or csv, of gears and linkages also json, of linkages also dot");
 }
 
 tl::expected<DxfVersion, std::string> parse_version(std::string_view text) {

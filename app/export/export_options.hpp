@@ -32,7 +32,7 @@ struct ExportOptions {
   ExportFormat format = ExportFormat::dxf;
   int design = 1;  ///< counted from 1
   DxfVersion version = DxfVersion::r2000;
-  DrawingOrder order;              ///< of a cam; of linkages the chord tolerance alone
+  DrawingOrder order;              ///< of a cam; of others the chord tolerance alone
   std::optional<double> position;  ///< of the drive: degrees, or a length
   std::optional<int> steps;        ///< of the drive
   std::optional<PartOrder> parts;  ///< where links are to be drawn as parts

@@ -8,6 +8,7 @@
 
 #include "app/export/export_options.hpp"
 #include "app/export/result_cam.hpp"
+#include "app/export/result_gears.hpp"
 #include "app/export/result_linkage.hpp"
 #include "app/options.hpp"
 
@@ -29,6 +30,11 @@ struct Exported {
 /// error says which option is not possible and what is allowed.
 tl::expected<Exported, std::string> export_cam(const ResultCam& given, const ExportOptions& wanted,
                                                const std::string& stem);
+
+/// The outlines of a gear or of two in mesh: one file, but of a table one for each gear.
+tl::expected<Exported, std::string> export_gears(const ResultGears& given,
+                                                 const ExportOptions& wanted,
+                                                 const std::string& stem);
 
 /// The file of a linkage: its drawing in one position, its parts, its positions over the drive, the
 /// document `cognate-linkage/1`, or the sketch of its chain.

@@ -1,5 +1,6 @@
 #include "app/report/machine_report_data.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/report/drawn_rows.hpp"
@@ -30,6 +31,17 @@ ordered_json motion_json(const MachineMotion& motion) {
   return {{"task", problems::to_string(motion.task)}, {"rows", all}, {"columns", columns}};
 }
 
+/// Whether the mechanism comes back after two turns only: then the steady motion is of two.
+bool takes_two_turns(const MachineResult& result) {
+  for (const auto& [task, columns] : result.motions) {
+    if (task != problems::MachineTask::steady) continue;
+    const auto drive = std::ranges::find(columns, "crank_deg", &problems::Column::name);
+    if (drive == columns.end() || drive->values.empty()) continue;
+    return drive->values.back() - drive->values.front() > 540;
+  }
+  return false;
+}
+
 }  // namespace
 
 ordered_json machine_report_data(const MachineProblem& problem, const MachineResult& result) {
@@ -39,9 +51,10 @@ ordered_json machine_report_data(const MachineProblem& problem, const MachineRes
                        {"facts", facts_json(result.facts)}};
   for (const MachineMotion& motion : result.motions) data["motions"].push_back(motion_json(motion));
   if (problem.mechanism) {
-    const auto& turn = problem.mechanism->drive;
-    data["mechanism"] = mechanism_json(*problem.mechanism);
-    data["drive"] = drive_json(problem.mechanism->mechanism, {turn.start, turn.end, true});
+    problems::AnalysisProblem shown = *problem.mechanism;
+    if (takes_two_turns(result)) shown.drive.end += shown.drive.end - shown.drive.start;
+    data["mechanism"] = mechanism_json(shown);
+    data["drive"] = drive_json(shown.mechanism, {shown.drive.start, shown.drive.end, true});
   }
   return data;
 }

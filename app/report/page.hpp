@@ -17,6 +17,9 @@ std::string cam_page();
 /// The page of a machine, likewise.
 std::string machine_page();
 
+/// The page of a gear or a gear pair, likewise.
+std::string gear_page();
+
 /// The page of a study, likewise.
 std::string study_page();
 

@@ -5,6 +5,7 @@
 #include "app/report/analysis_report_data.hpp"
 #include "app/report/cam_report_data.hpp"
 #include "app/report/filled_page.hpp"
+#include "app/report/gear_report_data.hpp"
 #include "app/report/machine_report_data.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"
@@ -74,6 +75,21 @@ std::string report_html(const ordered_json& result_document, const problems::Cam
   ordered_json data = cam_report_data(problem, result);
   data["result"] = without_large_tables(result_document);
   return filled_page(cam_page(), data);
+}
+
+std::string report_html(const ordered_json& result_document, const problems::GearProblem& problem,
+                        const problems::GearResult& result) {
+  ordered_json data = gear_report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  return filled_page(gear_page(), data);
+}
+
+std::string report_html(const ordered_json& result_document,
+                        const problems::GearPairProblem& problem,
+                        const problems::GearPairResult& result) {
+  ordered_json data = gear_pair_report_data(problem, result);
+  data["result"] = without_large_tables(result_document);
+  return filled_page(gear_page(), data);
 }
 
 }  // namespace cognate::app

@@ -6,6 +6,7 @@
 
 #include "problems/analysis/analysis_result.hpp"
 #include "problems/cam/cam_result.hpp"
+#include "problems/gear/gear_result.hpp"
 #include "problems/machine/machine_result.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
@@ -39,5 +40,15 @@ std::string report_html(const nlohmann::ordered_json& result_document,
 std::string report_html(const nlohmann::ordered_json& result_document,
                         const problems::MachineProblem& problem,
                         const problems::MachineResult& result);
+
+/// The page of a gear, likewise: the rack that cuts it, and what is plotted over the radius.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::GearProblem& problem, const problems::GearResult& result);
+
+/// The page of a gear pair, likewise: the gears turning in mesh (of bevel gears the virtual ones,
+/// of a worm its middle plane), the path of contact and what is plotted along it.
+std::string report_html(const nlohmann::ordered_json& result_document,
+                        const problems::GearPairProblem& problem,
+                        const problems::GearPairResult& result);
 
 }  // namespace cognate::app

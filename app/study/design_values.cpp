@@ -12,6 +12,7 @@
 #include "app/cache_folder.hpp"
 #include "app/cam_json.hpp"
 #include "app/design_dimensions.hpp"
+#include "app/gear_json.hpp"
 #include "app/json_values.hpp"
 #include "app/machine_json.hpp"
 #include "app/result_json.hpp"
@@ -84,6 +85,16 @@ struct Evaluation {
   }
 
   Evaluated operator()(const CamProblem& problem) const {
+    const auto result = problems::solve(problem, run);
+    return {result.status, best_design_json(problem, result)};
+  }
+
+  Evaluated operator()(const problems::GearProblem& problem) const {
+    const auto result = problems::analyse(problem, run);
+    return {result.status, best_design_json(problem, result)};
+  }
+
+  Evaluated operator()(const problems::GearPairProblem& problem) const {
     const auto result = problems::solve(problem, run);
     return {result.status, best_design_json(problem, result)};
   }

@@ -8,6 +8,7 @@
 
 #include "app/analysis_problem_json.hpp"
 #include "app/cam_catalogue.hpp"
+#include "app/gear_catalogue.hpp"
 #include "app/machine_catalogue.hpp"
 #include "app/machine_json.hpp"
 #include "app/mechanism_catalogue.hpp"
@@ -84,6 +85,18 @@ void add_cam_mechanism(MetricNames& names) {
   }
 }
 
+/// What `mechanism` of a gear or pair may hold, and what every design has.
+void add_gear_mechanism(MetricNames& names, std::span<const KeyedEntry> tables) {
+  for (const KeyedEntry& table : tables) {
+    const bool is_rack = table.name == "[rack]";
+    if (!is_rack && table.name != "[mechanism]") continue;
+    for (const Entry& key : table.keys) {
+      names.openings.push_back(fmt::format("mechanism.{}{}", is_rack ? "rack." : "", key.name));
+    }
+  }
+  for (const char* word : {"class", "defects", "origin"}) names.names.push_back({word, true});
+}
+
 /// The joint whose force has this column, "B_on_coupler_Fx_N" or "block_on_bar_N"; one column of
 /// each joint has one.
 std::optional<std::string> joint_of_force(std::string_view column) {
@@ -143,6 +156,21 @@ struct NamesOf {
     names.names.push_back({"time_ratio"});
     for (const char* word : {"class", "defects", "origin"}) names.names.push_back({word, true});
     add_cam_mechanism(names);
+    return names;
+  }
+  MetricNames operator()(const problems::GearProblem&) const {
+    MetricNames names;
+    add(names, gear_metrics());
+    names.names.push_back({"overlap_ratio"});
+    add_gear_mechanism(names, gear_tables());
+    return names;
+  }
+  MetricNames operator()(const problems::GearPairProblem&) const {
+    MetricNames names;
+    add(names, gear_pair_metrics());
+    for (const char* within : {"pinion.", "wheel.", "worm."}) add(names, gear_metrics(), within);
+    add(names, facts(), "facts.");
+    add_gear_mechanism(names, gear_pair_tables());
     return names;
   }
   MetricNames operator()(const problems::MachineProblem& base) const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,9 @@ struct GearProblem {
   int points = 20;                  ///< rows of the table for each part of the flank
 };
 
+/// Teeth that a gear may have, so few that products of them are exact.
+inline constexpr int kFewestTeeth = 3, kMostTeeth = 2000;
+
 /// `target.objective` of a gear pair.
 enum class GearObjective {
   balanced_sliding,  ///< the greatest specific sliding of the four flank ends, least
@@ -35,6 +40,7 @@ struct GearConstraints {
   double tip_thickness_min = 0;  ///< in modules
   bool no_undercut = true;
   bool no_interference = true;
+  bool hunting = false;  ///< no common divisor of the teeth: each meets every other one
   std::optional<double> sliding_max;        ///< greatest |specific sliding|
   std::optional<double> tip_clearance_min;  ///< in modules
 };
@@ -50,16 +56,17 @@ struct GearPairProblem {
   std::vector<double> modules;  ///< to choose from, where the module is free
   std::array<std::optional<double>, 2> profile_shift{};
   Range profile_shift_bounds{-0.6, 1.2};
+  std::array<double, 2> tip_reduction{};  ///< of each tip circle, in modules
   std::optional<double> centre_distance;
-  Range centre_distance_bounds{};  ///< with a free centre distance; infinite sides
+  Range centre_distance_bounds{0, HUGE_VAL};  ///< of a centre distance that is free
   std::optional<double> backlash;  ///< wanted, with shifts or a centre distance free; default 0
   std::optional<double> ratio;     ///< z₂/z₁ wanted, with teeth free
   double ratio_tolerance = 0;      ///< relative
   double helix = 0;                ///< of the pinion; the wheel's is opposite
   double face_width = 0;
-  double shaft_angle = 0;          ///< bevel
-  gear::WormPair worm;             ///< worm: all that there is
-  std::optional<double> friction;  ///< worm: then efficiency and self-locking are told
+  double shaft_angle = std::numbers::pi / 2;  ///< bevel
+  gear::WormPair worm;                        ///< worm: all that there is
+  std::optional<double> friction;             ///< worm: then efficiency and self-locking are told
   GearObjective objective = GearObjective::balanced_sliding;
   GearConstraints constraints;
   Solve solve;

@@ -3,12 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "analysis/angle.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
 #include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/whole_motion.hpp"
 #include "problems/machine/load_breaks.hpp"
@@ -25,15 +28,31 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 AnalysisProblem with_all_loads(const AnalysisProblem& problem,
                                const std::vector<MachineLoad>& loads) {
   AnalysisProblem all = problem;
-  all.drive.start = 0;
   std::ranges::transform(loads, std::back_inserter(all.loads), &MachineLoad::rule);
   return all;
 }
 
-/// Whether the motion is back in its first assemblies after a turn; an antiparallelogram is not.
-bool repeats(const Course& course) {
-  const CourseRun& run = course.runs.front();
-  return sides_at(run, course.start) == sides_at(run, course.end);
+/// Where a load with `load` may jump or bend besides where its function says: what depends on a
+/// body's travel is asked to tell one way from the other.
+LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoad>& loads,
+                        std::size_t load) {
+  LoadRule rule = all.loads[load];
+  const std::size_t own = all.loads.size() - loads.size();
+  if (load >= own && loads[load - own].of_travel) rule.sense = LoadSense::advance;
+  return rule;
+}
+
+/// Whether all bodies stand after a turn as they did before; `two_turns` is the motion from where a
+/// machine's course begins. Beside that place, since a change point may lie there.
+bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
+  constexpr double kBeside = 0.01, kSame = 1e-6;
+  FollowedMotion<0> first(mechanism, two_turns), second(mechanism, two_turns);
+  if (!first.move_to(two_turns.start + kBeside)) return true;
+  if (!second.move_to(two_turns.start + kTurn + kBeside)) return true;
+  const auto stand_alike = [](const auto& a, const auto& b) {
+    return squared_norm(a.direction - b.direction) < kSame;
+  };
+  return std::ranges::equal(first.bodies(), second.bodies(), stand_alike);
 }
 
 /// Why the drive does not turn fully; empty where it does.
@@ -112,17 +131,22 @@ MachineModel::MachineModel(const MachineProblem& problem, const Deadline& deadli
 }
 
 void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Deadline& deadline) {
-  const AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
+  AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
+  all.drive.start = in_one_turn(problem_.run.start_phi);
   course_ = whole_motion(all, deadline);
   gap_ = gap_of(course_);
-  if (turns() && !repeats(course_)) {
-    period_ = 2 * kTurn;
-    course_ = follow_until(all, 0, period_, deadline);
+  if (turns() && !course_.runs.front().changes.empty()) {
+    Course two_turns = follow_until(all, course_.start, course_.start + 2 * kTurn, deadline);
+    if (!repeats(all.mechanism.mechanism, two_turns)) {
+      period_ = 2 * kTurn;
+      course_ = std::move(two_turns);
+    }
   }
   strokes_ = load_strokes(all, deadline);
   for (std::size_t i = 0; i < all.loads.size(); ++i) {
     const Stroke stroke = i < strokes_.size() ? strokes_[i] : Stroke{};
-    const auto more = load_breaks(all.mechanism.mechanism, course_, all.loads[i], stroke);
+    const LoadRule rule = rule_of_breaks(all, problem_.loads, i);
+    const auto more = load_breaks(all.mechanism.mechanism, course_, rule, stroke);
     breaks_.insert(breaks_.end(), more.begin(), more.end());
   }
   for (double& place : breaks_) {
@@ -156,6 +180,29 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
           .period = period_,
           .breaks = breaks_,
           .depends_on_time = depends_on_time_};
+}
+
+std::optional<double> MachineModel::without_inertia(double flywheel) const {
+  constexpr int kSamples = 360;
+  constexpr double kNothing = 1e-9;
+  if (!turns()) return std::nullopt;
+  const machine::Machine whole = machine({.flywheel = flywheel});
+  const auto inertia = [&](double phi) {
+    return whole.move_to(phi - period_ * std::floor(phi / period_)).value;
+  };
+  const double step = period_ / kSamples;
+  double least = inertia(0), greatest = least, at = 0;
+  for (int i = 1; i < kSamples; ++i) {
+    const double value = inertia(i * step);
+    greatest = std::max(greatest, value);
+    if (value >= least) continue;
+    least = value;
+    at = i * step;
+  }
+  at = boost::math::tools::brent_find_minima(inertia, at - step, at + step, 30).first;
+  if (inertia(at) > kNothing * greatest) return std::nullopt;
+  constexpr double kClose = 1e-6;
+  return std::abs(std::remainder(at, kTurn)) < kClose ? 0 : in_one_turn(at);
 }
 
 }  // namespace cognate::problems

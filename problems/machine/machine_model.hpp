@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,10 @@ class MachineModel {
   /// Whether the drive can turn fully; else `gap` says in words why not.
   bool turns() const { return gap_.empty(); }
   const std::string& gap() const { return gap_; }
+
+  /// An angle of the drive at which the inertia vanishes, as where all that has mass stands still;
+  /// empty where there is none, or the drive cannot turn fully.
+  std::optional<double> without_inertia(double flywheel) const;
 
   double period() const { return period_; }
   std::uint64_t evaluations() const { return *evaluations_; }  ///< of inertia, by all machines

@@ -3,10 +3,18 @@
 #include <fmt/core.h>
 
 #include <numbers>
+#include <string_view>
 
 namespace cognate::problems {
+namespace {
 
-std::string steady_note(const machine::SteadyState& steady) {
+constexpr std::string_view kSteep =
+    ": out of time, or after too many steps, as where torques change very steeply with speed or "
+    "angle";
+
+}  // namespace
+
+std::string steady_note(const machine::SteadyState& steady, bool turns) {
   using machine::NoSteadyState;
   switch (steady.missing) {
     case NoSteadyState::none:
@@ -16,6 +24,11 @@ std::string steady_note(const machine::SteadyState& steady) {
           "no steady state: the machine stalls, since motor and loads together take from it at "
           "every speed ({:.6g} J in a period)",
           -steady.surplus);
+    case NoSteadyState::stands:
+      return "no steady state: the drive comes to a stop within a period in which it would gain as "
+             "much as it loses; a greater flywheel helps, or a greater start speed where torques "
+             "do "
+             "not depend on speed";
     case NoSteadyState::runs_away:
       return fmt::format(
           "no steady state: the machine runs away, since motor and loads together give to it at "
@@ -27,14 +40,15 @@ std::string steady_note(const machine::SteadyState& steady) {
     case NoSteadyState::depends_on_time:
       return "no steady state: motor or loads depend on time";
     case NoSteadyState::open:
-      return "no steady state: the mechanism cannot be assembled all the way round";
+      return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
+                   : "no steady state: the mechanism cannot be assembled all the way round";
     case NoSteadyState::gave_up:
       break;
   }
-  return "the search for the steady state was ended before it was done";
+  return fmt::format("the search for the steady state was ended before it was done{}", kSteep);
 }
 
-std::string ended_note(const std::string& what, const machine::MachineRun& run) {
+std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns) {
   using machine::RunStop;
   const machine::MachineState& last = run.states.back();
   const std::string place =
@@ -45,13 +59,16 @@ std::string ended_note(const std::string& what, const machine::MachineRun& run) 
       return fmt::format("{} fails: the machine stands still and nothing moves it, {}", what,
                          place);
     case RunStop::open:
-      return fmt::format("{} fails: the mechanism cannot be assembled further on, {}", what, place);
+      return fmt::format(
+          "{} fails: {}, {}", what,
+          turns ? "motor or loads have no value" : "the mechanism cannot be assembled further on",
+          place);
     case RunStop::gave_up:
-      return fmt::format("{} was ended before it was done, {}", what, place);
+      return fmt::format("{} was ended before it was done{}, {}", what, kSteep, place);
     case RunStop::at_rest:
       return fmt::format("{} fails: the machine comes to rest, {}", what, place);
     default:
-      return fmt::format("{} is not done within its limits: it ended {}", what, place);
+      return fmt::format("{} ended at its limit, {}", what, place);
   }
 }
 

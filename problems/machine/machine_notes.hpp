@@ -8,10 +8,10 @@
 
 namespace cognate::problems {
 
-/// Why there is no steady state.
-std::string steady_note(const machine::SteadyState& steady);
+/// Why there is no steady state. `turns`: whether the drive can turn fully.
+std::string steady_note(const machine::SteadyState& steady, bool turns);
 
 /// Where and why a motion ended that was not to end there; `what` begins the sentence: "the start".
-std::string ended_note(const std::string& what, const machine::MachineRun& run);
+std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns);
 
 }  // namespace cognate::problems

@@ -1,5 +1,6 @@
 #include "problems/machine/reduced_mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -26,9 +27,11 @@ ReducedMechanism::ReducedMechanism(const AnalysisProblem& problem,
 }
 
 machine::EquivalentInertia ReducedMechanism::move_to(double phi) {
-  phi_ = phi;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (!motion_.move_to(phi)) return {kNone, kNone};
+  const Course& course = motion_.course();
+  phi_ = phi;
+  const double on_course = phi < course.start ? phi + (course.end - course.start) : phi;
+  if (!motion_.move_to(std::min(on_course, course.end))) return {kNone, kNone};
   weights_ = machine::weight_torque(motion_.bodies(), inertias_, gravity_);
   const auto inertia = machine::equivalent_inertia(motion_.bodies(), inertias_);
   return std::isfinite(inertia.value) ? inertia : machine::EquivalentInertia{kNone, kNone};

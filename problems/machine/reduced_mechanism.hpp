@@ -18,7 +18,8 @@ class ReducedMechanism {
   ReducedMechanism(const AnalysisProblem& problem, const std::vector<MachineLoad>& loads,
                    const Course& course, const std::vector<Stroke>& strokes);
 
-  /// Not numbers where the mechanism cannot be assembled, or stands at a dead point.
+  /// Stands at `phi`, from 0 to the length of the course (which may begin elsewhere). Not numbers
+  /// where the mechanism cannot be assembled, or stands at a dead point.
   machine::EquivalentInertia move_to(double phi);
 
   /// Of weights and loads.

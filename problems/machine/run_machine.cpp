@@ -44,19 +44,14 @@ class MachineTasks {
   }
 
   MachineResult answer() {
-    if (problem_.fluctuation) find_flywheel();
-    for (const MachineTask task : problem_.run.tasks) {
-      switch (task) {
-        case MachineTask::steady:
-          steady();
-          break;
-        case MachineTask::start:
-          start();
-          break;
-        case MachineTask::stop:
-          stop();
-          break;
-      }
+    if (const auto place = model_.without_inertia(flywheel_)) {
+      fail(fmt::format(
+          "the machine's inertia vanishes where the drive is at {:.6g}°, and any torque "
+          "would bring any speed at once there; give the crank, a flywheel or the motor "
+          "an inertia",
+          *place * 360 / kTurn));
+    } else {
+      do_tasks();
     }
     result_.status = status();
     result_.work.seconds = deadline_.spent();
@@ -66,6 +61,15 @@ class MachineTasks {
   }
 
  private:
+  void do_tasks() {
+    if (problem_.fluctuation) find_flywheel();
+    for (const MachineTask task : problem_.run.tasks) {
+      if (task == MachineTask::steady) steady();
+      if (task == MachineTask::start) start();
+      if (task == MachineTask::stop) stop();
+    }
+  }
+
   Status status() const {
     if (deadline_.interrupted()) return Status::interrupted;
     if (deadline_.expired()) return Status::time_limit;
@@ -123,13 +127,14 @@ class MachineTasks {
     const SteadyState& found = steady_state();
     if (!model_.turns()) result_.notes.push_back(model_.gap());
     if (!is_steady()) {
-      fail(steady_note(found));
+      fail(steady_note(found, model_.turns()));
       if (found.missing == NoSteadyState::any_speed) {
         result_.notes.emplace_back("with a start speed, that of the start is taken");
       }
       return;
     }
-    if (found.missing == NoSteadyState::any_speed) result_.notes.push_back(steady_note(found));
+    if (found.missing == NoSteadyState::any_speed)
+      result_.notes.push_back(steady_note(found, model_.turns()));
     const Machine whole = machine();
     result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
     append(result_.facts, steady_facts(problem_, whole, found));
@@ -183,9 +188,9 @@ class MachineTasks {
                       "rad/s",
                       *wanted.speed_end, steady_->least.omega, steady_->greatest.omega));
     } else if (is_limit(run.stop) && !wanted.speed_end) {
-      result_.notes.push_back(ended_note("the start", run));
+      result_.notes.push_back(ended_note("the start", run, model_.turns()));
     } else if (run.stop != RunStop::approached && run.stop != RunStop::speed) {
-      fail(ended_note("the start", run));
+      fail(ended_note("the start", run, model_.turns()));
     }
   }
 
@@ -201,7 +206,7 @@ class MachineTasks {
     const Machine whole = machine(false, problem_.brake.value_or(0));
     const MachineRun run = follow(whole, {.phi = problem_.run.start_phi, .omega = speed}, end);
     tell(MachineTask::stop, whole, run);
-    if (run.stop != RunStop::at_rest) fail(ended_note("the stop", run));
+    if (run.stop != RunStop::at_rest) fail(ended_note("the stop", run, model_.turns()));
   }
 
   const MachineProblem& problem_;

@@ -23,9 +23,10 @@ Table continued(const Table& table, std::size_t rows) {
   const std::size_t n = table.size();
   Table all;
   for (std::size_t i = 0; i < n + 2 * rows; ++i) {
-    const auto turn = static_cast<double>((i + n * rows - rows) / n) - static_cast<double>(rows);
-    const auto& [x, y] = table[(i + n * rows - rows) % n];
-    all.emplace_back(x + turn * kTurn, y);
+    const std::size_t place = i + n * rows - rows;
+    const std::size_t turns = place / n;
+    const auto& [x, y] = table[place % n];
+    all.emplace_back(x + (static_cast<double>(turns) - static_cast<double>(rows)) * kTurn, y);
   }
   return all;
 }

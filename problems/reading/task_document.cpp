@@ -9,6 +9,8 @@
 #include "problems/reading/cam_problem.hpp"
 #include "problems/reading/file_text.hpp"
 #include "problems/reading/function_problem.hpp"
+#include "problems/reading/gear_pair_problem.hpp"
+#include "problems/reading/gear_problem.hpp"
 #include "problems/reading/machine_problem.hpp"
 #include "problems/reading/motion_problem.hpp"
 #include "problems/reading/nearest.hpp"
@@ -25,10 +27,16 @@ using Faults = std::vector<Fault>;
 using Folder = std::filesystem::path;
 
 // The kinds of design problems, then the other ones.
-constexpr std::string_view kTaskKinds[] = {"path-generation",   "function-generation",
-                                           "motion-generation", "quick-return",
-                                           "straight-line",     "cam",
-                                           "analysis",          "machine"};
+constexpr std::string_view kTaskKinds[] = {"path-generation",
+                                           "function-generation",
+                                           "motion-generation",
+                                           "quick-return",
+                                           "straight-line",
+                                           "cam",
+                                           "gear",
+                                           "gear-pair",
+                                           "analysis",
+                                           "machine"};
 
 constexpr std::string_view kBase = "base";
 
@@ -87,6 +95,14 @@ std::optional<PlacedTask> read_document(TableReader& document, const Folder& fol
     read.task = std::move(problem);
   } else if (*kind == "cam") {
     CamProblem problem = read_cam_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "gear") {
+    GearProblem problem = read_gear_problem(document);
+    problem.title = title;
+    read.task = std::move(problem);
+  } else if (*kind == "gear-pair") {
+    GearPairProblem problem = read_gear_pair_problem(document);
     problem.title = title;
     read.task = std::move(problem);
   } else if (*kind == "machine") {

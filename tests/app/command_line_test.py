@@ -158,6 +158,8 @@ class CommandLine(unittest.TestCase):
         mechanism = LIBRARY / "analysis" / "shaper.toml"
         for command, file, other in [
             ("solve", mechanism, "cognate analyze"),
+            ("solve", LIBRARY / "gear" / "helical.toml", "cognate analyze"),
+            ("analyze", LIBRARY / "gear-pair" / "helical.toml", "cognate solve"),
             ("analyze", self.problem, "cognate solve"),
             ("solve", LIBRARY / "study" / "cam-size.toml", "cognate sweep"),
             ("analyze", LIBRARY / "study" / "cam-size.toml", "cognate sweep"),

@@ -24,7 +24,9 @@ PAGE_OF_KIND = {"function-generation": "function-generation", "motion-generation
                 "path-generation": "path-generation", "quick-return": "quick-return",
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
-                   "mechanisms": ["analysis"], "dyads": ["analysis"], "analysis_tables": ["analysis"],
+                   "gear_tables": ["gears"], "gear_pair_tables": ["gears"],
+                   "machine_tables": ["machines"], "mechanisms": ["analysis"], "dyads": ["analysis"],
+                   "analysis_tables": ["analysis"],
                    "study_tables": ["studies"]}
 # What stands for something else.
 NO_KEY = {"METRIC or KEY", "[crank] or [slider]"}
@@ -55,7 +57,7 @@ def command_for(content):
     tables = tomllib.loads(content)
     if "base" in tables:
         return "sweep"
-    return "analyze" if tables["kind"] == "analysis" else "solve"
+    return "analyze" if tables["kind"] in ("analysis", "gear", "machine") else "solve"
 
 
 def run(folder, *words):

@@ -346,7 +346,7 @@ for (const name of ["ellipse", "cam-translating-roller"]) {
 }
 
 test("pages stay below 1.5 MB", () => {
-  for (const name of [...KINDS, "analysis-hundred-links", "study-sobol", "hundred"]) {
+  for (const name of [...KINDS, "analysis-hundred-links", "machine-compressor", "study-sobol", "hundred"]) {
     const { size } = statSync(path.join(process.env.REPORTS, `${name}.html`));
     assert.ok(size < 1.5e6, `${name}: ${size} bytes`);
   }

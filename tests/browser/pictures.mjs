@@ -25,6 +25,7 @@ const PICTURES = [
   { name: "straight-line", command: "solve", file: "straight-line/search-hoeken", drive: 180 },
   { name: "analysis", command: "analyze", file: "analysis/shaper" },
   { name: "cam", command: "solve", file: "cam/smallest-cam" },
+  { name: "machine", command: "analyze", file: "machine/press", drive: 0.7 },
   { name: "study", command: "sweep", file: "study/crank-rocker-map", show: "#scatter" },
   { name: "atlas", command: "sweep", file: "study/atlas", only: "#atlas" },
 ];

@@ -9,6 +9,7 @@
 
 #include "analysis/motion.hpp"
 #include "app/analysis_json.hpp"
+#include "app/machine_json.hpp"
 #include "app/report/report.hpp"
 #include "app/report/study_report.hpp"
 #include "app/result_json.hpp"
@@ -146,6 +147,12 @@ void write(const std::filesystem::path& file, const AnalysisProblem& problem) {
   std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
 }
 
+void write(const std::filesystem::path& file, const MachineProblem& problem) {
+  const auto result = run_machine(problem, {.threads = 1});
+  const auto document = app::result_document(problem, result, 1);
+  std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
+}
+
 void write(const std::filesystem::path& file, const SampleCam& sample) {
   const nlohmann::ordered_json document = {{"problem", {{"title", sample.problem.title}}},
                                            {"status", "solved"},
@@ -195,6 +202,11 @@ int main(int argc, char** argv) {
     const auto problem = read_analysis(file.path());
     if (!problem) return 1;
     write(folder / ("library-" + file.path().stem().string() + ".html"), *problem);
+  }
+  for (const auto& file : std::filesystem::directory_iterator(library / "machine")) {
+    const auto problem = read_machine(file.path());
+    if (!problem) return 1;
+    write(folder / ("machine-" + file.path().stem().string() + ".html"), *problem);
   }
   for (const char* name :
        {"function/log10-refined", "function/three-angle-pairs", "path/drop-of-any-size"}) {

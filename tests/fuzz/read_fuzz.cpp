@@ -5,7 +5,7 @@
 //   cmake --build build/fuzz --target read_fuzz
 //   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
 //       problems/library/function problems/library/analysis
-//       problems/library/cam
+//       problems/library/cam problems/library/machine
 
 #include <cmath>
 #include <cstddef>
@@ -17,6 +17,7 @@
 #include "problems/read.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 #include "tests/fuzz/sound_cam.hpp"
+#include "tests/fuzz/sound_machine.hpp"
 
 namespace {
 
@@ -25,6 +26,7 @@ using cognate::problems::CamProblem;
 using cognate::problems::Fault;
 using cognate::problems::FunctionOfX;
 using cognate::problems::FunctionProblem;
+using cognate::problems::MachineProblem;
 using cognate::problems::PathProblem;
 using cognate::problems::Problem;
 
@@ -55,6 +57,10 @@ void check(const AnalysisProblem& problem) {
 }
 
 void check(const CamProblem& problem) {
+  require(is_sound(problem));
+}
+
+void check(const MachineProblem& problem) {
   require(is_sound(problem));
 }
 

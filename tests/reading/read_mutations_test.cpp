@@ -14,6 +14,7 @@
 #include "problems/read.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 #include "tests/fuzz/sound_cam.hpp"
+#include "tests/fuzz/sound_machine.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -76,6 +77,8 @@ void check(const std::string& text) {
     ASSERT_TRUE(analysis == nullptr || is_sound(*analysis)) << text;
     const auto* cam = std::get_if<CamProblem>(&*task);
     ASSERT_TRUE(cam == nullptr || is_sound(*cam)) << text;
+    const auto* machine = std::get_if<MachineProblem>(&*task);
+    ASSERT_TRUE(machine == nullptr || is_sound(*machine)) << text;
     return;
   }
   ASSERT_FALSE(task.error().empty()) << text;

@@ -29,6 +29,11 @@ TEST(Csv, LeavesCellsEmptyThatHoldNoNumber) {
   EXPECT_EQ(csv_text(columns), "a,b\r\n,\r\n1,\r\n");
 }
 
+TEST(Csv, WordsStandBeforeTheNumbers) {
+  const std::vector<Column> columns = {column("a", {1, 2}), column("b", {3, 4})};
+  EXPECT_EQ(csv_text(columns, {"task", {"start", "a,b"}}),
+            "task,a,b\r\nstart,1,3\r\n\"a,b\",2,4\r\n");
+}
 TEST(Csv, QuotesNamesThatNeedIt) {
   const std::vector<Column> columns = {column("a,b", {}), column("say \"c\"", {}),
                                        column("two\nlines", {})};

@@ -296,11 +296,20 @@ TEST(SteadyState, SaysWhyThereIsNone) {
             }),
             NoSteadyState::any_speed);
   EXPECT_EQ(why_none([](double, double, double) { return Torques{}; }), NoSteadyState::any_speed);
-  // The balance of the mean torques is at 1 rad/s, but the drive cannot get over the hill there.
-  EXPECT_EQ(why_none([](double phi, double omega, double) {
-              return Torques{1 - omega, 50 * std::sin(phi)};
+  // Torques that drive the faster the more.
+  EXPECT_EQ(why_none([](double, double omega, double) {
+              return Torques{omega * omega, 1};
             }),
-            NoSteadyState::stalls);
+            NoSteadyState::runs_away);
+  // The balance of the mean torques is at 1 rad/s, but the drive cannot get over the hill there.
+  const auto hill = [](double phi, double omega, double) {
+    return Torques{1 - omega, 50 * std::sin(phi)};
+  };
+  EXPECT_EQ(why_none(hill), NoSteadyState::stalls);
+  const auto even_hill = [](double phi, double, double) { return Torques{0, -50 * std::sin(phi)}; };
+  const Machine steep = machine_of(constant_inertia(1), even_hill);
+  EXPECT_EQ(steady_state(steep, {.speed = 1}, {}, 10).missing, NoSteadyState::stands);
+  EXPECT_EQ(steady_state(steep, {.speed = 20}, {}, 10).states.size(), 11U);
   Machine timed = machine_of(constant_inertia(1),
                              [](double, double omega, double) { return Torques{1 - omega}; });
   timed.depends_on_time = true;
@@ -323,6 +332,18 @@ TEST(SteadyState, IsTheStableOneOfAnInductionMotor) {
   // From 30 rad/s the motor does not come over its breakdown torque; the motion is found all the
   // same.
   EXPECT_NEAR(steady_state(machine, {.speed = 30}, {}, 4).greatest.omega, 90, 1e-7);
+}
+
+TEST(SteadyState, IsFoundFromAnySpeed) {
+  const Machine machine = machine_of(constant_inertia(2), [](double, double omega, double) {
+    return Torques{50 - 5 * omega, 0};
+  });
+  for (const double speed : {1e-20, 1e-3, 10.0, 1e10, 1e30}) {
+    const SteadyState steady = steady_state(machine, {.speed = speed}, {}, 4);
+    ASSERT_EQ(steady.missing, NoSteadyState::none) << speed;
+    EXPECT_NEAR(mean_speed(steady), 10, 1e-7) << speed;
+    EXPECT_LT(steady.energy_residual, 1e-8);
+  }
 }
 
 TEST(SteadyState, OfAHeavyWheelIsFoundThoughItHardlyAdapts) {

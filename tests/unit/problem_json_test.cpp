@@ -11,6 +11,7 @@
 
 #include "app/analysis_problem_json.hpp"
 #include "app/json_values.hpp"
+#include "app/machine_json.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {
@@ -82,9 +83,30 @@ void expect_reads_back(const problems::AnalysisProblem& problem) {
   EXPECT_EQ(json(to_json(*again)), written);
 }
 
+void expect_reads_back(const problems::MachineProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_machine(toml_of_analysis(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of_analysis(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
 void expect_reads_back(const problems::CamProblem& problem) {
   const json written = to_json(problem);
   const auto again = problems::parse_cam(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
+void expect_reads_back(const problems::GearProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_gear(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
+void expect_reads_back(const problems::GearPairProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_gear_pair(toml_of(written));
   ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
   EXPECT_EQ(json(to_json(*again)), written);
 }
@@ -111,6 +133,22 @@ TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
     ++count;
   }
   EXPECT_GE(count, 30);
+}
+
+// One shift free, bounds open to a side, a given shift outside the bounds that are the default.
+TEST(ProblemJson, GearPairsReadBack) {
+  const std::string opening = "kind = \"gear-pair\"\n[mechanism]\nteeth = [11, 40]\nmodule = 2\n";
+  for (const char* rest :
+       {"profile_shift = [0.4, \"free\"]\ntip_reduction = [0.1, 0]\n[bounds]\ncentre_distance = "
+        "[50, inf]",
+        "profile_shift = [\"free\", -0.9]\nbacklash = 0.1\n[constraints]\nhunting = true\n"
+        "sliding_max = 3\ntip_clearance_min = 0.1\nno_undercut = false",
+        "profile_shift = [0.1, -0.9]\n[rack]\npressure_angle_deg = 25\nclearance = 0.2\n"
+        "[target]\nratio = 3.6\nratio_tolerance = 0.1\nobjective = \"size\""}) {
+    const auto problem = problems::parse_gear_pair(opening + rest);
+    ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+    expect_reads_back(*problem);
+  }
 }
 
 // Ranges, conditions, splines, closures and materials that no file of the library uses.
@@ -353,6 +391,62 @@ TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
   EXPECT_EQ(written["constraints"], constraints);
   const json solve = {{"solver", "slsqp"}, {"starts", 5}, {"designs", 2}, {"tolerance", 1e-10}};
   EXPECT_EQ(written["solve"], solve);
+  expect_reads_back(*problem);
+}
+
+// Limits, speeds, turns and tables that no file of the library has.
+TEST(ProblemJson, AMachineWithEverythingReadsBack) {
+  const auto problem = problems::parse_machine(R"(
+    kind = "machine"
+    title = "all"
+    gravity = [0.1, -9.8]
+    [mechanism]
+    type = "scotch-yoke"
+    pivot = [0, 0.3]
+    crank = 0.7
+    [[point]]
+    name = "Q"
+    on = "yoke"
+    at = [0.1, 0.2]
+    [[link]]
+    name = "yoke"
+    mass = 3
+    [[load]]
+    on = "Q"
+    force = [1, 2]
+    when = [10, 20]
+    value = [[5, 0.1], [77, -3], [90.5, 0.3]]
+    interpolation = "smooth"
+    [equivalent]
+    inertia = [[33.3, 1.1], [70.1, 2.3], [393.3, 1.1]]
+    torque = [[1, 2], [3, 4]]
+    interpolation = "smooth"
+    [motor]
+    table = [[0.1, 3], [7, -0.3]]
+    interpolation = "smooth"
+    ratio = 3.3
+    efficiency = 0.7
+    inertia = 0.01
+    [flywheel]
+    inertia = 3.3
+    [brake]
+    torque = 0.7
+    [run]
+    tasks = ["start", "stop"]
+    start_deg = 33.3
+    start_speed = 0.1
+    time_max = 7.7
+    turns_max = 8.8
+    speed_end = 9.9
+    steps = 77
+    tolerance = 1e-7
+)");
+  ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+  const json written = to_json(*problem);
+  EXPECT_EQ(written["flywheel"]["inertia"], 3.3);
+  EXPECT_EQ(written["equivalent"]["inertia"][2][0], 393.3);
+  EXPECT_EQ(written["load"][0]["interpolation"], "smooth");
+  EXPECT_EQ(written["run"]["turns_max"], 8.8);
   expect_reads_back(*problem);
 }
 

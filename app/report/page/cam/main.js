@@ -61,8 +61,8 @@ function choose(index) {
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const design = current();
   showCamDimensions(design);
-  showMetrics(design);
-  showCamConstraints(design);
+  showMetrics(design.drawn.metrics);
+  showChecks(design.drawn.constraints);
   showSegments(design, (deg) => goTo(deg, true));
   byId("rates").hidden = !design.drawn.speed;
   if (!design.drawn.speed) state.byTime = false;

@@ -29,12 +29,13 @@ function levels(motion, facts) {
   return [...level("speed_max_rad_s", "machine.greatest", "--good"), ...level("speed_mean_rad_s", "machine.mean", "--ground"), ...level("speed_min_rad_s", "machine.least", "--bad")];
 }
 
-// Where the speed is greatest and least, in the turn that is plotted.
+// Where the speed is greatest and least, in the period that is plotted: a turn or two.
 function placesOf(motion, facts) {
-  const [from] = extremes(motion.angles);
+  const [from, to] = extremes(motion.angles);
+  const period = 360 * Math.round((to - from) / 360);
   return [["speed_max_at_deg", "--good"], ["speed_min_at_deg", "--bad"]].flatMap(([name, colour]) => {
     const deg = facts.get(name);
-    return typeof deg === "number" ? [{ at: deg - 360 * Math.floor((deg - from) / 360), colour }] : [];
+    return typeof deg === "number" ? [{ at: deg - period * Math.floor((deg - from) / period), colour }] : [];
   });
 }
 

@@ -1,0 +1,38 @@
+#include <cmath>
+#include <numbers>
+
+#include "analysis/gear/other_gears.hpp"
+
+namespace cognate::gear {
+
+SpurGear transverse(const HelicalGear& gear) {
+  const double cosine = std::cos(gear.helix);
+  SpurGear section = gear.normal;
+  section.module /= cosine;
+  section.rack.pressure_angle = std::atan(std::tan(gear.normal.rack.pressure_angle) / cosine);
+  section.rack.addendum *= cosine;
+  section.rack.clearance *= cosine;
+  section.profile_shift *= cosine;
+  section.tip_reduction *= cosine;
+  section.thinning /= cosine;
+  return section;
+}
+
+double virtual_teeth(const HelicalGear& gear) {
+  const double cosine = std::cos(gear.helix);
+  return gear.normal.teeth / (cosine * cosine * cosine);
+}
+
+double overlap_ratio(const HelicalGear& gear) {
+  return gear.face_width * std::sin(std::abs(gear.helix)) / (std::numbers::pi * gear.normal.module);
+}
+
+double base_helix(const HelicalGear& gear) {
+  return std::asin(std::sin(gear.helix) * std::cos(gear.normal.rack.pressure_angle));
+}
+
+double lead(const HelicalGear& gear) {
+  return std::numbers::pi * gear.normal.module * gear.normal.teeth / std::sin(std::abs(gear.helix));
+}
+
+}  // namespace cognate::gear

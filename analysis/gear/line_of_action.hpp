@@ -1,0 +1,25 @@
+/// @file The line of action of a pair of spur gears, and the stretch of it where teeth touch.
+#pragma once
+
+#include "analysis/gear/spur_pair.hpp"
+
+namespace cognate::gear {
+
+/// Places on the line of action are distances from T₁, where it touches the pinion's base circle,
+/// towards T₂ on the wheel's.
+struct LineOfAction {
+  double pressure_angle = 0;  ///< α′
+  double length = 0;          ///< T₁T₂ = a′ sin α′
+  double pitch_point = 0;     ///< r_b1 tan α′
+  double base_pitch = 0;      ///< π m cos α
+  /// Where the path of contact would begin and end if only the tips limited it.
+  double wheel_tip = 0, pinion_tip = 0;
+  /// Where it would if only the form circles did.
+  double pinion_form = 0, wheel_form = 0;
+  /// The path of contact. The end is not before the start: where they are the same there is none.
+  double start = 0, end = 0;
+};
+
+LineOfAction line_of_action(const SpurPair& pair);
+
+}  // namespace cognate::gear

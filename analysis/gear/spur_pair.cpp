@@ -1,0 +1,170 @@
+#include "analysis/gear/spur_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/gear/involute.hpp"
+#include "analysis/gear/line_of_action.hpp"
+#include "analysis/gear/tip_room.hpp"
+#include "analysis/mechanism/zeros.hpp"
+
+namespace cognate::gear {
+namespace {
+
+using Gears = std::array<SpurGear, 2>;
+
+double sum_of_base_radii(const Gears& gears) {
+  return base_radius(gears[0]) + base_radius(gears[1]);
+}
+
+double sum_of_teeth(const Gears& gears) {
+  return gears[0].teeth + gears[1].teeth;
+}
+
+/// By how much the two teeth together are thinner at the reference circles, in modules.
+double sum_of_thinning(const Gears& gears) {
+  return (gears[0].thinning + gears[1].thinning) / gears[0].module;
+}
+
+/// inv α′ of the pair without backlash.
+double involute_without_backlash(const Gears& gears) {
+  const double angle = gears[0].rack.pressure_angle;
+  const double shifts = gears[0].profile_shift + gears[1].profile_shift;
+  return involute(angle) +
+         (2 * shifts * std::tan(angle) - sum_of_thinning(gears)) / sum_of_teeth(gears);
+}
+
+/// Zero where it is so to rounding: no overlap is told of a pair without backlash.
+double backlash(const SpurPair& pair, double working_angle) {
+  constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  const double angle = involute(working_angle) - involute_without_backlash(pair.gears);
+  return std::abs(angle) <= kRounding ? 0 : 2 * pair.centre_distance * angle;
+}
+
+/// v_own − v_other over v_own, where `own` and `other` are distances from the base tangents'
+/// points.
+double specific_sliding(double own, double own_teeth, double other, double other_teeth) {
+  return 1 - other * own_teeth / (own * other_teeth);
+}
+
+/// To what places on the line of action are known.
+double rounding(const LineOfAction& line) {
+  return 64 * std::numeric_limits<double>::epsilon() * (line.length + line.base_pitch);
+}
+
+/// Whether the tip of the other gear digs into what the rack has left of gear `own`. Below the form
+/// circle of a gear without undercut there is more than the involute; the involute that undercut
+/// has taken away is not in its way. `reached` and `form`: places from the gear's base tangent.
+bool interferes(const SpurPair& pair, const LineOfAction& line, int own, double reached,
+                double form) {
+  const SpurGear& gear = pair.gears[own == 0 ? 0 : 1];
+  const SpurGear& other = pair.gears[own == 0 ? 1 : 0];
+  const double tolerance = 1e-9 * gear.module;
+  const double from_root = pair.centre_distance - flank_end_radius(other) - root_radius(gear);
+  if (from_root < -tolerance) return true;
+  if (reached < form - rounding(line) && !is_undercut(gear)) return true;
+  return tip_room(pair, line, own) < -tolerance;
+}
+
+/// What the line of action tells of a gear, with places on it seen from the gear's own end.
+GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int index) {
+  const bool is_pinion = index == 0;
+  const SpurGear& own = pair.gears[is_pinion ? 0 : 1];
+  const SpurGear& other = pair.gears[is_pinion ? 1 : 0];
+  const auto place = [&](double pinions, double wheels) {
+    return is_pinion ? pinions : line.length - wheels;
+  };
+  const double reached = place(line.wheel_tip, line.pinion_tip);
+  const double start = place(line.start, line.end);
+  const double end = place(line.end, line.start);
+  const double base = base_radius(own);
+  GearInMesh gear;
+  gear.working_radius = pair.centre_distance * (own.teeth / (own.teeth + other.teeth));
+  gear.reached_radius = std::hypot(base, std::max(reached, 0.0));
+  gear.interferes =
+      interferes(pair, line, index, reached, place(line.pinion_form, line.wheel_form));
+  gear.contact_start = std::hypot(base, start);
+  gear.contact_end = std::hypot(base, end);
+  gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);
+  gear.sliding_start = specific_sliding(start, own.teeth, line.length - start, other.teeth);
+  gear.sliding_end = specific_sliding(end, own.teeth, line.length - end, other.teeth);
+  return gear;
+}
+
+}  // namespace
+
+double working_pressure_angle(const SpurPair& pair) {
+  const double base = sum_of_base_radii(pair.gears);
+  const double a = pair.centre_distance;
+  return std::atan2(std::sqrt((a - base) * (a + base)), base);
+}
+
+double centre_distance_with_backlash(const Gears& gears, double backlash) {
+  // 2 r_b (inv α′ − inv α₀) = j cos α′, where α₀ is that without backlash: from the right of the
+  // zero Newton's steps stay there, since the difference of the sides is convex.
+  constexpr int kSteps = 40;
+  const double base = sum_of_base_radii(gears);
+  const double without = involute_without_backlash(gears);
+  const double play = 0.5 * backlash / base;
+  if (!(without >= 0 && play >= 0)) return std::numeric_limits<double>::quiet_NaN();
+  double angle = involute_angle(without + play);
+  for (int step = 0; play > 0 && step < kSteps; ++step) {
+    const double tangent = std::tan(angle);
+    const double miss = involute(angle) - without - play * std::cos(angle);
+    const double next = angle - miss / (tangent * tangent + play * std::sin(angle));
+    if (!(next < angle)) break;
+    angle = next;
+  }
+  return base / std::cos(angle);
+}
+
+double centre_distance_without_backlash(const Gears& gears) {
+  return centre_distance_with_backlash(gears, 0);
+}
+
+double profile_shift_sum(const Gears& gears, double centre_distance, double backlash) {
+  const double angle = gears[0].rack.pressure_angle;
+  const double working = working_pressure_angle({gears, centre_distance});
+  const double difference = involute(working) - involute(angle) - 0.5 * backlash / centre_distance;
+  return (difference * sum_of_teeth(gears) + sum_of_thinning(gears)) / (2 * std::tan(angle));
+}
+
+PairGeometry geometry(const SpurPair& pair) {
+  const LineOfAction line = line_of_action(pair);
+  PairGeometry result;
+  result.working_pressure_angle = line.pressure_angle;
+  result.path_length = line.end - line.start;
+  result.contact_ratio = result.path_length / line.base_pitch;
+  result.approach = line.pitch_point - line.start;
+  result.recess = line.end - line.pitch_point;
+  result.backlash = backlash(pair, line.pressure_angle);
+  result.normal_backlash = result.backlash * std::cos(line.pressure_angle);
+  result.gears = {gear_in_mesh(pair, line, 0), gear_in_mesh(pair, line, 1)};
+  result.greatest_sliding_speed =
+      std::max(std::abs(result.approach), std::abs(result.recess)) *
+      (1 / result.gears[0].working_radius + 1 / result.gears[1].working_radius);
+  return result;
+}
+
+double balanced_shift(const SpurPair& pair, double least, double greatest) {
+  const double sum = pair.gears[0].profile_shift + pair.gears[1].profile_shift;
+  const double ratio = pair.gears[0].teeth / pair.gears[1].teeth;
+  // That of the pinion's foot less that of the wheel's, times what makes a polynomial of it.
+  const auto difference = [&](double shift) {
+    SpurPair shifted = pair;
+    shifted.gears[0].profile_shift = shift;
+    shifted.gears[1].profile_shift = sum - shift;
+    const LineOfAction line = line_of_action(shifted);
+    const double foot = line.wheel_tip;
+    const double head = line.pinion_tip;
+    return ratio * ratio * (line.length - foot) * (line.length - head) - foot * head;
+  };
+  const double at_least = difference(least);
+  const double at_greatest = difference(greatest);
+  if (!(at_least > 0)) return least;
+  if (!(at_greatest < 0)) return greatest;
+  return better_end(difference, bracket_zero(difference, least, at_least, greatest, at_greatest));
+}
+
+}  // namespace cognate::gear

@@ -1,0 +1,164 @@
+#include "app/export/result_gears.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "analysis/gear/mesh.hpp"
+#include "app/export/toml_text.hpp"
+#include "problems/gear/gear_pair_limits.hpp"
+#include "problems/gear/gear_result.hpp"
+#include "problems/names.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::Gearing;
+using problems::GearPairProblem;
+using Made = tl::expected<ResultGears, std::string>;
+
+/// The problem file that gives the mechanism of `given` and leaves nothing free.
+std::string problem_text(const ResultDesign& given, const char* kind) {
+  ordered_json tables = {{"kind", kind}, {"title", text_under(given.problem, "title")}};
+  for (const auto& [key, value] : given.table["mechanism"].items()) {
+    if (key == "type") continue;
+    if (key == "rack") {
+      tables["rack"] = value;
+    } else {
+      tables["mechanism"][key] = value;
+    }
+  }
+  return toml_text(tables);
+}
+
+/// Why `gear` has no outline; null where it has one.
+const char* fault_of(const gear::SpurGear& gear) {
+  switch (gear::tooth_fault(gear)) {
+    case gear::ToothFault::none:
+      return nullptr;
+    case gear::ToothFault::rack_overlaps:
+      return "the rounded corners of its rack's tip overlap";
+    case gear::ToothFault::no_root:
+      return "the rack cuts to beyond its centre";
+    case gear::ToothFault::cut_through:
+      return "the rack cuts its teeth off";
+    case gear::ToothFault::no_flank:
+      return "nothing is left of its involute";
+  }
+  return nullptr;
+}
+
+void note_undercut(ResultGears& gears) {
+  for (const auto& [name, section, centre, angle, pitch] : gears.gears) {
+    if (!gear::is_undercut(section)) continue;
+    gears.notes.push_back(fmt::format("the {} is undercut", name.empty() ? "gear" : name));
+  }
+}
+
+Made gear_of(const ResultDesign& given) {
+  const auto problem = problems::parse_gear(problem_text(given, "gear"));
+  if (!problem) return tl::unexpected(problem.error().front().message);
+  const gear::SpurGear section = gear::transverse(problem->gear);
+  if (const char* fault = fault_of(section)) {
+    return tl::unexpected(
+        fmt::format("the gear has no outline, since {}; a gear that can be made is wanted", fault));
+  }
+  ResultGears made{problem->title, std::string(problems::to_string(problem->gearing)), {}, {}};
+  made.gears = {{"", section, {}, 0, gear::reference_radius(section)}};
+  return made;
+}
+
+/// What the table of a pair must have beyond what can be read.
+std::string missing(const GearPairProblem& problem) {
+  const bool whole = problem.teeth[0] && problem.teeth[1] && problem.module &&
+                     problem.profile_shift[0] && problem.profile_shift[1] &&
+                     problem.centre_distance;
+  if (whole) return {};
+  return "it is not whole; teeth, module, both values of profile_shift and centre_distance are "
+         "wanted";
+}
+
+void note_contact(const gear::SpurPair& pair, ResultGears& gears) {
+  const auto contact = gear::geometry(pair);
+  if (contact.backlash < 0) {
+    gears.notes.push_back(
+        fmt::format("the teeth overlap by {:.6g} on the pitch circles", -contact.backlash));
+  }
+  if (contact.contact_ratio < 1 && gears.gearing == "spur") {
+    gears.notes.push_back(fmt::format("the contact ratio is {:.4g}: contact is lost between teeth",
+                                      contact.contact_ratio));
+  }
+}
+
+Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
+  const auto mesh = gear::mesh(pair);
+  const auto contact = gear::geometry(pair);
+  if (!std::isfinite(mesh.wheel_angle)) {
+    return tl::unexpected(std::string(
+        "its base circles overlap, so the gears do not mesh; a greater centre_distance is wanted"));
+  }
+  ResultGears made{problem.title, std::string(problems::to_string(problem.gearing)), {}, {}};
+  made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
+                {"wheel", pair.gears[1], mesh.wheel_centre, mesh.wheel_angle,
+                 contact.gears[1].working_radius}};
+  note_contact(pair, made);
+  return made;
+}
+
+Made pair_of(const ResultDesign& given) {
+  const auto problem = problems::parse_gear_pair(problem_text(given, "gear-pair"));
+  if (!problem) return tl::unexpected(problem.error().front().message);
+  if (const auto what = missing(*problem); !what.empty()) return tl::unexpected(what);
+  const problems::GearPairNumbers numbers{{*problem->teeth[0], *problem->teeth[1]},
+                                          *problem->module,
+                                          {*problem->profile_shift[0], *problem->profile_shift[1]},
+                                          *problem->centre_distance};
+  const gear::SpurPair pair = section_of(*problem, numbers);
+  for (const int i : {0, 1}) {
+    if (const char* fault = fault_of(pair.gears[static_cast<std::size_t>(i)])) {
+      return tl::unexpected(
+          fmt::format("the {} has no outline, since {}; gears that can be made are wanted",
+                      i == 0 ? "pinion" : "wheel", fault));
+    }
+  }
+  return in_mesh(*problem, pair);
+}
+
+/// Teeth of bevel gears and worms are no outline in a plane.
+std::string refusal_of(std::string_view gearing) {
+  if (gearing == "bevel") {
+    return "the teeth of bevel gears lie on cones and have no outline in a plane; spur or helical "
+           "gears are wanted (kind = \"gear\" with the virtual_teeth of one, rounded, comes near "
+           "it)";
+  }
+  if (gearing == "worm") {
+    return "the teeth of a worm and its wheel have no outline in a plane; spur or helical gears "
+           "are wanted (kind = \"gear\" with wheel_teeth and wheel_shift is the wheel's middle "
+           "plane)";
+  }
+  return {};
+}
+
+}  // namespace
+
+Made result_gears(const ResultDesign& given) {
+  const ordered_json& mechanism = given.table["mechanism"];
+  std::string what = refusal_of(text_under(mechanism, "gearing"));
+  if (what.empty()) {
+    auto made = text_under(mechanism, "type") == "gear" ? gear_of(given) : pair_of(given);
+    if (made) {
+      note_undercut(*made);
+      return made;
+    }
+    what = made.error();
+  }
+  return tl::unexpected(
+      fmt::format("{}: designs[{}].mechanism: {}", given.name, given.design - 1, what));
+}
+
+}  // namespace cognate::app

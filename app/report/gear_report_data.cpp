@@ -1,0 +1,156 @@
+#include "app/report/gear_report_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/gear/line_of_action.hpp"
+#include "app/report/checks_json.hpp"
+#include "app/report/fact_json.hpp"
+#include "app/report/gear_drawing.hpp"
+#include "app/report/mechanism_json.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::Gearing;
+using problems::GearPairDesign;
+
+constexpr std::size_t kFlankRows = 2000;  // that a table on a page holds at most
+
+ordered_json columns_json(const std::vector<problems::Column>& columns) {
+  ordered_json list = ordered_json::array();
+  for (const auto& column : columns) {
+    ordered_json values = ordered_json::array();
+    for (std::size_t i = 0; i < std::min(kFlankRows, column.values.size()); ++i) {
+      values.push_back(drawn(column.values[i]));
+    }
+    list.push_back({{"name", column.name}, {"values", values}});
+  }
+  return list;
+}
+
+/// Both gears, and how they touch where they do.
+ordered_json pair_json(const gear::SpurPair& pair, double fineness) {
+  ordered_json entry = {{"gears", ordered_json::array()},
+                        {"centre_distance", drawn(pair.centre_distance)}};
+  bool can_be_made = true;
+  for (const auto& gear : pair.gears) {
+    entry["gears"].push_back(drawn_gear(gear, fineness));
+    can_be_made = can_be_made && gear::tooth_fault(gear) == gear::ToothFault::none;
+  }
+  entry["working_angle"] = drawn(gear::working_pressure_angle(pair));
+  if (!can_be_made || entry["working_angle"].is_null()) return entry;
+  const auto line = gear::line_of_action(pair);
+  entry["path_start"] = drawn(line.start);
+  entry["path_end"] = drawn(line.end);
+  const auto contact = gear::geometry(pair);
+  for (std::size_t i = 0; i < 2; ++i) {
+    entry["gears"][i]["working"] = drawn(contact.gears[i].working_radius);
+  }
+  return entry;
+}
+
+gear::BevelPair bevel_pair(const problems::GearPairProblem& settled) {
+  gear::BevelPair pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.teeth[i] = settled.teeth[i].value_or(0);
+    pair.profile_shift[i] = settled.profile_shift[i].value_or(0);
+  }
+  pair.module = settled.module.value_or(1);
+  pair.shaft_angle = settled.shaft_angle;
+  pair.face_width = settled.face_width;
+  pair.rack = settled.rack;
+  return pair;
+}
+
+ordered_json cones_json(const problems::GearPairProblem& settled) {
+  const gear::BevelPair pair = bevel_pair(settled);
+  ordered_json gears = ordered_json::array();
+  double distance = 0;
+  for (const int i : {0, 1}) {
+    const gear::BevelGear gear = gear::bevel_gear(pair, i);
+    distance = gear.cone_distance;
+    gears.push_back({{"cone_angle", drawn(gear.cone_angle)},
+                     {"tip_angle", drawn(gear.tip_angle)},
+                     {"root_angle", drawn(gear.root_angle)}});
+  }
+  return {{"shaft_angle", drawn(pair.shaft_angle)},
+          {"cone_distance", drawn(distance)},
+          {"face_width", drawn(pair.face_width)},
+          {"gears", gears}};
+}
+
+/// The wheel by its middle plane, and the worm that stands above it.
+ordered_json worm_json(const gear::WormPair& pair, double fineness) {
+  const gear::WormGeometry geometry = gear::geometry(pair);
+  const gear::SpurGear wheel{.teeth = pair.wheel_teeth,
+                             .module = pair.module,
+                             .profile_shift = pair.wheel_shift,
+                             .rack = pair.rack};
+  const ordered_json section = {{"starts", drawn(pair.starts)},
+                                {"module", drawn(pair.module)},
+                                {"reference", drawn(geometry.worm_reference_diameter / 2)},
+                                {"tip", drawn(geometry.worm_tip_diameter / 2)},
+                                {"root", drawn(geometry.worm_root_diameter / 2)},
+                                {"pressure_angle", drawn(pair.rack.pressure_angle)},
+                                {"centre_distance", drawn(geometry.centre_distance)}};
+  return {{"gears", {drawn_gear(wheel, fineness)}}, {"worm", section}};
+}
+
+ordered_json design_json(const GearPairDesign& design, Gearing gearing, double fineness) {
+  const auto& settled = design.settled;
+  const bool is_worm = gearing == Gearing::worm;
+  ordered_json entry =
+      is_worm ? worm_json(settled.worm, fineness) : pair_json(design.pair, fineness);
+  if (gearing == Gearing::bevel) entry["cones"] = cones_json(settled);
+  ordered_json teeth = ordered_json::array(), shifts = teeth;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double of_worm = i == 0 ? settled.worm.starts : settled.worm.wheel_teeth;
+    teeth.push_back(drawn(is_worm ? of_worm : settled.teeth[i].value_or(0)));
+    shifts.push_back(drawn(is_worm ? 0 : settled.profile_shift[i].value_or(0)));
+  }
+  entry["teeth"] = teeth;
+  entry["shifts"] = shifts;
+  entry["module"] = drawn(is_worm ? settled.worm.module : settled.module.value_or(0));
+  entry["metrics"] = facts_json(design.metrics);
+  entry["constraints"] = constraints_json(design.constraints);
+  entry["origin"] = design.origin;
+  return entry;
+}
+
+}  // namespace
+
+ordered_json gear_report_data(const problems::GearProblem& problem,
+                              const problems::GearResult& result) {
+  const gear::SpurGear section = gear::transverse(problem.gear);
+  const double fineness = gear_fineness(1);
+  ordered_json gear = drawn_gear(section, fineness);
+  gear["rack"] = drawn_rack(section, fineness);
+  const ordered_json design = {{"gears", {gear}},
+                               {"teeth", {drawn(problem.gear.normal.teeth)}},
+                               {"shifts", {drawn(problem.gear.normal.profile_shift)}},
+                               {"module", drawn(problem.gear.normal.module)},
+                               {"metrics", facts_json(result.metrics)}};
+  return {{"kind", "gear"},
+          {"gearing", problems::to_string(problem.gearing)},
+          {"columns", columns_json(result.columns)},
+          {"designs", {design}}};
+}
+
+ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,
+                                   const problems::GearPairResult& result) {
+  const double fineness = gear_fineness(result.designs.size());
+  ordered_json designs = ordered_json::array();
+  for (const auto& design : result.designs) {
+    designs.push_back(design_json(design, problem.gearing, fineness));
+  }
+  return {{"kind", "pair"},
+          {"gearing", problems::to_string(problem.gearing)},
+          {"facts", facts_json(result.facts)},
+          {"designs", designs}};
+}
+
+}  // namespace cognate::app

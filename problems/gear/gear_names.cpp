@@ -1,0 +1,27 @@
+#include "problems/names.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr Named<Gearing> kGearings[] = {{"spur", Gearing::spur},
+                                        {"helical", Gearing::helical},
+                                        {"bevel", Gearing::bevel},
+                                        {"worm", Gearing::worm}};
+constexpr Named<GearObjective> kObjectives[] = {
+    {"balanced-sliding", GearObjective::balanced_sliding},
+    {"contact-ratio", GearObjective::contact_ratio},
+    {"size", GearObjective::size}};
+
+}  // namespace
+
+template <>
+std::span<const Named<Gearing>> names<Gearing>() {
+  return kGearings;
+}
+
+template <>
+std::span<const Named<GearObjective>> names<GearObjective>() {
+  return kObjectives;
+}
+
+}  // namespace cognate::problems

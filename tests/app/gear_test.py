@@ -1,0 +1,105 @@
+"""Gears from outside: files written, exit statuses, what is said of impossible ones, studies of them.
+
+Run as: gear_test.py PROGRAM LIBRARY SCHEMA, the built program, the folder of library problems and the
+JSON schema of results.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+PROGRAM = ""
+LIBRARY = pathlib.Path()
+SCHEMA = pathlib.Path()
+
+STUDY = """
+kind = "study"
+base = "{base}"
+[[vary]]
+key = "mechanism.{key}"
+values = {values}
+[output]
+metrics = {metrics}
+"""
+
+
+class Gears(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_it(self, *words):
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, text=True, timeout=240,
+                              capture_output=True, check=False)
+
+    def document_of(self, file, command="analyze"):
+        done = self.run_it(command, file, "--json")
+        document = json.loads(done.stdout)
+        if jsonschema is not None:
+            jsonschema.validate(document, json.loads(SCHEMA.read_text()))
+        self.assertEqual(done.returncode, 0 if document["status"] == "solved" else 1, done.stderr)
+        return document
+
+    def test_every_gear_of_the_library(self):
+        listed = json.loads(self.run_it("list", "--metrics", "--json").stdout)
+        known = {key for part in ("gear_metrics", "gear_pair_metrics") for metric in listed[part]
+                 for key in metric["key"].split(", ")}
+        known |= {"class", "transmission_angle_deg", "time_ratio", "defects"}
+        columns = [key for column in listed["gear_columns"] for key in column["key"].split(", ")]
+        impossible = {"undercut-9"}
+        for file in sorted((LIBRARY / "gear").glob("*.toml")):
+            with self.subTest(file.name):
+                document = self.document_of(file)
+                self.assertEqual(document["status"] == "infeasible", file.stem in impossible)
+                self.assertEqual(bool(document["notes"]), file.stem in impossible)
+                design = document["designs"][0]
+                self.assertLessEqual(design["metrics"].keys(), known)
+                self.assertEqual([c["name"] for c in document["gear"]["columns"]], columns)
+
+    def test_a_gear_writes_its_flank(self):
+        done = self.run_it("analyze", LIBRARY / "gear" / "standard-35.toml")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.folder / "standard-35.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 22)
+        self.assertAlmostEqual(float(rows[-1]["x"]), -1.8761278745879413, places=9)
+        self.assertEqual(rows[0]["pressure_angle_deg"], "")
+
+    def test_pairs_that_are_whole_are_analysed_as_they_are_solved(self):
+        for name in ("standard", "too-far-apart", "bevel", "worm"):
+            with self.subTest(name):
+                file = LIBRARY / "gear-pair" / f"{name}.toml"
+                analysed, solved = self.document_of(file), self.document_of(file, "solve")
+                self.assertEqual(analysed["designs"], solved["designs"])
+        self.assertIn("253.671", self.document_of(LIBRARY / "gear-pair" / "too-far-apart.toml")["notes"][0])
+
+    def sweep(self, **study):
+        (self.folder / "study.toml").write_text(STUDY.format(**study))
+        done = self.run_it("sweep", "study.toml", "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_studies_of_gears(self):
+        self.sweep(base=LIBRARY / "gear" / "standard-35.toml", key="profile_shift",
+                   values=[-0.2, 0, 0.2], metrics=["tip_thickness", "undercut"])
+
+    def test_studies_of_pairs(self):
+        self.sweep(base=LIBRARY / "gear-pair" / "balanced-sliding.toml", key="centre_distance",
+                   values=[86.5, 87, 87.5], metrics=["pinion.profile_shift", "sliding_max", "defects"])
+
+
+if __name__ == "__main__":
+    PROGRAM, LIBRARY, SCHEMA = os.path.abspath(sys.argv[1]), *map(
+        lambda name: pathlib.Path(name).resolve(), sys.argv[2:4]
+    )
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
