@@ -14,7 +14,10 @@ struct LineOfAction {
   double base_pitch = 0;      ///< π m cos α
   /// Where the path of contact would begin and end if only the tips limited it.
   double wheel_tip = 0, pinion_tip = 0;
-  double start = 0, end = 0;  ///< the path of contact: also limited by the form circles
+  /// Where it would if only the form circles did.
+  double pinion_form = 0, wheel_form = 0;
+  /// The path of contact. The end is not before the start: where they are the same there is none.
+  double start = 0, end = 0;
 };
 
 LineOfAction line_of_action(const SpurPair& pair);

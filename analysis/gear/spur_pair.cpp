@@ -6,6 +6,7 @@
 
 #include "analysis/gear/involute.hpp"
 #include "analysis/gear/line_of_action.hpp"
+#include "analysis/gear/tip_room.hpp"
 #include "analysis/mechanism/zeros.hpp"
 
 namespace cognate::gear {
@@ -52,19 +53,37 @@ double rounding(const LineOfAction& line) {
   return 64 * std::numeric_limits<double>::epsilon() * (line.length + line.base_pitch);
 }
 
-/// What the line of action, seen from the gear's own end, tells of the gear.
-GearInMesh gear_in_mesh(const SpurGear& own, const SpurGear& other, double centre_distance,
-                        const LineOfAction& line, double reached, double start, double end) {
+/// Whether the tip of the other gear digs into what the rack has left of `own`. Below the form
+/// circle of a gear without undercut there is more than the involute; the involute that undercut
+/// has taken away is not in its way. `reached` and `form`: places from the gear's base tangent.
+bool interferes(const SpurPair& pair, const LineOfAction& line, int own, double reached,
+                double form) {
+  const SpurGear& gear = pair.gears[static_cast<std::size_t>(own)];
+  const double tolerance = 1e-9 * gear.module;
+  if (reached < form - rounding(line) && !is_undercut(gear)) return true;
+  return tip_room(pair, line, own) < -tolerance;
+}
+
+/// What the line of action tells of a gear, with places on it seen from the gear's own end.
+GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int index) {
+  const bool is_pinion = index == 0;
+  const SpurGear& own = pair.gears[is_pinion ? 0 : 1];
+  const SpurGear& other = pair.gears[is_pinion ? 1 : 0];
+  const auto place = [&](double pinions, double wheels) {
+    return is_pinion ? pinions : line.length - wheels;
+  };
+  const double reached = place(line.wheel_tip, line.pinion_tip);
+  const double start = place(line.start, line.end);
+  const double end = place(line.end, line.start);
   const double base = base_radius(own);
   GearInMesh gear;
-  gear.working_radius = centre_distance * (own.teeth / (own.teeth + other.teeth));
+  gear.working_radius = pair.centre_distance * (own.teeth / (own.teeth + other.teeth));
   gear.reached_radius = std::hypot(base, std::max(reached, 0.0));
-  const double form = form_radius(own);
-  const double form_place = std::sqrt((form - base) * (form + base));
-  gear.interferes = reached < form_place - rounding(line);
+  gear.interferes =
+      interferes(pair, line, index, reached, place(line.pinion_form, line.wheel_form));
   gear.contact_start = std::hypot(base, start);
   gear.contact_end = std::hypot(base, end);
-  gear.tip_clearance = centre_distance - tip_radius(own) - root_radius(other);
+  gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);
   gear.sliding_start = specific_sliding(start, own.teeth, line.length - start, other.teeth);
   gear.sliding_end = specific_sliding(end, own.teeth, line.length - end, other.teeth);
   return gear;
@@ -109,22 +128,16 @@ double profile_shift_sum(const Gears& gears, double centre_distance, double back
 }
 
 PairGeometry geometry(const SpurPair& pair) {
-  const auto& [pinion, wheel] = pair.gears;
   const LineOfAction line = line_of_action(pair);
-  const double a = pair.centre_distance;
-  const double start = line.start;
-  const double end = std::max(line.end, start);
   PairGeometry result;
   result.working_pressure_angle = line.pressure_angle;
-  result.path_length = end - start;
+  result.path_length = line.end - line.start;
   result.contact_ratio = result.path_length / line.base_pitch;
-  result.approach = line.pitch_point - start;
-  result.recess = end - line.pitch_point;
+  result.approach = line.pitch_point - line.start;
+  result.recess = line.end - line.pitch_point;
   result.backlash = backlash(pair, line.pressure_angle);
   result.normal_backlash = result.backlash * std::cos(line.pressure_angle);
-  result.gears[0] = gear_in_mesh(pinion, wheel, a, line, line.wheel_tip, start, end);
-  result.gears[1] = gear_in_mesh(wheel, pinion, a, line, line.length - line.pinion_tip,
-                                 line.length - end, line.length - start);
+  result.gears = {gear_in_mesh(pair, line, 0), gear_in_mesh(pair, line, 1)};
   result.greatest_sliding_speed =
       std::max(std::abs(result.approach), std::abs(result.recess)) *
       (1 / result.gears[0].working_radius + 1 / result.gears[1].working_radius);

@@ -39,11 +39,14 @@ struct GearInMesh {
   /// The least and the greatest radius of its flank that touch the other's; both that of the one
   /// point where the path would begin if there is no path.
   double contact_start = 0, contact_end = 0;
-  /// Where the mating tip would touch it if its involute went on to the base circle: of
-  /// interference this is below the form radius. The base radius where the tip passes the base
-  /// tangent's point.
+  /// Where the mating tip would touch it if its involute went on to the base circle; the base
+  /// radius where the tip passes the base tangent's point. Below the form radius the path of
+  /// contact is shortened by what the fillet leaves of the flank.
   double reached_radius = 0;
-  bool interferes = false;   ///< the other's tip meets its fillet or passes its base tangent
+  /// The other's tip digs into its fillet. That of an undercut gear may be out of the way where
+  /// contact can't reach; that of another is in it below the form circle, and may be above, where
+  /// the other's tip is prolonged or has little clearance.
+  bool interferes = false;
   double tip_clearance = 0;  ///< from its tip to the other's root; negative: the tip cuts in
   double sliding_start = 0;  ///< specific sliding 1 − v_other/v_own at contact_start…
   double sliding_end = 0;    ///< …and contact_end; −∞ on the base circle

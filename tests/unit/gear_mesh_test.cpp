@@ -26,9 +26,9 @@ std::vector<SpurPair> pairs() {
        12.5}};
 }
 
-Polygon outline(const SpurGear& g) {
+Polygon outline(const SpurGear& g, double tolerance) {
   Polygon corners;
-  for (const auto& point : gear_outline(g, 5e-5 * g.module)) corners.push_back(point.at);
+  for (const auto& point : gear_outline(g, tolerance)) corners.push_back(point.at);
   return corners;
 }
 
@@ -73,13 +73,15 @@ struct Stand {
   Polygon wheel;  ///< its teeth near the pitch point, closed at its centre
 };
 
-Stand stand(const SpurPair& pair, const Mesh& mesh, double angle) {
+Stand stand(const SpurPair& pair, const Mesh& mesh, double angle, double tolerance) {
   const double ratio = pair.gears[0].teeth / pair.gears[1].teeth;
-  const Polygon wheel =
-      placed(outline(pair.gears[1]), mesh.wheel_centre, mesh.wheel_angle - ratio * angle);
-  Stand result{placed(outline(pair.gears[0]), {}, angle), {mesh.wheel_centre}};
+  const Polygon wheel = placed(outline(pair.gears[1], tolerance), mesh.wheel_centre,
+                               mesh.wheel_angle - ratio * angle);
+  Stand result{placed(outline(pair.gears[0], tolerance), {}, angle), {mesh.wheel_centre}};
   const double reach = 7 * std::numbers::pi / pair.gears[1].teeth;
-  for (const Vec2d& corner : wheel) {
+  // The first corner, next to the first tooth, is in the mesh: from the middle of the outline on.
+  for (std::size_t i = 0; i < wheel.size(); ++i) {
+    const Vec2d corner = wheel[(i + wheel.size() / 2) % wheel.size()];
     const Vec2d seen = corner - mesh.wheel_centre;
     if (std::abs(std::atan2(seen.x, -seen.y)) < reach) result.wheel.push_back(corner);
   }
@@ -94,7 +96,7 @@ TEST(GearMesh, TheOutlinesTouchAndDoNotOverlap) {
     const double m = pair.gears[0].module;
     for (const double share : kShares) {
       const double angle = share * 2 * std::numbers::pi / pair.gears[0].teeth;
-      const Stand at = stand(pair, mesh, angle);
+      const Stand at = stand(pair, mesh, angle, 5e-5 * m);
       double closest = m;
       for (const Vec2d& corner : part_near(at.pinion, mesh.pitch_point, 2.5 * m)) {
         const double d = distance(at.wheel, corner, 0.3 * m);
@@ -113,7 +115,7 @@ TEST(GearMesh, ContactsLieOnBothFlanks) {
     int contacts = 0;
     for (const double share : kShares) {
       const double angle = share * 2 * std::numbers::pi / pair.gears[0].teeth;
-      const Stand at = stand(pair, mesh, angle);
+      const Stand at = stand(pair, mesh, angle, 5e-5 * m);
       const double moved = mesh.contact + angle * base_radius(pair.gears[0]);
       for (int k = -3; k <= 3; ++k) {
         const double along = moved + k * mesh.line.base_pitch;
@@ -138,7 +140,7 @@ TEST(GearMesh, AllBacklashIsBehindTheTooth) {
     const double backlash = geometry(pair).normal_backlash;
     // Turned on by what the backlash is, the pinion touches with its other flanks.
     const double back = -backlash / base_radius(pair.gears[0]);
-    const Stand at = stand(pair, mesh, 0);
+    const Stand at = stand(pair, mesh, 0, 5e-5 * m);
     for (const double share : {0.0, 0.99}) {
       const Polygon pinion = placed(at.pinion, {}, share * back);
       double closest = m;
@@ -148,6 +150,58 @@ TEST(GearMesh, AllBacklashIsBehindTheTooth) {
       const double left = std::min(share, 1 - share) * backlash;
       EXPECT_NEAR(closest, left, 5e-4 * m);
       EXPECT_GT(closest, -1.2e-4 * m);
+    }
+  }
+}
+
+/// How deep corners of one gear lie in the other, at most, while a tooth goes through the mesh.
+double greatest_overlap(const SpurPair& pair) {
+  constexpr int kStands = 16;
+  const Mesh mesh = gear::mesh(pair);
+  const double m = pair.gears[0].module;
+  double least = m;
+  for (int i = 0; i < kStands; ++i) {
+    const double angle = i * 2 * std::numbers::pi / pair.gears[0].teeth / kStands;
+    const Stand at = stand(pair, mesh, angle, 5e-4 * m);
+    for (const Vec2d& corner : part_near(at.pinion, mesh.pitch_point, 2.5 * m)) {
+      least = std::min(least, distance(at.wheel, corner, 0.4 * m));
+    }
+  }
+  return -least;
+}
+
+SpurPair pair_of(const SpurGear& pinion, const SpurGear& wheel) {
+  return {{pinion, wheel}, gear::centre_distance_without_backlash({pinion, wheel})};
+}
+
+/// Whether tips dig into fillets is seen of the outlines. Neither undercut, where the flank has
+/// made room, nor a flank that is touched above the form circle alone tells.
+TEST(GearMesh, InterferenceIsOverlap) {
+  const gear::BasicRack flat{16.9 * std::numbers::pi / 180, 0.8227, 0.1358};
+  const std::vector<std::pair<SpurPair, bool>> cases = {
+      {pair_of({.teeth = 20}, {.teeth = 60}), false},
+      {pair_of({.teeth = 20}, {.teeth = 60, .tip_reduction = -0.25}), true},
+      {pair_of({.teeth = 20, .tip_reduction = -0.2}, {.teeth = 60}), false},
+      {pair_of({.teeth = 12}, {.teeth = 60}), false},
+      {pair_of({.teeth = 9}, {.teeth = 20}), false},
+      {pair_of({.teeth = 12}, {.teeth = 60, .tip_reduction = -0.2}), true},
+      {pair_of({.teeth = 36, .profile_shift = 0.789, .rack = flat},
+               {.teeth = 43, .profile_shift = 0.485, .rack = flat}),
+       true},
+      {pair_of({.teeth = 36, .profile_shift = 0.2, .rack = flat},
+               {.teeth = 43, .profile_shift = 0.2, .rack = flat}),
+       false}};
+  for (const auto& [pair, overlaps] : cases) {
+    const auto result = geometry(pair);
+    EXPECT_EQ(result.gears[0].interferes || result.gears[1].interferes, overlaps);
+    const SpurPair swapped{{pair.gears[1], pair.gears[0]}, pair.centre_distance};
+    EXPECT_EQ(geometry(swapped).gears[0].interferes, result.gears[1].interferes);
+    EXPECT_EQ(geometry(swapped).gears[1].interferes, result.gears[0].interferes);
+    const double overlap = std::max(greatest_overlap(pair), greatest_overlap(swapped));
+    if (overlaps) {
+      EXPECT_GT(overlap, 5e-3) << pair.gears[0].teeth;
+    } else {
+      EXPECT_LT(overlap, 1.5e-3) << pair.gears[0].teeth;
     }
   }
 }

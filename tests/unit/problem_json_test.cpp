@@ -89,6 +89,20 @@ void expect_reads_back(const problems::CamProblem& problem) {
   EXPECT_EQ(json(to_json(*again)), written);
 }
 
+void expect_reads_back(const problems::GearProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_gear(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
+void expect_reads_back(const problems::GearPairProblem& problem) {
+  const json written = to_json(problem);
+  const auto again = problems::parse_gear_pair(toml_of(written));
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
+  EXPECT_EQ(json(to_json(*again)), written);
+}
+
 /// What is written of a problem is itself a problem file, and reading it gives the same again:
 /// nothing is lost, no default changes the meaning.
 void expect_reads_back(const problems::Problem& problem) {
@@ -111,6 +125,22 @@ TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
     ++count;
   }
   EXPECT_GE(count, 30);
+}
+
+// One shift free, bounds open to a side, a given shift outside the bounds that are the default.
+TEST(ProblemJson, GearPairsReadBack) {
+  const std::string opening = "kind = \"gear-pair\"\n[mechanism]\nteeth = [11, 40]\nmodule = 2\n";
+  for (const char* rest :
+       {"profile_shift = [0.4, \"free\"]\ntip_reduction = [0.1, 0]\n[bounds]\ncentre_distance = "
+        "[50, inf]",
+        "profile_shift = [\"free\", -0.9]\nbacklash = 0.1\n[constraints]\nhunting = true\n"
+        "sliding_max = 3\ntip_clearance_min = 0.1\nno_undercut = false",
+        "profile_shift = [0.1, -0.9]\n[rack]\npressure_angle_deg = 25\nclearance = 0.2\n"
+        "[target]\nratio = 3.6\nratio_tolerance = 0.1\nobjective = \"size\""}) {
+    const auto problem = problems::parse_gear_pair(opening + rest);
+    ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+    expect_reads_back(*problem);
+  }
 }
 
 // Ranges, conditions, splines, closures and materials that no file of the library uses.
