@@ -100,7 +100,7 @@ def inside(point, polygon):
     return is_inside
 
 
-def to_polygon(point, polygon):
+def to_edges(point, edges):
     def to_edge(a, b):
         u, v = b[0] - a[0], b[1] - a[1]
         square = u * u + v * v
@@ -108,7 +108,7 @@ def to_polygon(point, polygon):
         t = min(1, max(0, t))
         return math.hypot(point[0] - a[0] - t * u, point[1] - a[1] - t * v)
 
-    return min(to_edge(polygon[i - 1], polygon[i]) for i in range(len(polygon)))
+    return min(to_edge(a, b) for a, b in edges)
 
 
 def run(*arguments):
@@ -142,7 +142,7 @@ class ExportGearsTest(unittest.TestCase):
     def first_tooth(self, rows, teeth):
         """The left flank of the upright tooth: rows, each with the one before it."""
         return [(before, row) for before, row in zip(rows, rows[1:])
-                if 0 <= math.atan2(-row[0], row[1]) <= math.pi / teeth and row[1] > 0
+                if 0 <= math.atan2(-row[0], row[1]) <= math.pi / teeth + 1e-9 and row[1] > 0
                 and 0 <= math.atan2(-before[0], before[1])]
 
     def test_outlines_are_those_of_the_formulas(self):
@@ -182,29 +182,30 @@ class ExportGearsTest(unittest.TestCase):
     def test_a_finer_tolerance_takes_more_points(self):
         result = self.result(gear(35))
         count = {}
-        for tolerance in (0.1, 1e-2, 1e-4):
+        for tolerance in (0.1, 1e-3, 1e-4):
             self.export(result, "csv", "--chord-tolerance", tolerance)
             count[tolerance] = len(self.rows())
-        # Chords of a curve: ten times as fine takes √10 times as many.
-        self.assertAlmostEqual(count[1e-4] / count[1e-2], 10, delta=3)
-        self.assertLess(count[0.1], count[1e-2])
+        # Chords of a curve: ten times as fine takes √10 times as many, or one more of each part.
+        self.assertAlmostEqual(count[1e-4] / count[1e-3], math.sqrt(10), delta=1)
+        self.assertLess(count[0.1], count[1e-3])
+
+    def depth_and_gap(self, distance):
+        """How deep the pinion's corners are in the wheel, and how near they come to it."""
+        self.export(self.result(pair(distance)), "csv", "--chord-tolerance", 5e-3)
+        pinion, wheel = ([row[:2] for row in self.rows(f"gears.{name}.csv")]
+                         for name in ("pinion", "wheel"))
+        near = [p for p in pinion if math.dist(p, (0, 50)) < 15]
+        edges = [(wheel[i - 1], p) for i, p in enumerate(wheel) if math.dist(p, (0, 50)) < 20]
+        away = [to_edges(p, edges) for p in near]
+        return max((a for p, a in zip(near, away) if inside(p, wheel)), default=0), min(away)
 
     def test_gears_of_a_pair_touch_and_do_not_overlap(self):
-        for distance, more in ((250, ""), (252, ""), (255, "")):
+        for distance in (250, 252, 255):
             with self.subTest(distance=distance):
-                self.export(self.result(pair(distance, more=more)), "csv", "--chord-tolerance", 1e-3)
-                pinion, wheel = ([row[:2] for row in self.rows(f"gears.{name}.csv")]
-                                 for name in ("pinion", "wheel"))
-                near = [p for p in pinion if math.dist(p, (0, 50)) < 20]
-                wheel = [p for p in wheel if math.dist(p, (0, 50)) < 40]
-                deep = max((to_polygon(p, wheel) for p in near if inside(p, wheel)), default=0)
-                self.assertLess(deep, 3e-3)
-                self.assertLess(min(to_polygon(p, wheel) for p in near), 0.02)
-        self.export(self.result(pair(249)), "csv")
-        pinion, wheel = ([row[:2] for row in self.rows(f"gears.{name}.csv")] for name in ("pinion", "wheel"))
-        near = [p for p in pinion if math.dist(p, (0, 50)) < 20]
-        wheel = [p for p in wheel if math.dist(p, (0, 50)) < 40]
-        self.assertGreater(max(to_polygon(p, wheel) for p in near if inside(p, wheel)), 0.1)
+                depth, gap = self.depth_and_gap(distance)
+                self.assertLess(depth, 0.011)
+                self.assertLess(gap, 0.02)
+        self.assertGreater(self.depth_and_gap(249)[0], 0.1)
 
     @unittest.skipIf(ezdxf is None, "needs ezdxf")
     def test_dxf_has_closed_outlines_with_arcs(self):
@@ -291,7 +292,7 @@ class ExportGearsTest(unittest.TestCase):
         for change, part in (({"teeth": [20]}, "teeth"), ({"teeth": "many"}, "teeth"),
                              ({"profile_shift": ["free", 0]}, "not whole"),
                              ({"centre_distance": 200}, "base circles overlap"),
-                             ({"module": None}, "not whole"), ({"module": -1}, "module"),
+                             ({"module": None}, "module is missing"), ({"module": -1}, "module"),
                              ({"teeth": [3, 80], "profile_shift": [-0.6, 0]}, "no outline"),
                              ({"rack": {"addendum": 4}}, "rack"), ({"colour": 1}, "colour")):
             with self.subTest(change=change):

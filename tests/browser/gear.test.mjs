@@ -25,36 +25,45 @@ const turned = (page, selector) => page.locator(selector).first().evaluate((part
   return (Math.atan2(b, a) * 180) / Math.PI;
 });
 
-// Corners of a drawn outline on the screen.
-const corners = (page, selector) => page.locator(selector).first().evaluate((part) => {
-  const { a, b, c, d, e, f } = part.getScreenCTM();
+// How far `points` of the screen are from the outline that `selector` names, and whether they are
+// inside it; only its edges in the picture are looked at.
+const placesAt = (page, selector, points) => page.evaluate(([name, list]) => {
+  const part = document.querySelector(name);
+  const { left, right, top, bottom } = document.getElementById("picture").getBoundingClientRect();
+  const matrix = part.getScreenCTM();
   const numbers = part.getAttribute("d").match(/-?[\d.]+/g).map(Number);
-  return Array.from({ length: numbers.length / 2 }, (_, i) => [a * numbers[2 * i] + c * numbers[2 * i + 1] + e, b * numbers[2 * i] + d * numbers[2 * i + 1] + f]);
-});
-const toSegment = ([x, y], [x0, y0], [x1, y1]) => {
-  const [u, v] = [x1 - x0, y1 - y0];
-  const t = Math.min(1, Math.max(0, ((x - x0) * u + (y - y0) * v) / (u * u + v * v || 1)));
-  return Math.hypot(x - x0 - t * u, y - y0 - t * v);
-};
-const toOutline = (p, outline) => outline.reduce((least, q, i) => Math.min(least, toSegment(p, outline.at(i - 1), q)), Infinity);
-const isInside = ([x, y], outline) => outline.reduce((inside, [x1, y1], i) => {
-  const [x0, y0] = outline.at(i - 1);
-  return (y0 > y) !== (y1 > y) && x < x0 + ((y - y0) * (x1 - x0)) / (y1 - y0) ? !inside : inside;
-}, false);
+  const corners = Array.from({ length: numbers.length / 2 }, (_, i) => new DOMPoint(numbers[2 * i], numbers[2 * i + 1]).matrixTransform(matrix));
+  const isNear = ({ x, y }) => x > left - 40 && x < right + 40 && y > top - 40 && y < bottom + 40;
+  const edges = corners.map((q, i) => [corners.at(i - 1), q]).filter(([p, q]) => isNear(p) || isNear(q));
+  const toEdge = ([x, y], [p, q]) => {
+    const [u, v] = [q.x - p.x, q.y - p.y];
+    const t = Math.min(1, Math.max(0, ((x - p.x) * u + (y - p.y) * v) / (u * u + v * v || 1)));
+    return Math.hypot(x - p.x - t * u, y - p.y - t * v);
+  };
+  const back = matrix.inverse();
+  return list.map((p) => ({ away: Math.min(...edges.map((edge) => toEdge(p, edge))), inside: part.isPointInFill(new DOMPoint(...p).matrixTransform(back)) }));
+}, [selector, points]);
+
+// Corners of a drawn outline that are seen in the picture.
+const seen = (page, selector) => page.evaluate((name) => {
+  const part = document.querySelector(name);
+  const { left, right, top, bottom } = document.getElementById("picture").getBoundingClientRect();
+  const numbers = part.getAttribute("d").match(/-?[\d.]+/g).map(Number);
+  return Array.from({ length: numbers.length / 2 }, (_, i) => new DOMPoint(numbers[2 * i], numbers[2 * i + 1]).matrixTransform(part.getScreenCTM()))
+    .filter(({ x, y }) => x > left && x < right && y > top && y < bottom).map(({ x, y }) => [x, y]);
+}, selector);
+
+// How deep, in pixels, what is drawn as `first` reaches into `second`.
+async function overlap(page, first = ".gear.pinion", second = ".gear.wheel") {
+  const points = await seen(page, first);
+  assert.ok(points.length > 30);
+  return Math.max(0, ...(await placesAt(page, second, points)).filter(({ inside }) => inside).map(({ away }) => away));
+}
 
 const dots = (page) => page.locator(".gear-contact:not([hidden])").evaluateAll((list) => list.map((dot) => {
   const p = new DOMPoint(Number(dot.getAttribute("cx")), Number(dot.getAttribute("cy"))).matrixTransform(dot.getScreenCTM());
   return [p.x, p.y];
 }));
-
-// How deep, in pixels, the pinion's teeth reach into the wheel's near their mesh.
-async function overlap(page) {
-  const [pinion, wheel] = [await corners(page, ".gear.pinion"), await corners(page, ".gear.wheel")];
-  const box = await page.locator("#picture").boundingBox();
-  const near = pinion.filter(([x, y]) => x > box.x && x < box.x + box.width && y > box.y && y < box.y + box.height);
-  assert.ok(near.length > 30);
-  return Math.max(0, ...near.filter((p) => isInside(p, wheel)).map((p) => toOutline(p, wheel)));
-}
 
 for (const { size, scheme } of LOOKS) {
   for (const name of size === "desktop" ? NAMES : ["pair", "undercut", "worm"]) {
@@ -74,10 +83,10 @@ for (const { size, scheme } of LOOKS) {
 for (const name of ["pair", "lost", "helical", "bevel"]) {
   test(`teeth of ${name} touch where the page says, and nowhere run into one another`, () => visit(name, still, async (page) => {
     await nearMesh(page);
-    for (const deg of [1, 6, 11, 130, 359]) {
+    for (const deg of [1, 11, 130]) {
       await driveTo(page, deg);
-      const [pinion, wheel] = [await corners(page, ".gear.pinion"), await corners(page, ".gear.wheel")];
-      for (const dot of await dots(page)) for (const outline of [pinion, wheel]) assert.ok(toOutline(dot, outline) < 0.5, `${toOutline(dot, outline)} pixels at ${deg}°`);
+      const points = await dots(page);
+      for (const gear of [".gear.pinion", ".gear.wheel"]) for (const { away } of await placesAt(page, gear, points)) assert.ok(away < 0.5, `${away} pixels from ${gear} at ${deg}°`);
       const deep = await overlap(page);
       assert.ok(deep < 0.5, `${deep} pixels at ${deg}°`);
     }
@@ -126,15 +135,12 @@ for (const name of ["gear", "undercut"]) {
     for (const held of ["frame", "gear"]) {
       await page.locator(`[data-held=${held}]`).click();
       let touched = 0;
-      for (const deg of [-8, -3, 0, 2, 7]) {
+      for (const deg of [-3, 0, 2]) {
         await driveTo(page, deg);
-        const [gear, rack] = [await corners(page, ".gear-outline"), await corners(page, ".rack")];
-        for (const dot of await dots(page)) {
-          ++touched;
-          for (const outline of [gear, rack]) assert.ok(toOutline(dot, outline) < 0.6, `${toOutline(dot, outline)} pixels at ${deg}°, ${held}`);
-        }
-        const box = await page.locator("#picture").boundingBox();
-        const deep = Math.max(0, ...gear.filter(([x, y]) => Math.abs(x - box.x - box.width / 2) < box.width / 2 && y > box.y).filter((p) => isInside(p, rack)).map((p) => toOutline(p, rack)));
+        const points = await dots(page);
+        touched += points.length;
+        for (const part of [".gear-outline", ".rack"]) for (const { away } of await placesAt(page, part, points)) assert.ok(away < 0.6, `${away} pixels from ${part} at ${deg}°, ${held}`);
+        const deep = await overlap(page, ".gear-outline", ".rack");
         assert.ok(deep < 0.6, `${deep} pixels at ${deg}°`);
       }
       assert.ok(touched >= 4);
