@@ -113,12 +113,16 @@ test("the wheel turns by the ratio of teeth, the other way", () => visit("pair",
 
 // 1.691 pairs on average: two over 69.1 % of a pitch of 18°, else one.
 test("as many pairs are in contact as the contact ratio says", () => visit("pair", still, async (page) => {
-  let sum = 0;
-  for (let i = 0; i < 90; ++i) {
-    await driveTo(page, (18 * (i + 0.5)) / 90);
-    sum += (await dots(page)).length;
-  }
-  assert.ok(Math.abs(sum / 90 - 1.691) < 0.012, String(sum / 90));
+  const mean = await page.locator("#drive").evaluate((input) => {
+    let sum = 0;
+    for (let i = 0; i < 200; ++i) {
+      input.value = (18 * (i + 0.5)) / 200;
+      input.dispatchEvent(new Event("input"));
+      sum += document.querySelectorAll(".gear-contact:not([hidden])").length;
+    }
+    return sum / 200;
+  });
+  assert.ok(Math.abs(mean - 1.691) < 0.0051, String(mean));
 }));
 
 test("contact is lost between teeth that are too far apart", () => visit("lost", still, async (page) => {
@@ -135,7 +139,7 @@ for (const name of ["gear", "undercut"]) {
     for (const held of ["frame", "gear"]) {
       await page.locator(`[data-held=${held}]`).click();
       let touched = 0;
-      for (const deg of [-3, 0, 2]) {
+      for (const deg of [-3, 2]) {
         await driveTo(page, deg);
         const points = await dots(page);
         touched += points.length;
