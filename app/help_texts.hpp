@@ -112,6 +112,13 @@ inline constexpr const char* kExportFooter = R"(Output:
     NAME.csv   the points with cam angle, outward normal, curvature radius; of
                a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
+  Of a gear or a gear pair:
+    NAME.dxf   closed outlines on the layer OUTLINE, tip and root as true arcs;
+               BASE_CIRCLE, PITCH_CIRCLE, TIP_CIRCLE, ROOT_CIRCLE and CENTRE
+    NAME.svg   a picture with the same
+    NAME.csv   the points with their radius and the part that they are of; of a
+               pair NAME.pinion.csv and NAME.wheel.csv
+    NAME.gears.json  radii, places and outlines in one document
   Lengths are those of the problem; drawings have no unit of length. Polygons
   are nowhere farther from their curve than the chord tolerance.
   With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of
@@ -124,6 +131,7 @@ Examples:
   cognate export press.result.json --format dot && dot -Tsvg -O press.dot
   cognate export cam.result.json --format csv --curve pitch
   cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
+  cognate export gears.result.json --format dxf --chord-tolerance 0.001
   cognate export sizes.study.db --row 1234)";
 
 inline constexpr const char* kCheckFooter =

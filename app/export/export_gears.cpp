@@ -22,8 +22,9 @@ std::vector<ExportedFile> files_of(const ResultGears& given, const GearDrawing& 
   }
   std::vector<ExportedFile> files;
   for (const auto& drawn : drawing.gears) {
-    const std::string& name = drawn.gear.name;
-    files.push_back({stem + (name.empty() ? "" : "." + name) + ".csv", csv_text(drawn)});
+    std::string name = stem;
+    if (!drawn.gear.name.empty()) name.append(".").append(drawn.gear.name);
+    files.push_back({name.append(".csv"), csv_text(drawn)});
   }
   return files;
 }

@@ -15,7 +15,6 @@ namespace cognate::app {
 namespace {
 
 using gear::OutlinePart;
-using gear::OutlinePoint;
 using nlohmann::ordered_json;
 
 constexpr double kDefaultTolerance = 1e-3;  // of the module

@@ -18,7 +18,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
-using problems::Gearing;
 using problems::GearPairProblem;
 using Made = tl::expected<ResultGears, std::string>;
 

@@ -97,7 +97,7 @@ ordered_json worm_json(const gear::WormPair& pair, double fineness) {
                                 {"root", drawn(geometry.worm_root_diameter / 2)},
                                 {"pressure_angle", drawn(pair.rack.pressure_angle)},
                                 {"centre_distance", drawn(geometry.centre_distance)}};
-  return {{"gears", {drawn_gear(wheel, fineness)}}, {"worm", section}};
+  return {{"gears", ordered_json::array({drawn_gear(wheel, fineness)})}, {"worm", section}};
 }
 
 ordered_json design_json(const GearPairDesign& design, Gearing gearing, double fineness) {
@@ -129,15 +129,16 @@ ordered_json gear_report_data(const problems::GearProblem& problem,
   const double fineness = gear_fineness(1);
   ordered_json gear = drawn_gear(section, fineness);
   gear["rack"] = drawn_rack(section, fineness);
-  const ordered_json design = {{"gears", {gear}},
-                               {"teeth", {drawn(problem.gear.normal.teeth)}},
-                               {"shifts", {drawn(problem.gear.normal.profile_shift)}},
-                               {"module", drawn(problem.gear.normal.module)},
-                               {"metrics", facts_json(result.metrics)}};
+  const ordered_json design = {
+      {"gears", ordered_json::array({gear})},
+      {"teeth", ordered_json::array({drawn(problem.gear.normal.teeth)})},
+      {"shifts", ordered_json::array({drawn(problem.gear.normal.profile_shift)})},
+      {"module", drawn(problem.gear.normal.module)},
+      {"metrics", facts_json(result.metrics)}};
   return {{"kind", "gear"},
           {"gearing", problems::to_string(problem.gearing)},
           {"columns", columns_json(result.columns)},
-          {"designs", {design}}};
+          {"designs", ordered_json::array({design})}};
 }
 
 ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,

@@ -13,7 +13,7 @@ after(() => browser?.close());
 const still = { motion: "reduce" };
 const visit = (name, steps, options = still) => visitReport(browser, name, options, steps);
 
-const KINDS = ["ellipse", "exact-motion", "library-crank-rocker", "cam-translating-roller", "study-grid"];
+const KINDS = ["ellipse", "exact-motion", "library-crank-rocker", "cam-translating-roller", "gear-pair", "study-grid"];
 const scaleOf = (page) => page.locator("#picture > svg .scale-line").first().evaluate((line) => line.getBBox().width);
 const box = (page, selector) => page.locator(selector).first().evaluate((part) => { const b = part.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; });
 const toggle = (page, name) => page.locator(`[data-extra=${name}]`).click();
@@ -322,7 +322,7 @@ for (const scheme of ["light", "dark"]) {
 }
 
 // Pages of a PDF and how much is drawn on each: the lengths of their content streams.
-for (const name of ["ellipse", "cam-translating-roller"]) {
+for (const name of ["ellipse", "cam-translating-roller", "gear-pair"]) {
   test(`${name} on paper: as wide as the page, no page empty`, () => visit(name, async (page) => {
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     await page.emulateMedia({ media: "print" });

@@ -14,7 +14,7 @@ if (!folder) {
   process.exit(2);
 }
 
-// `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// `click`: a choice about the picture. `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
@@ -26,6 +26,8 @@ const PICTURES = [
   { name: "analysis", command: "analyze", file: "analysis/shaper" },
   { name: "cam", command: "solve", file: "cam/smallest-cam" },
   { name: "machine", command: "analyze", file: "machine/press", drive: 0.7 },
+  { name: "gears", command: "analyze", file: "gear-pair/standard", drive: 4, click: "[data-look=mesh]", only: "#stage" },
+  { name: "gear-rack", command: "analyze", file: "gear/undercut-9", drive: 12, only: "#stage" },
   { name: "study", command: "sweep", file: "study/crank-rocker-map", show: "#scatter" },
   { name: "atlas", command: "sweep", file: "study/atlas", only: "#atlas" },
 ];
@@ -71,11 +73,13 @@ let faulty = false;
 for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.includes(name))) {
   const { name, command, file, locale, scheme = "light", drive = 60 } = picture;
   const report = path.join(scratch, `${path.basename(file)}.report.html`);
-  if (!existsSync(report)) execFileSync(program, [command, path.join(library, `${file}.toml`), "--out", scratch, "--quiet"]);
+  // Its report is written, too, where a problem cannot be met.
+  if (!existsSync(report)) spawnSync(program, [command, path.join(library, `${file}.toml`), "--out", scratch, "--quiet"], { stdio: "inherit" });
   const { page, faults, close } = await open(browser, report, { scheme, locale, motion: "reduce" });
   await page.setViewportSize(SIZE);
   await setDrive(page, drive);
   await showForces(page);
+  if (picture.click) await page.locator(picture.click).click();
   for (const extra of picture.press ?? []) await page.locator(`[data-extra=${extra}]`).click();
   await page.waitForTimeout(300);
   const target = path.join(folder, `${name}.png`);

@@ -9,6 +9,7 @@
 
 #include "analysis/motion.hpp"
 #include "app/analysis_json.hpp"
+#include "app/gear_json.hpp"
 #include "app/machine_json.hpp"
 #include "app/report/report.hpp"
 #include "app/report/study_report.hpp"
@@ -18,6 +19,7 @@
 #include "tests/browser/sample_analyses.hpp"
 #include "tests/browser/sample_cams.hpp"
 #include "tests/browser/sample_designs.hpp"
+#include "tests/browser/sample_gears.hpp"
 #include "tests/browser/sample_studies.hpp"
 
 namespace {
@@ -162,6 +164,22 @@ void write(const std::filesystem::path& file, const SampleCam& sample) {
       << app::report_html(document, sample.problem, sample.result);
 }
 
+GearResult evaluated(const GearProblem& problem) {
+  return analyse(problem, {.threads = 1});
+}
+GearPairResult evaluated(const GearPairProblem& problem) {
+  return solve(problem, {.threads = 1});
+}
+
+void write(const std::filesystem::path& file, const SampleGear& sample) {
+  const auto page = [](const auto& problem) {
+    const auto result = evaluated(problem);
+    const auto document = app::result_document(problem, result, 1);
+    return app::report_html(document.value(), problem, result);
+  };
+  std::ofstream(file, std::ios::binary) << std::visit(page, sample.problem);
+}
+
 void write(const std::filesystem::path& file, const SampleStudy& sample) {
   std::ofstream(file, std::ios::binary)
       << app::study_report_html(sample.document, sample.study, sample.rows);
@@ -192,6 +210,9 @@ int main(int argc, char** argv) {
   }
   for (const SampleCam& sample : sample_cams()) {
     write(folder / ("cam-" + sample.name + ".html"), sample);
+  }
+  for (const SampleGear& sample : sample_gears()) {
+    write(folder / ("gear-" + sample.name + ".html"), sample);
   }
   for (const SampleStudy& sample : sample_studies()) {
     write(folder / ("study-" + sample.name + ".html"), sample);

@@ -27,9 +27,12 @@ function showFlank(columns) {
   byId("table").hidden = !columns?.length;
   if (!columns?.length) return;
   const title = (name) => (name === "is_involute" ? say("gear.flank_part") : sentence(term(name.replace(/_deg$/, "").replaceAll("_", " "))));
-  byId("values").tHead.replaceChildren(headRow(columns.map(({ name }) => [/_deg$/.test(name) ? say("unit.axis", { name: title(name), unit: "°" }) : title(name), "number"])));
+  // Places are left out where there is little room.
+  const classOf = (name) => (name === "x" || name === "y" ? "number wide" : "number");
+  byId("values").tHead.replaceChildren(headRow(columns.map(({ name }) => [/_deg$/.test(name) ? say("unit.axis", { name: title(name), unit: "°" }) : title(name), classOf(name)])));
   byId("values-rows").replaceChildren(...columns[0].values.map((_, i) => element("tr", {}, ...columns.map(({ name, values }) =>
-    element("td", { class: "number" }, name === "is_involute" ? say(values[i] ? "gear.part_involute" : "gear.part_fillet") : number(values[i], 8))))));
+    element("td", { class: classOf(name) }, name === "is_involute" ? say(values[i] ? "gear.part_involute" : "gear.part_fillet") 
+      : number(values[i], 7))))));
 }
 
 const flankCsv = (columns) => `${[columns.map(({ name }) => name), ...columns[0].values.map((_, i) => columns.map(({ values }) => values[i] ?? ""))].map((row) => row.join(",")).join("\n")}\n`;

@@ -91,7 +91,7 @@ function choose(index) {
 function showChoice() {
   byId("choice").hidden = designs.length < 2;
   byId("designs").replaceChildren(...designs.map(({ drawn }, i) => {
-    const missed = drawn.constraints.some((check) => !check.satisfied);
+    const missed = (drawn.constraints ?? []).some((check) => !check.satisfied);
     const button = element("button", { type: "button", title: sentenceOf(drawn.origin ?? "") }, `${say("gear.design", { n: i + 1, name: nameOf(drawn) })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
     button.addEventListener("click", () => choose(i));
     return button;

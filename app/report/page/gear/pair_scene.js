@@ -59,7 +59,7 @@ class PairScene extends Picture {
   #shaft(body) {
     const r = this.view.scale * Math.min(0.28 * body.root, 3 * body.module);
     const key = 0.28 * r;
-    return svg("path", { class: "shaft", d: `M${round(-key)} ${round(-0.96 * r)}V${round(-1.28 * r)}H${round(key)}V${round(-0.96 * r)}A${round(r)} ${round(r)} 0 1 1 ${round(-key)} ${round(-0.96 * r)}Z` });
+    return svg("path", { class: "shaft hub", d: `M${round(-key)} ${round(-0.96 * r)}V${round(-1.28 * r)}H${round(key)}V${round(-0.96 * r)}A${round(r)} ${round(r)} 0 1 1 ${round(-key)} ${round(-0.96 * r)}Z` });
   }
 
   #circles() {

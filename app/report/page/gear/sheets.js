@@ -66,10 +66,10 @@ function thicknessSheets({ body, range, angleAt, radius }, generation) {
   const note = sentence(rangeOf(tooth, say("unit.length")));
   const curvature = flankCurvature(body);
   const along = { xLabel: say("gear.axis_radius"), xAt: (deg) => generation.radius(deg * RADIANS), driveAt: (at) => Math.min(range.deg, Math.max(-range.deg, generation.angleAt(at) / RADIANS)) };
-  const marks = [{ at: body.form, colour: "--form" }, { at: body.base, colour: "--base" }, { at: body.reference, colour: "--working" }].filter(({ at }) => at > x[0] && at < x.at(-1));
-  return [{ ...along, x, xRange: [x[0], x.at(-1)], title: say("unit.axis", { name: say("gear.thickness"), unit: say("unit.length") }), summary: note, note, marks,
+  const marksWithin = (x) => [{ at: body.form, colour: "--form" }, { at: body.base, colour: "--base" }, { at: body.reference, colour: "--working" }].filter(({ at }) => at > x[0] && at < x.at(-1));
+  return [{ ...along, x, xRange: [x[0], x.at(-1)], title: say("unit.axis", { name: say("gear.thickness"), unit: say("unit.length") }), summary: note, note, marks: marksWithin(x),
     lines: [gearLine(say("gear.tooth"), "--pinion", tooth), gearLine(say("gear.space"), "--wheel", space)] },
-  { ...along, ...curvature, title: say("unit.axis", { name: say("gear.curvature"), unit: say("unit.length") }), marks }];
+  { ...along, ...curvature, title: say("unit.axis", { name: say("gear.curvature"), unit: say("unit.length") }), marks: marksWithin(curvature.x) }];
 }
 
 // The involute's radius of curvature.
