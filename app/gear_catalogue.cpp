@@ -54,7 +54,7 @@ constexpr Entry kConstraints[] = {
     {"contact_ratio_min", "1 (default) or more; of helical gears with the overlap"},
     {"tip_thickness_min", "of each gear, in modules (default 0)"},
     {"no_undercut", "true (default)"},
-    {"no_interference", "true (default): no tip reaches below the involute of the other gear"},
+    {"no_interference", "true (default): no tip digs into the fillet or root of the other gear"},
     {"hunting", "true: the numbers of teeth have no common divisor (default false)"},
     {"sliding_max", "of the magnitude of specific sliding at the ends of the flanks"},
     {"tip_clearance_min", "from each tip to the other root, in modules (default 0)"}};
@@ -83,7 +83,7 @@ constexpr Metric kGearMetrics[] = {
     {"tooth_thickness", "length", "arc on the reference circle"},
     {"tip_thickness", "length", "arc on the tip circle; negative: pointed below it"},
     {"pointed_diameter", "length", "where the flanks of a tooth meet"},
-    {"undercut", "", "whether the rack cuts into the involute"},
+    {"undercut", "boolean", "whether the rack cuts into the involute"},
     {"least_teeth", "1", "without undercut at this shift"},
     {"least_profile_shift", "1", "without undercut of this number of teeth"},
     {"virtual_teeth", "1", "helical: z/cos3(helix); bevel: z/cos(cone angle)"},
@@ -101,7 +101,7 @@ constexpr Metric kGearMetrics[] = {
     {"contact_start_diameter, contact_end_diameter", "length", "of the flank that touches"},
     {"tip_clearance", "length", "from the tip to the other gear's root"},
     {"sliding_start, sliding_end", "1", "specific sliding 1 - v_other/v_own at these"},
-    {"interferes", "", "whether the other's tips reach below its involute"}};
+    {"interferes", "boolean", "whether the other's tips dig into its fillet or root"}};
 
 constexpr Metric kPairMetrics[] = {
     {"ratio", "1", "z2/z1; of a worm z2 over its starts"},
@@ -127,7 +127,7 @@ constexpr Metric kPairMetrics[] = {
     {"normal_pressure_angle_deg", "deg", "of a worm"},
     {"sliding_speed_ratio", "1", "worm: sliding speed over its pitch line's"},
     {"efficiency", "1", "worm: where it drives; with friction"},
-    {"self_locking", "", "worm: whether the wheel cannot drive it; with friction"}};
+    {"self_locking", "boolean", "worm: whether the wheel cannot drive it; with friction"}};
 
 constexpr Metric kGearColumns[] = {
     {"radius", "length", "of a point of the flank, from the root up"},

@@ -94,7 +94,7 @@ std::string tests_line(const GearPairResult& result) {
 }
 
 std::string notes_text(const std::vector<std::string>& notes) {
-  std::string text = "\n";
+  std::string text;
   for (const auto& note : notes) text += "note: " + printable(note) + '\n';
   return text;
 }
@@ -112,10 +112,10 @@ std::string gear_table(const problems::GearProblem& problem, const problems::Gea
   const bool sound = result.status == problems::Status::solved;
   std::string text = describe(problem) + '\n';
   text += paint(sound ? "solved: nothing is wrong with the gear"
-                      : "infeasible: such a gear cannot be, or not as it should",
+                      : "infeasible: something is wrong with the gear",
                 sound ? Colour::green : Colour::red, screen.colour) +
           '\n';
-  return text + facts_text(result.metrics, screen) + notes_text(result.notes);
+  return text + facts_text(result.metrics, screen) + '\n' + notes_text(result.notes);
 }
 
 std::string gear_pair_table(const GearPairProblem& problem, const GearPairResult& result,

@@ -51,7 +51,8 @@ std::string metric_unit(std::string_view name) {
     for (const Metric& metric : listed) {
       const auto keys = single_keys(metric.key);
       if (std::ranges::find(keys, name) == keys.end()) continue;
-      return metric.unit == "1" ? "" : std::string(metric.unit);
+      const bool is_bare = metric.unit == "1" || metric.unit == "boolean";
+      return is_bare ? "" : std::string(metric.unit);
     }
   }
   const auto key = name.substr(name.rfind('.') + 1);

@@ -1,5 +1,6 @@
 #include "analysis/gear/fillet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -64,14 +65,19 @@ Fillet fillet_of(const SpurGear& gear) {
 }
 
 double form_radius(const SpurGear& gear) {
+  if (!is_undercut(gear)) return std::hypot(base_radius(gear), form_tangent(gear));
+  const Fillet fillet = fillet_of(gear);
+  return gear.module * fillet.radius(fillet.end);
+}
+
+double form_tangent(const SpurGear& gear) {
   if (is_undercut(gear)) {
-    const Fillet fillet = fillet_of(gear);
-    return gear.module * fillet.radius(fillet.end);
+    const double base = base_radius(gear), form = form_radius(gear);
+    return std::sqrt(std::max(form - base, 0.0) * (form + base));
   }
   const double sine = std::sin(gear.rack.pressure_angle);
-  const double along_line_of_action =
-      0.5 * gear.teeth * sine - (gear.rack.addendum - gear.profile_shift) / sine;
-  return std::hypot(base_radius(gear), gear.module * along_line_of_action);
+  const double length = 0.5 * gear.teeth * sine - (gear.rack.addendum - gear.profile_shift) / sine;
+  return gear.module * std::max(length, 0.0);
 }
 
 double waist_thickness(const SpurGear& gear) {

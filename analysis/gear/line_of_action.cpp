@@ -24,8 +24,8 @@ LineOfAction line_of_action(const SpurPair& pair) {
   line.base_pitch = 2 * std::numbers::pi * base1 / pinion.teeth;
   line.pinion_tip = tangent_length(base1, flank_end_radius(pinion));
   line.wheel_tip = line.length - tangent_length(base2, flank_end_radius(wheel));
-  line.pinion_form = tangent_length(base1, form_radius(pinion));
-  line.wheel_form = line.length - tangent_length(base2, form_radius(wheel));
+  line.pinion_form = form_tangent(pinion);
+  line.wheel_form = line.length - form_tangent(wheel);
   line.start = std::max(line.wheel_tip, line.pinion_form);
   line.end = std::max(line.start, std::min(line.pinion_tip, line.wheel_form));
   return line;

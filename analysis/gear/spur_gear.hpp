@@ -49,6 +49,11 @@ double root_radius(const SpurGear& gear);       ///< (z/2 − h_a* − c* + x) m
 /// flank as cut, not (z/2 − h_a*) m, which is less or even inside the base circle.
 double form_radius(const SpurGear& gear);
 
+/// The length of the tangent to the base circle that ends on the form circle, which is the radius
+/// of curvature with which the involute begins. Known to rounding of the module also where that
+/// circle hardly differs from the base circle and its radius no longer tells.
+double form_tangent(const SpurGear& gear);
+
 /// Whether the rack's straight flank reaches beyond the point where the base circle touches the
 /// line of action: h_a* − x > ½ z sin²α, to rounding.
 bool is_undercut(const SpurGear& gear);

@@ -48,23 +48,18 @@ double specific_sliding(double own, double own_teeth, double other, double other
   return 1 - other * own_teeth / (own * other_teeth);
 }
 
-/// To what places on the line of action are known.
-double rounding(const LineOfAction& line) {
-  return 64 * std::numeric_limits<double>::epsilon() * (line.length + line.base_pitch);
-}
-
-/// Whether the tip of the other gear digs into what the rack has left of gear `own`. Below the form
-/// circle of a gear without undercut there is more than the involute; the involute that undercut
-/// has taken away is not in its way. `reached` and `form`: places from the gear's base tangent.
-bool interferes(const SpurPair& pair, const LineOfAction& line, int own, double reached,
-                double form) {
+/// By how much the tip of the other gear digs into what the rack has left of gear `own`. Below the
+/// form circle of a gear without undercut there is more than the involute; the involute that
+/// undercut has taken away is not in its way. `reached` and `form`: places from the gear's base
+/// tangent.
+double interference(const SpurPair& pair, const LineOfAction& line, int own, double reached,
+                    double form) {
   const SpurGear& gear = pair.gears[own == 0 ? 0 : 1];
   const SpurGear& other = pair.gears[own == 0 ? 1 : 0];
-  const double tolerance = 1e-9 * gear.module;
-  const double from_root = pair.centre_distance - flank_end_radius(other) - root_radius(gear);
-  if (from_root < -tolerance) return true;
-  if (reached < form - rounding(line) && !is_undercut(gear)) return true;
-  return tip_room(pair, line, own) < -tolerance;
+  const double into_root = root_radius(gear) + flank_end_radius(other) - pair.centre_distance;
+  const double past_form = is_undercut(gear) ? 0 : form - reached;
+  const double most = std::max({into_root, past_form, -tip_room(pair, line, own)});
+  return most > 1e-9 * gear.module ? most : 0;
 }
 
 /// What the line of action tells of a gear, with places on it seen from the gear's own end.
@@ -82,8 +77,8 @@ GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int inde
   GearInMesh gear;
   gear.working_radius = pair.centre_distance * (own.teeth / (own.teeth + other.teeth));
   gear.reached_radius = std::hypot(base, std::max(reached, 0.0));
-  gear.interferes =
-      interferes(pair, line, index, reached, place(line.pinion_form, line.wheel_form));
+  gear.interference =
+      interference(pair, line, index, reached, place(line.pinion_form, line.wheel_form));
   gear.contact_start = std::hypot(base, start);
   gear.contact_end = std::hypot(base, end);
   gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);

@@ -43,10 +43,10 @@ struct GearInMesh {
   /// radius where the tip passes the base tangent's point. Below the form radius the path of
   /// contact is shortened by what the fillet leaves of the flank.
   double reached_radius = 0;
-  /// The other's tip digs into its fillet or root. The fillet of an undercut gear may be out of the
-  /// way where contact can't reach; that of another is in it below the form circle, and may be
-  /// above, where the other's tip is prolonged or has little clearance.
-  bool interferes = false;
+  /// By how much the other's tip digs into it: the most of the depth below its root circle, the arc
+  /// by which the tip overlaps its fillet and, unless it is undercut, the length on the line of
+  /// action by which the tip passes its form circle. 0 up to a billionth of the module.
+  double interference = 0;
   double tip_clearance = 0;  ///< from its tip to the other's root; negative: the tip cuts in
   double sliding_start = 0;  ///< specific sliding 1 − v_other/v_own at contact_start…
   double sliding_end = 0;    ///< …and contact_end; −∞ on the base circle

@@ -90,7 +90,7 @@ class BevelDesign {
         gear::tooth_thickness(own.virtual_gear, gear::tip_radius(own.virtual_gear)));
     add(prefix + "sliding_start", mesh_->gears[i].sliding_start);
     add(prefix + "sliding_end", mesh_->gears[i].sliding_end);
-    design_.metrics.push_back({prefix + "interferes", mesh_->gears[i].interferes});
+    design_.metrics.push_back({prefix + "interferes", mesh_->gears[i].interference > 0});
   }
 
   void add_checks() {

@@ -63,10 +63,10 @@ void add_backlash(const gear::SpurPair& pair, const gear::PairGeometry& mesh, No
 
 void add_interference(const gear::SpurPair& pair, const gear::PairGeometry& mesh, Notes& notes) {
   for (std::size_t i = 0; i < 2; ++i) {
-    if (mesh.gears[i].interferes) {
+    if (mesh.gears[i].interference > 0) {
       notes.push_back(
-          fmt::format("The {}'s tips interfere with the {}: they reach below its "
-                      "involute, which begins at radius {:.6g}.",
+          fmt::format("The {}'s tips interfere with the {}: they dig into its fillet or root; its "
+                      "involute begins at radius {:.6g}.",
                       kNames[1 - i], kNames[i], gear::form_radius(pair.gears[i])));
     }
     if (mesh.gears[i].tip_clearance < -kRounding * pair.gears[0].module) {

@@ -64,7 +64,7 @@ class Facts {
     add(prefix + "tip_clearance", own.tip_clearance);
     add(prefix + "sliding_start", own.sliding_start);
     add(prefix + "sliding_end", own.sliding_end);
-    facts_.push_back({prefix + "interferes", own.interferes});
+    facts_.push_back({prefix + "interferes", own.interference > 0});
   }
 
   const GearPairDesign& design_;

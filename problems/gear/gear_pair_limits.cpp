@@ -5,8 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/gear/tip_room.hpp"
-
 namespace cognate::problems {
 namespace {
 
@@ -129,10 +127,7 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    const bool touches = mesh_->gears[index].interferes;
-    const double overlap =
-        touches ? -gear::tip_room(pair_, gear::line_of_action(pair_), static_cast<int>(index)) : 0;
-    at_most(names.interference, overlap, 0, module);
+    at_most(names.interference, mesh_->gears[index].interference, 0, module);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));

@@ -6,6 +6,7 @@ JSON schema of results.
 
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -88,14 +89,19 @@ class Gears(unittest.TestCase):
         (self.folder / "study.toml").write_text(STUDY.format(**study))
         done = self.run_it("sweep", "study.toml", "--json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads(done.stdout)["counts"]
 
     def test_studies_of_gears(self):
-        self.sweep(base=LIBRARY / "gear" / "standard-35.toml", key="profile_shift",
-                   values=[-0.2, 0, 0.2], metrics=["tip_thickness", "undercut"])
+        limit = 1 - 9 / 2 * math.sin(math.radians(20)) ** 2  # a rack undercuts nine teeth below it
+        counts = self.sweep(base=LIBRARY / "gear" / "shifted-9.toml", key="profile_shift",
+                            values=[-0.2, limit - 1e-6, limit + 1e-6],
+                            metrics=["tip_thickness", "undercut"])
+        self.assertEqual((counts["infeasible"], counts["solved"]), (2, 1))
 
     def test_studies_of_pairs(self):
-        self.sweep(base=LIBRARY / "gear-pair" / "balanced-sliding.toml", key="centre_distance",
+        counts = self.sweep(base=LIBRARY / "gear-pair" / "balanced-sliding.toml", key="centre_distance",
                    values=[86.5, 87, 87.5], metrics=["pinion.profile_shift", "sliding_max", "defects"])
+        self.assertEqual(counts["solved"], 3)
 
 
 if __name__ == "__main__":

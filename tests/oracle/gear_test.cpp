@@ -134,7 +134,7 @@ TEST(GearOracle, PairApart) {
                 example.column("tip_pressure_angle_deg")[i]);
     expect_near(2 * result.gears[i].working_radius, example.column("working_diameter")[i]);
     expect_near(result.gears[i].tip_clearance, example["tip_clearance"]);
-    EXPECT_FALSE(result.gears[i].interferes);
+    EXPECT_EQ(result.gears[i].interference, 0);
   }
   pair.centre_distance = example["standard_distance"];
   expect_near(geometry(pair).contact_ratio, example["contact_ratio_at_standard_distance"]);

@@ -193,10 +193,10 @@ TEST(GearMesh, InterferenceIsOverlap) {
        false}};
   for (const auto& [pair, overlaps] : cases) {
     const auto result = geometry(pair);
-    EXPECT_EQ(result.gears[0].interferes || result.gears[1].interferes, overlaps);
+    EXPECT_EQ(result.gears[0].interference > 0 || result.gears[1].interference > 0, overlaps);
     const SpurPair swapped{{pair.gears[1], pair.gears[0]}, pair.centre_distance};
-    EXPECT_EQ(geometry(swapped).gears[0].interferes, result.gears[1].interferes);
-    EXPECT_EQ(geometry(swapped).gears[1].interferes, result.gears[0].interferes);
+    EXPECT_NEAR(geometry(swapped).gears[0].interference, result.gears[1].interference, 1e-12);
+    EXPECT_NEAR(geometry(swapped).gears[1].interference, result.gears[0].interference, 1e-12);
     const double overlap = std::max(greatest_overlap(pair), greatest_overlap(swapped));
     if (overlaps) {
       EXPECT_GT(overlap, 5e-3) << pair.gears[0].teeth;

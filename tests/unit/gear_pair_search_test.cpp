@@ -66,7 +66,7 @@ struct Textbook {
     const auto form = [&](int z, double x) {
       return 0.5 * m * z * std::sin(kAlpha) - m * (1 - x) / std::sin(kAlpha);
     };
-    const double slack = 1e-9 * m;
+    const double slack = 2e-9 * m;
     return foot1() < form(z1, x1) - slack || foot2() < form(z2, x2) - slack;
   }
   /// Within the limits that `limits` sets.
@@ -228,6 +228,20 @@ TEST(GearPairSearch, NoPairOfAGridIsBetterWithShiftsAndDistanceFree) {
     }
   });
   EXPECT_GT(count, 200);
+}
+
+// With the least distance the wheel's tips reach just to where the pinion's flank begins.
+TEST(GearPairSearch, TheSmallestPairIsToldOfAsSound) {
+  GearPairProblem problem = spur_problem(GearObjective::size);
+  problem.teeth = {12, 31};
+  problem.module = 2;
+  problem.profile_shift_bounds = {-0.6, 1.2};
+  const auto result = solve(problem, {});
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_TRUE(result.notes.empty()) << result.notes[0];
+  const Textbook found = textbook(result.designs[0]);
+  EXPECT_TRUE(found.is_sound(problem.constraints));
+  EXPECT_NEAR(found.foot1() / problem.module.value(), 0, 1e-3);
 }
 
 TEST(GearPairSearch, NoPairOfAGridIsBetterWithTeethAndModuleFree) {

@@ -213,23 +213,23 @@ TEST(SpurPair, TeethCutByTheirMatesOverlapWithoutRoom) {
 TEST(SpurPair, PathsEndAtPointedTipsAndFormCircles) {
   // The wheel's tip is prolonged until it meets the pinion's fillet.
   SpurPair pair{{SpurGear{.teeth = 20}, SpurGear{.teeth = 60}}, 40};
-  EXPECT_FALSE(geometry(pair).gears[0].interferes);
+  EXPECT_EQ(geometry(pair).gears[0].interference, 0);
   pair.gears[1].tip_reduction = -0.2;
   const PairGeometry deep = geometry(pair);
-  EXPECT_TRUE(deep.gears[0].interferes);
-  EXPECT_FALSE(deep.gears[1].interferes);
+  EXPECT_GT(deep.gears[0].interference, 0);
+  EXPECT_EQ(deep.gears[1].interference, 0);
   EXPECT_LT(deep.gears[0].reached_radius, form_radius(pair.gears[0]));
   EXPECT_NEAR(deep.gears[0].contact_start, form_radius(pair.gears[0]), 1e-12);
   // The pinion's tip goes through the root circle of the wheel.
   const std::array<SpurGear, 2> close{SpurGear{.teeth = 30, .tip_reduction = -0.3},
                                       SpurGear{.teeth = 60}};
   EXPECT_LT(gear::geometry({close, 45}).gears[0].tip_clearance, 0);
-  EXPECT_TRUE(gear::geometry({close, 45}).gears[1].interferes);
-  EXPECT_FALSE(gear::geometry({close, 45}).gears[0].interferes);
+  EXPECT_GT(gear::geometry({close, 45}).gears[1].interference, 0);
+  EXPECT_EQ(gear::geometry({close, 45}).gears[0].interference, 0);
   // No interference that rounding alone would make: both tips reach to the form circle exactly.
   for (int teeth = 18; teeth < 80; ++teeth) {
     const SpurGear g{.teeth = static_cast<double>(teeth)};
-    EXPECT_FALSE(gear::geometry({{g, g}, static_cast<double>(teeth)}).gears[0].interferes);
+    EXPECT_EQ(gear::geometry({{g, g}, static_cast<double>(teeth)}).gears[0].interference, 0);
   }
   // A pointed tooth ends where it is pointed.
   const SpurGear sharp{.teeth = 8, .profile_shift = 0.9};

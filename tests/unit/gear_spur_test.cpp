@@ -31,6 +31,8 @@ TEST(SpurGear, UndercutBeginsWhereTheLeastShiftAndTheLeastTeethSay) {
     EXPECT_NEAR(form_radius(g), base_radius(g), 1e-7);
     g.profile_shift = least + 1e-12;
     EXPECT_FALSE(is_undercut(g)) << teeth;
+    g.profile_shift = least + 1e-6;  // the radius grows with the square of the tangent, not seen
+    EXPECT_NEAR(form_tangent(g) * std::sin(g.rack.pressure_angle), 1e-6, 1e-14);
     g.profile_shift = least - 1e-12;
     EXPECT_TRUE(is_undercut(g)) << teeth;
     EXPECT_NEAR(form_radius(g), base_radius(g), 1e-7);

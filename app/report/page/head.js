@@ -2,13 +2,14 @@
 
 const TONES = { solved: "good", done: "good", infeasible: "warn", "time-limit": "warn", interrupted: "warn", "no-solution": "bad" };
 
-// `summary`: the parts of the line below the title; `keys`: what the keyboard does.
-function showHead(result, kind, summary, keys) {
+// `summary`: the parts of the line below the title; `keys`: what the keyboard does; `ends`: the text
+// of a status where that of designs does not fit.
+function showHead(result, kind, summary, keys, ends = {}) {
   const title = result.problem?.title || say("head.untitled");
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
   byId("kind").textContent = kind;
-  byId("status").textContent = say(`status.${result.status}`);
+  byId("status").textContent = say(ends[result.status] ?? `status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
   byId("summary").textContent = summary.filter(Boolean).join(" · ");
   const version = ["Cognate", result.version, result.seed === undefined ? "" : `· ${say("head.seed", { seed: result.seed })}`].filter(Boolean).join(" ");

@@ -139,7 +139,8 @@ function prepareDrive() {
 }
 
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
-showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"));
+showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"),
+  isPair ? {} : { infeasible: "gear.faulty" });
 showNotes(result.notes ?? []);
 showWork(result.work);
 byId("notes").classList.toggle("warned", result.status !== "solved" && result.status !== "done");

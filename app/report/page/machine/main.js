@@ -94,8 +94,8 @@ function listen() {
 
 if (!data.mechanism) byId("stage-title").textContent = say("machine.drive");
 showHead(result, say("kind.machine"), [data.mechanism ? say("count.moving_bodies", { n: mechanism.bodies.length - 1 }) : "",
-  say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
-if (result.status === "infeasible") byId("status").textContent = say("machine.incomplete");
+  say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"),
+  { infeasible: "machine.incomplete" });
 showNotes(result.notes ?? []);
 showWork(result.work);
 showMachineFacts(facts);
