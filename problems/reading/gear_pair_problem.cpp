@@ -30,7 +30,7 @@ void read_shifts(TableReader& mechanism, GearPairProblem& problem) {
   const auto shifts =
       mechanism.each_number_or(kShift, kFree, kProfileShift, {2, 2, "numbers"}, is_number);
   for (std::size_t i = 0; i < shifts.size() && i < 2; ++i) {
-    if (is_number[i] && shifts[i]) problem.profile_shift[i] = *shifts[i];
+    if (is_number[i]) problem.profile_shift[i] = shifts[i];
   }
 }
 
