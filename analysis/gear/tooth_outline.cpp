@@ -97,7 +97,7 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
     return polar(base * std::hypot(1.0, tangent), base_angle - tangent + std::atan(tangent));
   };
   const double root_angle = half_pitch - fillet.angle(std::numbers::pi / 2);
-  const double form_tangent = std::tan(pressure_angle(gear, form_radius(gear)));
+  const double foot_tangent = form_tangent(gear) / base;
   const double tip_tangent = std::tan(pressure_angle(gear, tip));
   const double tip_angle = base_angle - tip_tangent + std::atan(tip_tangent);
 
@@ -106,7 +106,7 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
     append(points, OutlinePart::root, arc_of(root), half_pitch, root_angle, tolerance);
   }
   append(points, OutlinePart::fillet, fillet_point, std::numbers::pi / 2, fillet.end, tolerance);
-  append(points, OutlinePart::involute, involute_point, form_tangent, tip_tangent, tolerance);
+  append(points, OutlinePart::involute, involute_point, foot_tangent, tip_tangent, tolerance);
   if (tip < pointed_radius(gear)) {
     append(points, OutlinePart::tip, arc_of(tip), tip_angle, 0, tolerance);
   }

@@ -197,10 +197,20 @@ class Runner {
       if (end_.time && stepper_.x() >= *end_.time / time_) return leave(RunStop::time);
       if (++taken_ >= accuracy_.most_steps) return leave(RunStop::gave_up);
       if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::gave_up);
-      if (!stepper_.step(next_time() / time_)) return leave(RunStop::open);
+      if (!stepper_.step(next_time() / time_) || is_at_edge()) return leave(RunStop::open);
       const auto [event, at] = first_event();
       if (event != Event::none) return take(event, at);
     }
+  }
+
+  /// Whether the angle no longer changes for lack of places beyond it: where a mechanism cannot be
+  /// assembled further on its inertia grows without bound, and the speed left is not yet 0.
+  bool is_at_edge() {
+    constexpr double kBeyond = 1e-12;
+    const double now = stepper_.y()[phi];
+    if (now != stepper_.y_before()[phi]) return false;
+    const double beyond = now + direction_ * kBeyond * machine_.period;
+    return !std::isfinite(machine_.move_to(pieces_.inside(place_.piece, beyond)).value);
   }
 
   /// The states that are due, which an event may have come upon.

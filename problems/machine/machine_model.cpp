@@ -58,14 +58,17 @@ bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
 /// Why the drive does not turn fully; empty where it does.
 std::string gap_of(const Course& course) {
   if (course.runs.empty()) return "the mechanism cannot be assembled at any angle of its drive";
-  const CourseRun& first = course.runs.front();
-  const double slack = 1e-9;
-  if (course.runs.size() == 1 && first.from <= course.start + slack &&
-      first.to >= course.end - slack) {
-    return {};
+  constexpr double kSlack = 1e-9;
+  std::vector<CourseRun> runs = course.runs;
+  const bool closes =
+      runs.front().from <= course.start + kSlack && runs.back().to >= course.end - kSlack;
+  if (closes && runs.size() == 1) return {};
+  if (closes) {
+    runs.front().from = runs.back().from - kTurn;
+    runs.pop_back();
   }
   std::string ranges;
-  for (const CourseRun& run : course.runs) {
+  for (const CourseRun& run : runs) {
     ranges += fmt::format("{}from {:.6g}° to {:.6g}°", ranges.empty() ? "" : " and ",
                           run.from * kDegrees, run.to * kDegrees);
   }

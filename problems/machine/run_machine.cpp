@@ -83,8 +83,7 @@ class MachineTasks {
   }
 
   machine::SteadyGuess guess() const {
-    const auto& [tasks, phi, speed, time_max, turns_max, speed_end, steps, tolerance] =
-        problem_.run;
+    const double phi = problem_.run.start_phi, speed = problem_.run.start_speed;
     machine::SteadyGuess guess{.phi = phi - model_.period() * std::floor(phi / model_.period())};
     if (speed > 0) guess.speed = speed;
     return guess;

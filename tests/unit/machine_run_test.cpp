@@ -286,6 +286,19 @@ start_deg = )" +
          start_deg;
 }
 
+// The pivots B and D must be no farther apart than 3.5, no nearer than 0.5; BD² = 8 − 8 cos φ.
+TEST(RunMachine, OfATripleRockerEndsWhereTheLinksAreInLine) {
+  const MachineResult result = result_of(R"(
+mechanism = {type = "four-bar", fixed_pivots = [[0, 0], [2, 0]], crank = 2, coupler = 1.5, rocker = 2}
+link = [{name = "rocker", inertia = 2}]
+motor = {line = {stall_torque = 20, no_load_speed = 10}}
+run = {tasks = ["start"], start_deg = 30})");
+  EXPECT_EQ(result.status, Status::infeasible);
+  EXPECT_NEAR(360 * fact(result, "start_turns"), std::acos(1 - 12.25 / 8) * 180 / kPi - 30, 1e-6);
+  EXPECT_TRUE(says(result, "the mechanism cannot be assembled further on"));
+  EXPECT_LT(result.work.positions, 100'000u);
+}
+
 TEST(RunMachine, OfAChangePointLinkageRepeatsAfterTwoTurns) {
   // At 180° its links lie in one line, and it goes on in the other assembly.
   const MachineResult result = result_of(
