@@ -89,6 +89,7 @@ test("a plot is picked at an angle, and the machine goes there", { skip: !hasCur
 
 test("a machine that stalls says so and has no curves", () => visit("stall", still, async (page) => {
   assert.match(await page.locator("#notes-list").textContent(), /stalls/);
+  assert.ok(await page.locator("#player").isHidden());
   assert.equal(await page.locator("#curves").isVisible(), false);
   assert.match(await page.locator("#status").textContent(), /No solution/);
   await assertFits(page);
