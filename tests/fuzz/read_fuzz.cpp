@@ -5,7 +5,8 @@
 //   cmake --build build/fuzz --target read_fuzz
 //   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
 //       problems/library/function problems/library/analysis
-//       problems/library/cam problems/library/machine
+//       problems/library/cam problems/library/machine problems/library/gear
+//       problems/library/gear-pair
 
 #include <cmath>
 #include <cstddef>
@@ -17,6 +18,7 @@
 #include "problems/read.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 #include "tests/fuzz/sound_cam.hpp"
+#include "tests/fuzz/sound_gear.hpp"
 #include "tests/fuzz/sound_machine.hpp"
 
 namespace {
@@ -26,6 +28,8 @@ using cognate::problems::CamProblem;
 using cognate::problems::Fault;
 using cognate::problems::FunctionOfX;
 using cognate::problems::FunctionProblem;
+using cognate::problems::GearPairProblem;
+using cognate::problems::GearProblem;
 using cognate::problems::MachineProblem;
 using cognate::problems::PathProblem;
 using cognate::problems::Problem;
@@ -57,6 +61,14 @@ void check(const AnalysisProblem& problem) {
 }
 
 void check(const CamProblem& problem) {
+  require(is_sound(problem));
+}
+
+void check(const GearProblem& problem) {
+  require(is_sound(problem));
+}
+
+void check(const GearPairProblem& problem) {
   require(is_sound(problem));
 }
 
