@@ -4,6 +4,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "analysis/mechanism/zeros.hpp"
@@ -95,21 +96,17 @@ Sensitivity<Cycle::State> Cycle::sensitivity(const State& y, const State& slope,
   return sensitivity;
 }
 
-/// J ω dω/dφ = M − ½ ω² dJ/dφ.
-double Cycle::bend(double phi, const State& y) {
+Cycle::Mark Cycle::mark(double phi, const State& y) {
   const EquivalentInertia inertia = machine_.move_to(pieces_.inside(place_.piece, phi));
   const double omega = speed(inertia.value, kinetic(y));
-  const double acting = machine_.torques(omega, y[elapsed] * time_scale_).sum();
-  return acting - 0.5 * omega * omega * inertia.slope;
+  const Torques acting = machine_.torques(omega, y[elapsed] * time_scale_);
+  return {.at = {omega, pieces_.counted({place_.turn, place_.piece, phi})},
+          .torque = acting.sum(),
+          .bend = acting.sum() - 0.5 * omega * omega * inertia.slope,
+          .power = acting.motor * omega};
 }
 
-double Cycle::motor_power(double phi, const State& y) {
-  const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
-  const double omega = speed(inertia, kinetic(y));
-  return machine_.torques(omega, y[elapsed] * time_scale_).motor * omega;
-}
-
-/// Its derivative along the motion, by central differences.
+/// The derivative of the motor's power along the motion, by central differences.
 double Cycle::motor_power_slope(double phi, const State& y) {
   constexpr double kStep = 1e-6;
   const double step = kStep * machine_.period;
@@ -118,7 +115,7 @@ double Cycle::motor_power_slope(double phi, const State& y) {
   const auto beside = [&](double distance) {
     State at = y;
     for (std::size_t i = 0; i < at.size(); ++i) at[i] += distance * rate[i];
-    return motor_power(phi + distance, at);
+    return mark(phi + distance, at).power;
   };
   return (beside(step) - beside(-step)) / (2 * step);
 }
@@ -138,52 +135,43 @@ void Cycle::note_energy(const State& y) {
   least_ = std::min(least_, k);
 }
 
-/// The end of the last step, and the extremes of speed and energy between its ends.
+/// The end of the last step, and the extremes of speed, energy and power between its ends.
 void Cycle::note_extremes(CycleDetail& detail) {
   const double from = stepper_.x_before(), to = stepper_.x();
-  const auto compare = [&](const MachineState& at) {
-    if (at.omega > detail.greatest.omega) detail.greatest = {at.omega, at.phi};
-    if (at.omega < detail.least.omega) detail.least = {at.omega, at.phi};
+  const Mark before = std::exchange(last_, mark(to, stepper_.y()));
+  const auto compare = [&](const SpeedAt& at) {
+    if (at.omega > detail.greatest.omega) detail.greatest = at;
+    if (at.omega < detail.least.omega) detail.least = at;
   };
-  compare(state(to, stepper_.y()));
+  compare(last_.at);
   // Of what is all but even, changes of sign are rounding.
   const double rounding = accuracy_.relative * work_ / machine_.period;
-  const auto turns = [&](double before, double after) {
-    return before * after < 0 && std::max(std::abs(before), std::abs(after)) > rounding;
+  const auto place_of = [&](double Mark::*vanishing) -> std::optional<double> {
+    const double a = before.*vanishing, b = last_.*vanishing;
+    if (!(a * b < 0) || std::max(std::abs(a), std::abs(b)) <= rounding) return std::nullopt;
+    const auto f = [&](double phi) { return mark(phi, stepper_.at(phi)).*vanishing; };
+    return bracket_zero(f, from, a, to, b).first;
   };
-  const auto by_speed = [&](double phi) { return bend(phi, stepper_.at(phi)); };
-  const double before = bend(from, stepper_.y_before()), after = bend(to, stepper_.y());
-  if (turns(before, after)) {
-    const double at = bracket_zero(by_speed, from, before, to, after).first;
-    compare(state(at, stepper_.at(at)));
-  }
-  const auto torque = [&](double phi, const State& y) {
-    State rate;
-    slope(y, rate, phi);
-    return rate[grown] * scale_;
-  };
-  const double torque_before = torque(from, stepper_.y_before());
-  const double torque_after = torque(to, stepper_.y());
-  if (turns(torque_before, torque_after)) {
-    const auto by_energy = [&](double phi) { return torque(phi, stepper_.at(phi)); };
-    note_energy(stepper_.at(bracket_zero(by_energy, from, torque_before, to, torque_after).first));
-  }
-  note_power(detail);
+  if (const auto at = place_of(&Mark::bend)) compare(mark(*at, stepper_.at(*at)).at);
+  if (const auto at = place_of(&Mark::torque)) note_energy(stepper_.at(*at));
+  note_power(before, detail);
 }
 
-/// The motor's greatest power in the last step, where that may be beyond what was met before.
-void Cycle::note_power(CycleDetail& detail) {
+/// The motor's greatest power in the last step, where that may be beyond what was met before: in a
+/// step over which it bends little.
+void Cycle::note_power(const Mark& before, CycleDetail& detail) {
   const double from = stepper_.x_before(), to = stepper_.x();
-  const double before = motor_power(from, stepper_.y_before());
-  const double after = motor_power(to, stepper_.y());
-  detail.motor_power = std::max({detail.motor_power, before, after});
-  const double rise = motor_power_slope(from, stepper_.y_before());
-  const double fall = motor_power_slope(to, stepper_.y());
-  if (!(rise > 0 && fall < 0)) return;
-  // What is concave lies below its tangents.
-  if (before + rise * (to - from) <= detail.motor_power) return;
+  const double change = std::abs(last_.power - before.power);
+  const double highest = std::max(before.power, last_.power);
+  const bool too_low = highest + change + power_change_ < detail.motor_power;
+  power_change_ = change;
+  detail.motor_power = std::max(detail.motor_power, highest);
+  if (too_low || !(motor_power_slope(from, stepper_.y_before()) > 0) ||
+      !(motor_power_slope(to, stepper_.y()) < 0)) {
+    return;
+  }
   constexpr int kBits = 26;
-  const auto power = [&](double phi) { return -motor_power(phi, stepper_.at(phi)); };
+  const auto power = [&](double phi) { return -mark(phi, stepper_.at(phi)).power; };
   const double found = boost::math::tools::brent_find_minima(power, from, to, kBits).second;
   detail.motor_power = std::max(detail.motor_power, -found);
 }
@@ -213,6 +201,10 @@ CycleEnd Cycle::count_step() {
 
 CycleEnd Cycle::run_piece(double to, CycleDetail* detail, int steps) {
   const double length = machine_.period / steps;
+  if (detail != nullptr) {
+    last_ = mark(stepper_.x(), stepper_.y());
+    detail->motor_power = std::max(detail->motor_power, last_.power);
+  }
   while (stepper_.x() < to) {
     double limit = std::min(to, stepper_.x() + longest_step()), record = to;
     if (detail != nullptr) {
@@ -248,7 +240,8 @@ CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
     detail->states = {first};
     detail->states.reserve(static_cast<std::size_t>(steps) + 1);
     detail->greatest = detail->least = {first.omega, first.phi};
-    detail->motor_power = motor_power(place_.phi, y);
+    detail->motor_power = mark(place_.phi, y).power;
+    power_change_ = 0;
   }
   const CycleEnd end = integrate_round(pieces_, place_, stepper_, y,
                                        [&](double to) { return run_piece(to, detail, steps); });

@@ -56,6 +56,14 @@ class Cycle {
  private:
   using State = AdaptiveSteps::State;
 
+  /// What may be extreme at a place of the motion, and what vanishes there.
+  struct Mark {
+    SpeedAt at;
+    double torque = 0;  ///< dK/dφ
+    double bend = 0;    ///< J ω dω/dφ = M − ½ ω² dJ/dφ
+    double power = 0;   ///< of the motor
+  };
+
   CycleEnd go(double kinetic, CycleDetail* detail, int steps);
   void slope(const State& y, State& slope, double phi);
   State slope_at(double inertia, double speed, double time);
@@ -63,15 +71,14 @@ class Cycle {
   double kinetic(const State& y) const;
   double speed(double inertia, double kinetic) const;
   double torque_slope(double speed, double time) const;
-  double bend(double phi, const State& y);
-  double motor_power(double phi, const State& y);
+  Mark mark(double phi, const State& y);
   double motor_power_slope(double phi, const State& y);
   double longest_step() const;
   CycleEnd run_piece(double to, CycleDetail* detail, int steps);
   CycleEnd count_step();
   void note_energy(const State& y);
   void note_extremes(CycleDetail& detail);
-  void note_power(CycleDetail& detail);
+  void note_power(const Mark& before, CycleDetail& detail);
   MachineState state(double phi, const State& y);
 
   const Machine& machine_;
@@ -84,6 +91,8 @@ class Cycle {
   bool detailed_ = false, fine_ = false;
   AdaptiveSteps stepper_;
   double growth_ = 0, greatest_ = 0, least_ = 0;
+  Mark last_;
+  double power_change_ = 0;
   std::size_t taken_ = 0;
 };
 

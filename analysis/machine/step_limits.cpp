@@ -7,7 +7,7 @@ namespace cognate::machine {
 namespace {
 
 /// Bends by less than this part of the size are left to the control of errors.
-constexpr double kBend = 0.02;
+constexpr double kBend = 0.1;
 /// The longest step anywhere, in parts of the interval.
 constexpr double kCoarsest = 1.0 / 24;
 
