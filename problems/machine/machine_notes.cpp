@@ -53,6 +53,26 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
                      steady.missing == NoSteadyState::stopped ? kOutOfTime : kSteep);
 }
 
+std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation) {
+  using machine::NoSteadyState;
+  switch (flywheel.why) {
+    case NoSteadyState::any_speed:
+      return "no flywheel can be found while every speed is a steady one; give run.start_speed";
+    case NoSteadyState::gave_up:
+    case NoSteadyState::stopped:
+    case NoSteadyState::unsure:
+      return fmt::format("the search for the flywheel was ended before it was done: {}",
+                         flywheel.why == NoSteadyState::stopped ? kOutOfTime : kSteep);
+    case NoSteadyState::none:
+    case NoSteadyState::stands:
+    case NoSteadyState::stalls:
+      return fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
+                         fluctuation);
+    default:
+      return "no flywheel: the machine has no steady state with any";
+  }
+}
+
 std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns) {
   using machine::RunStop;
   const machine::MachineState& last = run.states.back();
@@ -69,9 +89,9 @@ std::string ended_note(const std::string& what, const machine::MachineRun& run, 
           turns ? "motor or loads have no value" : "the mechanism cannot be assembled further on",
           place);
     case RunStop::gave_up:
+      return fmt::format("{} was ended before it was done: {}, {}", what, kSteep, place);
     case RunStop::stopped:
-      return fmt::format("{} was ended before it was done: {}, {}", what,
-                         run.stop == RunStop::stopped ? kOutOfTime : kSteep, place);
+      return fmt::format("{} was ended before it was done: out of time, {}", what, place);
     case RunStop::at_rest:
       return fmt::format("{} fails: the machine comes to rest, {}", what, place);
     default:
