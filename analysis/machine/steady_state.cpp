@@ -223,8 +223,10 @@ class Shooting {
     steady_.multiplier = detail.multiplier;
     steady_.surplus = cycle_.growth();
     steady_.energy_residual = energy_residual();
+    // In time the energy itself is integrated, which may be far more than what is worked.
+    const double blur = kNothing * accuracy_.relative * kinetic / size();
     const double change = std::abs(cycle_.growth() - shot_.growth) / size();
-    const bool sound = std::max(change, steady_.energy_residual) <= kSound;
+    const bool sound = change <= kSound && steady_.energy_residual <= kSound + blur;
     if (!sound) steady_.missing = NoSteadyState::unsure;
     return std::move(steady_);
   }
