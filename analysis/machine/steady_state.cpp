@@ -279,14 +279,6 @@ double fluctuation(const SteadyState& steady) {
   return (steady.greatest.omega - steady.least.omega) / mean_speed(steady);
 }
 
-Terrain terrain_about(const Machine& machine, const SteadyGuess& guess) {
-  Terrain terrain(machine);
-  const double speed = guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1);
-  const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
-  terrain.look(machine, speeds);
-  return terrain;
-}
-
 SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGuess& guess,
                          const Accuracy& accuracy, int steps) {
   SteadyGuess from = guess;
