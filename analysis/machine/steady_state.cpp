@@ -5,6 +5,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "analysis/machine/run.hpp"
 
@@ -64,7 +65,9 @@ class Shooting {
     const Shot first = shot_;
     if (std::abs(first.growth) <= nothing() && is_any_speed(first))
       return of_any_speed(start, steps);
-    const bool found = first.growth >= 0 ? climb(first) : descend(first) || leap(first);
+    const bool found = first.growth == 0  ? settle(first)
+                       : first.growth > 0 ? climb(first)
+                                          : descend(first) || leap(first);
     if (!found && is_about_works()) return missing_for_sure(failure_);
     return found ? finish(steps) : missing(failure_);
   }
@@ -187,19 +190,42 @@ class Shooting {
     return false;
   }
 
+  /// Where K keeps still at a range of speeds, as where a motor gives nothing beyond one, the least
+  /// of them: that to which the drive comes from below. If it does down to rest, `still` itself.
+  bool settle(Shot still) {
+    low_ = high_ = still;
+    Shot below = still;
+    for (double stride = 1e-3 * still.kinetic; below.growth == 0; stride *= 3) {
+      still = below;
+      if (still.kinetic == 0) return true;
+      if (!shoot(std::max(still.kinetic - stride, 0.0))) return false;
+      below = shot_;
+    }
+    double high = still.kinetic;
+    if (below.growth > 0) {
+      for (double low = below.kinetic; high - low > closeness() * high;) {
+        const double middle = std::midpoint(low, high);
+        if (!shoot(middle)) return false;
+        (shot_.growth > 0 ? low : high) = middle;
+      }
+    }
+    low_ = high_ = {high, 0};
+    return true;
+  }
+
+  double closeness() const { return std::max(0.01 * accuracy_.relative, 1e-15); }
+
   /// The fixed point within the bracket, to the accuracy of integration.
   bool refine() {
-    if (low_.growth == 0) high_ = low_;
-    if (high_.growth == 0) low_ = high_;
     if (low_.kinetic == high_.kinetic) return true;
+    if (low_.growth == 0 || high_.growth == 0) return settle(low_.growth == 0 ? low_ : high_);
     const double met = kMet * accuracy_.relative * cycle_.scale();
     bool failed = false;
     const auto growth = [&](double kinetic) {
       failed = failed || !shoot(kinetic);
       return failed || std::abs(shot_.growth) <= met ? 0 : shot_.growth;
     };
-    const double close = std::max(0.01 * accuracy_.relative, 1e-15);
-    const auto is_close = [&](double a, double b) { return b - a <= close * b; };
+    const auto is_close = [&](double a, double b) { return b - a <= closeness() * b; };
     std::uintmax_t evaluations = 100;
     const auto [a, b] = boost::math::tools::toms748_solve(
         growth, low_.kinetic, high_.kinetic, low_.growth, high_.growth, is_close, evaluations);

@@ -145,6 +145,25 @@ TEST(SteadyState, IsNotToldWhereOtherStepsSayOtherwise) {
   EXPECT_TRUE(steady.states.empty());
 }
 
+TEST(SteadyState, IsTheLeastOfThoseAtWhichNothingActs) {
+  // A motor that gives nothing beyond 60 rad/s, and no load: every speed beyond goes on.
+  const auto law = [](double, double omega, double) { return Torques{std::max(0.0, 60 - omega)}; };
+  const test::InertiaLaw uneven = [](double phi) {
+    return EquivalentInertia{2 + std::cos(phi), -std::sin(phi)};
+  };
+  for (const double speed : {20.0, 59.0, 65.0, 200.0}) {
+    const SteadyState even =
+        steady_state(machine_of(constant_inertia(2), law), {.speed = speed}, {}, 10);
+    ASSERT_EQ(even.missing, NoSteadyState::none);
+    EXPECT_NEAR(even.least.omega, 60, 1e-6);
+    const SteadyState swinging = steady_state(machine_of(uneven, law), {.speed = speed}, {}, 10);
+    EXPECT_NEAR(swinging.least.omega, 60, 1e-4);
+  }
+  const auto never = [](double, double omega, double) { return Torques{0, omega > 5 ? -1.0 : 0}; };
+  EXPECT_NEAR(mean_speed(steady_state(machine_of(constant_inertia(2), never), {.speed = 3}, {}, 4)),
+              3, 1e-12);
+}
+
 TEST(SteadyState, ExtremesOfEnergyAndPowerAreNotThoseOfRows) {
   const auto motor = [](double omega) { return 300 - 10 * omega; };
   const auto inertia = [](double phi) {
