@@ -246,8 +246,8 @@ CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
   taken_ = 0;
   place_ = pieces_.place(phi0_, 1);
   choose_method(always_implicit_ || decay(place_.phi, kinetic) * machine_.period > kDamped);
-  const bool resolves_all = stepper_.is_implicit() && kinetic > 0;
-  scale_ = std::clamp(kinetic, resolves_all ? kBarely : kLeastScale * work_, work_);
+  const double least_scale = stepper_.is_implicit() ? kBarely : kLeastScale * work_;
+  scale_ = kinetic > 0 ? std::clamp(kinetic, least_scale, work_) : work_;
   State y{};
   if (detailed_) {
     const MachineState first = state(place_.phi, y);
