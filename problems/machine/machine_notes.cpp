@@ -8,9 +8,9 @@
 namespace cognate::problems {
 namespace {
 
+constexpr std::string_view kOutOfTime = "out of time";
 constexpr std::string_view kSteep =
-    ": out of time, or after too many steps, as where torques change very steeply with speed or "
-    "angle";
+    "too many steps, as where torques change very steeply with speed or angle";
 
 }  // namespace
 
@@ -22,17 +22,16 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
     case NoSteadyState::stalls:
       return fmt::format(
           "no steady state: the machine stalls, since motor and loads together take from it at "
-          "every speed ({:.6g} J in a period)",
+          "every speed looked at ({:.6g} J in a period)",
           -steady.surplus);
     case NoSteadyState::stands:
-      return "no steady state: the drive comes to a stop within a period in which it would gain as "
-             "much as it loses; a greater flywheel helps, or a greater start speed where torques "
-             "do "
-             "not depend on speed";
+      return "no steady state: the machine comes to rest within a turn in which, kept at an even "
+             "speed, it would gain as much as it loses; a greater flywheel helps, or a greater "
+             "start speed where torques do not depend on speed";
     case NoSteadyState::runs_away:
       return fmt::format(
           "no steady state: the machine runs away, since motor and loads together give to it at "
-          "every speed ({:.6g} J in a period)",
+          "every speed looked at ({:.6g} J in a period)",
           steady.surplus);
     case NoSteadyState::any_speed:
       return "every speed is a steady one: torques do not depend on speed and do no work in a "
@@ -42,10 +41,36 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
     case NoSteadyState::open:
       return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
                    : "no steady state: the mechanism cannot be assembled all the way round";
+    case NoSteadyState::unsure:
+      return "no steady state is told: what is found with some steps is not so with others, as "
+             "where torques change too steeply with speed or angle, or act over too short a "
+             "stretch";
+    case NoSteadyState::stopped:
     case NoSteadyState::gave_up:
       break;
   }
-  return fmt::format("the search for the steady state was ended before it was done{}", kSteep);
+  return fmt::format("the search for the steady state was ended before it was done: {}",
+                     steady.missing == NoSteadyState::stopped ? kOutOfTime : kSteep);
+}
+
+std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation) {
+  using machine::NoSteadyState;
+  switch (flywheel.why) {
+    case NoSteadyState::any_speed:
+      return "no flywheel can be found while every speed is a steady one; give run.start_speed";
+    case NoSteadyState::gave_up:
+    case NoSteadyState::stopped:
+    case NoSteadyState::unsure:
+      return fmt::format("the search for the flywheel was ended before it was done: {}",
+                         flywheel.why == NoSteadyState::stopped ? kOutOfTime : kSteep);
+    case NoSteadyState::none:
+    case NoSteadyState::stands:
+    case NoSteadyState::stalls:
+      return fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
+                         fluctuation);
+    default:
+      return "no flywheel: the machine has no steady state with any";
+  }
 }
 
 std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns) {
@@ -64,7 +89,9 @@ std::string ended_note(const std::string& what, const machine::MachineRun& run, 
           turns ? "motor or loads have no value" : "the mechanism cannot be assembled further on",
           place);
     case RunStop::gave_up:
-      return fmt::format("{} was ended before it was done{}, {}", what, kSteep, place);
+      return fmt::format("{} was ended before it was done: {}, {}", what, kSteep, place);
+    case RunStop::stopped:
+      return fmt::format("{} was ended before it was done: out of time, {}", what, place);
     case RunStop::at_rest:
       return fmt::format("{} fails: the machine comes to rest, {}", what, place);
     default:
