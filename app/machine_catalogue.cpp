@@ -6,7 +6,9 @@ namespace {
 constexpr Entry kLoad[] = {
     {"value",
      "what force and torque are multiplied by: an expression in phi, w, t, s, v (s: travel of the "
-     "body along its slide, or its angle; v: its rate), or [[crank_deg, value], ...]"},
+     "body, along its slide, or rad from the end of its swing, or its angle where it turns fully; "
+     "v: "
+     "its rate), or [[crank_deg, value], ...]"},
     {"interpolation", "of such a table: \"linear\" (default) or \"smooth\""}};
 constexpr Entry kEquivalent[] = {
     {"inertia", "kg m2 at the drive: a number, an expression in phi, or [[deg, inertia], ...]"},
@@ -30,9 +32,12 @@ constexpr Entry kRun[] = {
     {"start_deg", "the drive's angle where a start begins (default 0)"},
     {"start_speed", "rad/s, of the drive where it begins (default 0)"},
     {"speed_end", "rad/s, at which it ends"},
-    {"time_max", "s, after which a start or a stop ends"},
+    {"time_max", "s, after which a start or a stop ends; until then a machine at rest waits"},
     {"turns_max", "of the drive, after which a start or a stop ends"},
-    {"steps", "rows of the table for a turn, 12 to 100000 (default 360)"},
+    {"steps",
+     "rows of the table for a turn of the steady motion, or for a whole start or stop, 12 to "
+     "100000 "
+     "(default 360)"},
     {"tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)"}};
 
 constexpr KeyedEntry kTables[] = {

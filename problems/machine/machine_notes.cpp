@@ -29,8 +29,7 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
     case NoSteadyState::stands:
       return "no steady state: the drive comes to a stop within a period in which it would gain as "
              "much as it loses; a greater flywheel helps, or a greater start speed where torques "
-             "do "
-             "not depend on speed";
+             "do not depend on speed";
     case NoSteadyState::runs_away:
       return fmt::format(
           "no steady state: the machine runs away, since motor and loads together give to it at "
