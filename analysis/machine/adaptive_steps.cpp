@@ -19,6 +19,9 @@ constexpr double kFirst = 1e-3;
 /// Steps grow and shrink by these factors at most; the error of a method of order 5 goes with the
 /// fifth power of the step.
 constexpr double kGrow = 5, kShrink = 0.2, kCaution = 0.9;
+/// Of an implicit method: the step of differences by x, in steps; and the shortest step that is
+/// tried again.
+constexpr double kDifference = 1e-5, kUnresolved = 1e-14;
 
 bool is_finite(const State& y) {
   return std::ranges::all_of(y, [](double component) { return std::isfinite(component); });
@@ -62,18 +65,32 @@ bool AdaptiveSteps::step(double limit) {
   }
 }
 
+void AdaptiveSteps::go(const State& from, const State& slope, double x, double length, State& y,
+                       State& end_slope, State& error) const {
+  if (!is_implicit()) {
+    DormandPrince method;
+    method.do_step(std::cref(slope_), from, slope, x, y, end_slope, length, error);
+    return;
+  }
+  implicit_step(slope_, from, slope, sensitivities_(from, slope, x, kDifference * length), x,
+                length, y, error);
+  slope_(y, end_slope, x + length);
+}
+
 bool AdaptiveSteps::try_step(double length) {
   State y, slope, error;
-  DormandPrince method;
-  method.do_step(std::ref(slope_), y_, slope_at_y_, x_, y, slope, length, error);
+  go(y_, slope_at_y_, x_, length, y, slope, error);
   if (!is_finite(y) || !is_finite(slope) || !is_finite(error)) {
     length_ = length * kShrink;
     return false;
   }
   const double size = relative_size(error, y) / tolerance_;
+  const double power = is_implicit() ? -0.25 : -0.2;
   length_ =
-      length * (size > 0 ? std::clamp(kCaution * std::pow(size, -0.2), kShrink, kGrow) : kGrow);
-  if (size > 1) return false;
+      length * (size > 0 ? std::clamp(kCaution * std::pow(size, power), kShrink, kGrow) : kGrow);
+  // An implicit method comes down to a motion that it cannot resolve, as at a jump of torque.
+  const bool resolved = !is_implicit() || length > kUnresolved * std::max(1.0, std::abs(x_));
+  if (size > 1 && resolved) return false;
   x_before_ = x_;
   y_before_ = y_;
   slope_before_ = slope_at_y_;
@@ -86,9 +103,7 @@ bool AdaptiveSteps::try_step(double length) {
 AdaptiveSteps::State AdaptiveSteps::at(double x) const {
   if (x == x_) return y_;
   State y, slope, error;
-  DormandPrince method;
-  method.do_step(std::cref(slope_), y_before_, slope_before_, x_before_, y, slope, x - x_before_,
-                 error);
+  go(y_before_, slope_before_, x_before_, x - x_before_, y, slope, error);
   return y;
 }
 

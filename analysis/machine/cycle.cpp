@@ -1,8 +1,10 @@
 #include "analysis/machine/cycle.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "analysis/mechanism/zeros.hpp"
@@ -12,18 +14,25 @@ namespace {
 
 /// What the components of the state are: the growth of K, the time, the works of motor and loads
 /// (all scaled), and the logarithm of a small deviation of ω.
-enum Component : std::size_t { kinetic, elapsed, motor, load, deviation };
+enum Component : std::size_t { grown, elapsed, motor, load, deviation };
 
 /// Forwards, with no speed to speak of.
 constexpr double kBarely = std::numeric_limits<double>::min();
 /// The step, relative to ω, of ∂M/∂ω by central differences.
 constexpr double kDifference = 1e-5;
+/// The error of K is held against no less than this part of the work: a smaller K is passed through
+/// in steps that φ does not resolve.
+constexpr double kLeastScale = 1e-10;
+/// The longest of the steps that are compared with others, in parts of the period.
+constexpr double kFine = 1.0 / 256;
 constexpr std::size_t kAsk = 256;
 
 }  // namespace
 
-Cycle::Cycle(const Machine& machine, double phi0, double work, const Accuracy& accuracy)
+Cycle::Cycle(const Machine& machine, const Terrain& terrain, double phi0, double work,
+             const Accuracy& accuracy)
     : machine_(machine),
+      terrain_(terrain),
       accuracy_(accuracy),
       pieces_(machine, phi0),
       phi0_(phi0),
@@ -31,133 +40,235 @@ Cycle::Cycle(const Machine& machine, double phi0, double work, const Accuracy& a
       stepper_([this](const State& y, State& dy, double phi) { slope(y, dy, phi); },
                accuracy.relative) {}
 
-/// ω where K has grown by `scaled`, or the least there is.
-double Cycle::omega(double inertia, double scaled) {
-  const double k = kinetic_ + scaled * work_;
-  return k > 0 ? std::sqrt(2 * k / inertia) : kBarely;
+double Cycle::kinetic(const State& y) const {
+  return kinetic_ + y[grown] * scale_;
+}
+
+/// ω, or the least there is.
+double Cycle::speed(double inertia, double kinetic) const {
+  return kinetic > 0 ? std::max(std::sqrt(2 * kinetic / inertia), kBarely) : kBarely;
+}
+
+/// ∂M/∂ω where the machine stands.
+double Cycle::torque_slope(double speed, double time) const {
+  const double step = kDifference * speed;
+  const double change =
+      machine_.torques(speed + step, time).sum() - machine_.torques(speed - step, time).sum();
+  return step > 0 ? change / (2 * step) : 0;
+}
+
+Cycle::State Cycle::slope_at(double inertia, double speed, double time) {
+  const Torques acting = machine_.torques(speed, time);
+  State slope{acting.sum() / scale_, 0, 0, 0, 0};
+  if (!(inertia > 0)) slope[grown] = std::numeric_limits<double>::quiet_NaN();
+  if (!detailed_) return slope;
+  slope[elapsed] = 1 / (speed * time_scale_);
+  slope[motor] = acting.motor / work_;
+  slope[load] = acting.load / work_;
+  slope[deviation] = torque_slope(speed, time) / (inertia * speed);
+  return slope;
 }
 
 void Cycle::slope(const State& y, State& slope, double phi) {
   const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
-  const double speed = omega(inertia, y[kinetic]);
-  const double time = y[elapsed] * time_scale_;
-  const Torques acting = machine_.torques(speed, time);
-  slope = {acting.sum() / work_, 0, 0, 0, 0};
-  if (!(inertia > 0)) slope[kinetic] = std::numeric_limits<double>::quiet_NaN();
-  if (!detailed_) return;
-  slope[elapsed] = 1 / (speed * time_scale_);
-  slope[motor] = acting.motor / work_;
-  slope[load] = acting.load / work_;
-  const double step = kDifference * speed;
-  const double change =
-      machine_.torques(speed + step, time).sum() - machine_.torques(speed - step, time).sum();
-  slope[deviation] = change / (2 * step) / (inertia * speed);
+  slope = slope_at(inertia, speed(inertia, kinetic(y)), y[elapsed] * time_scale_);
 }
 
-/// J ω dω/dφ = M − ½ ω² dJ/dφ.
-double Cycle::bend(double phi, const State& y) {
+Sensitivity<Cycle::State> Cycle::sensitivity(const State& y, const State& slope, double phi,
+                                             double step) {
+  Sensitivity<State> sensitivity;
+  const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
+  const double omega = speed(inertia, kinetic(y));
+  if (omega > kBarely) {
+    const double time = y[elapsed] * time_scale_;
+    const State above = slope_at(inertia, omega * (1 + kDifference), time);
+    const State below = slope_at(inertia, omega * (1 - kDifference), time);
+    const double by_speed = 1 / (2 * kDifference * omega);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      sensitivity.by_first[i] = (above[i] - below[i]) * by_speed * (scale_ / (inertia * omega));
+    }
+  }
+  State beyond;
+  this->slope(y, beyond, phi + step);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    sensitivity.by_x[i] = (beyond[i] - slope[i]) / step;
+  }
+  return sensitivity;
+}
+
+Cycle::Mark Cycle::mark(double phi, const State& y) {
   const EquivalentInertia inertia = machine_.move_to(pieces_.inside(place_.piece, phi));
-  const double speed = omega(inertia.value, y[kinetic]);
-  const double acting = machine_.torques(speed, y[elapsed] * time_scale_).sum();
-  return acting - 0.5 * speed * speed * inertia.slope;
+  const double omega = speed(inertia.value, kinetic(y));
+  const Torques acting = machine_.torques(omega, y[elapsed] * time_scale_);
+  return {.at = {omega, pieces_.counted({place_.turn, place_.piece, phi})},
+          .torque = acting.sum(),
+          .bend = acting.sum() - 0.5 * omega * omega * inertia.slope,
+          .power = acting.motor * omega};
+}
+
+/// The derivative of the motor's power along the motion, by central differences.
+double Cycle::motor_power_slope(double phi, const State& y) {
+  constexpr double kStep = 1e-6;
+  const double step = kStep * machine_.period;
+  State rate;
+  slope(y, rate, phi);
+  const auto beside = [&](double distance) {
+    State at = y;
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] += distance * rate[i];
+    return mark(phi + distance, at).power;
+  };
+  return (beside(step) - beside(-step)) / (2 * step);
 }
 
 MachineState Cycle::state(double phi, const State& y) {
   const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
   return {.time = y[elapsed] * time_scale_,
           .phi = pieces_.counted({place_.turn, place_.piece, phi}),
-          .omega = omega(inertia, y[kinetic]),
+          .omega = speed(inertia, kinetic(y)),
           .motor_work = y[motor] * work_,
           .load_work = y[load] * work_};
 }
 
-/// The end of the last step, and the extreme between its ends, where the speed has one.
-void Cycle::note_extreme(CycleDetail& detail) {
-  const auto compare = [&](const MachineState& at) {
-    if (at.omega > detail.greatest.omega) detail.greatest = {at.omega, at.phi};
-    if (at.omega < detail.least.omega) detail.least = {at.omega, at.phi};
+void Cycle::note_energy(const State& y) {
+  const double k = kinetic(y);
+  greatest_ = std::max(greatest_, k);
+  least_ = std::min(least_, k);
+}
+
+/// The end of the last step, and the extremes of speed, energy and power between its ends.
+void Cycle::note_extremes(CycleDetail& detail) {
+  const double from = stepper_.x_before(), to = stepper_.x();
+  const Mark before = std::exchange(last_, mark(to, stepper_.y()));
+  const auto compare = [&](const SpeedAt& at) {
+    if (at.omega > detail.greatest.omega) detail.greatest = at;
+    if (at.omega < detail.least.omega) detail.least = at;
   };
-  compare(state(stepper_.x(), stepper_.y()));
-  const auto f = [&](double phi) { return bend(phi, stepper_.at(phi)); };
-  const double before = bend(stepper_.x_before(), stepper_.y_before());
-  const double after = bend(stepper_.x(), stepper_.y());
-  // Of a speed that is all but even, changes of sign are rounding.
+  compare(last_.at);
+  // Of what is all but even, changes of sign are rounding.
   const double rounding = accuracy_.relative * work_ / machine_.period;
-  if (!(before * after < 0) || std::max(std::abs(before), std::abs(after)) <= rounding) return;
-  const auto [low, high] = bracket_zero(f, stepper_.x_before(), before, stepper_.x(), after);
-  compare(state(low, stepper_.at(low)));
+  const auto place_of = [&](double Mark::*vanishing) -> std::optional<double> {
+    const double a = before.*vanishing, b = last_.*vanishing;
+    if (!(a * b < 0) || std::max(std::abs(a), std::abs(b)) <= rounding) return std::nullopt;
+    const auto f = [&](double phi) { return mark(phi, stepper_.at(phi)).*vanishing; };
+    return bracket_zero(f, from, a, to, b).first;
+  };
+  if (const auto at = place_of(&Mark::bend)) compare(mark(*at, stepper_.at(*at)).at);
+  if (const auto at = place_of(&Mark::torque)) note_energy(stepper_.at(*at));
+  note_power(before, detail);
+}
+
+/// The motor's greatest power in the last step, where that may be beyond what was met before: in a
+/// step over which it bends little.
+void Cycle::note_power(const Mark& before, CycleDetail& detail) {
+  const double from = stepper_.x_before(), to = stepper_.x();
+  const double change = std::abs(last_.power - before.power);
+  const double highest = std::max(before.power, last_.power);
+  const bool too_low = highest + change + power_change_ < detail.motor_power;
+  power_change_ = change;
+  detail.motor_power = std::max(detail.motor_power, highest);
+  if (too_low || !(motor_power_slope(from, stepper_.y_before()) > 0) ||
+      !(motor_power_slope(to, stepper_.y()) < 0)) {
+    return;
+  }
+  constexpr int kBits = 26;
+  const auto power = [&](double phi) { return -mark(phi, stepper_.at(phi)).power; };
+  const double found = boost::math::tools::brent_find_minima(power, from, to, kBits).second;
+  detail.motor_power = std::max(detail.motor_power, -found);
+}
+
+double Cycle::longest_step() const {
+  const double longest = terrain_.longest_step(stepper_.x());
+  return fine_ ? std::min(0.5 * longest, kFine * machine_.period) : longest;
+}
+
+/// After every step whether to go on, now and then whether implicitly.
+CycleEnd Cycle::count_step() {
+  if (++taken_ >= accuracy_.most_steps) return CycleEnd::gave_up;
+  if (taken_ % kAsk != 0) return CycleEnd::whole;
+  if (accuracy_.stop && accuracy_.stop()) return CycleEnd::stopped;
+  if (stepper_.is_implicit()) return CycleEnd::whole;
+  const double inertia = machine_.move_to(pieces_.inside(place_.piece, stepper_.x())).value;
+  const double omega = speed(inertia, kinetic(stepper_.y()));
+  const double decay =
+      -torque_slope(omega, stepper_.y()[elapsed] * time_scale_) / (inertia * omega);
+  if (decay * (stepper_.x() - stepper_.x_before()) > 1) {
+    stepper_.make_implicit([this](const State& y, const State& slope, double phi, double step) {
+      return sensitivity(y, slope, phi, step);
+    });
+  }
+  return CycleEnd::whole;
 }
 
 CycleEnd Cycle::run_piece(double to, CycleDetail* detail, int steps) {
   const double length = machine_.period / steps;
+  if (detail != nullptr) {
+    last_ = mark(stepper_.x(), stepper_.y());
+    detail->motor_power = std::max(detail->motor_power, last_.power);
+  }
   while (stepper_.x() < to) {
-    double limit = to, record = to;
+    double limit = std::min(to, stepper_.x() + longest_step()), record = to;
     if (detail != nullptr) {
       // φ of the next state to record, in this turn of the drive.
       record = phi0_ + length * static_cast<double>(detail->states.size()) -
                place_.turn * machine_.period;
-      limit = std::min(to, std::max(record, stepper_.x()));
+      limit = std::min(limit, std::max(record, stepper_.x()));
     }
     if (limit > stepper_.x()) {
       if (!stepper_.step(limit)) return CycleEnd::open;
-      const double k = kinetic_ + stepper_.y()[kinetic] * work_;
-      greatest_ = std::max(greatest_, k);
-      least_ = std::min(least_, k);
-      if (detail != nullptr) note_extreme(*detail);
+      note_energy(stepper_.y());
+      if (detail != nullptr) note_extremes(*detail);
     }
     if (detail != nullptr && stepper_.x() >= record) {
       detail->states.push_back(state(stepper_.x(), stepper_.y()));
     }
-    if (++taken_ >= accuracy_.most_steps) return CycleEnd::gave_up;
-    if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return CycleEnd::gave_up;
+    if (const CycleEnd end = count_step(); end != CycleEnd::whole) return end;
   }
   return CycleEnd::whole;
+}
+
+CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
+  kinetic_ = kinetic;
+  scale_ = std::clamp(kinetic, kLeastScale * work_, work_);
+  detailed_ = detail != nullptr;
+  greatest_ = least_ = kinetic;
+  taken_ = 0;
+  place_ = pieces_.place(phi0_, 1);
+  State y{};
+  if (detailed_) {
+    const MachineState first = state(place_.phi, y);
+    time_scale_ = machine_.period / first.omega;
+    detail->states = {first};
+    detail->states.reserve(static_cast<std::size_t>(steps) + 1);
+    detail->greatest = detail->least = {first.omega, first.phi};
+    detail->motor_power = mark(place_.phi, y).power;
+    power_change_ = 0;
+  }
+  const CycleEnd end = integrate_round(pieces_, place_, stepper_, y,
+                                       [&](double to) { return run_piece(to, detail, steps); });
+  growth_ = y[grown] * scale_;
+  if (!detailed_ || end != CycleEnd::whole) return end;
+  // Rounding of φ₀ may leave the last state to this place.
+  if (detail->states.size() <= static_cast<std::size_t>(steps)) {
+    detail->states.push_back(state(stepper_.x(), y));
+  }
+  detail->energy_swing = range();
+  detail->multiplier = std::exp(y[deviation]);
+  return end;
 }
 
 CycleEnd Cycle::run(double kinetic) {
-  kinetic_ = kinetic;
-  detailed_ = false;
-  greatest_ = least_ = kinetic;
-  taken_ = 0;
-  place_ = pieces_.place(phi0_, 1);
-  State y{};
-  for (std::size_t i = 0; i < pieces_.count(); ++i) {
-    stepper_.start(place_.phi, y);
-    const CycleEnd end = run_piece(pieces_.to(place_.piece), nullptr, 1);
-    if (end != CycleEnd::whole) return end;
-    y = stepper_.y();
-    pieces_.move_on(place_, 1);
-  }
-  growth_ = y[Component::kinetic] * work_;
-  return CycleEnd::whole;
+  fine_ = false;
+  return go(kinetic, nullptr, 1);
+}
+
+CycleEnd Cycle::check(double kinetic) {
+  fine_ = true;
+  return go(kinetic, nullptr, 1);
 }
 
 CycleEnd Cycle::run(double kinetic, int steps, CycleDetail& detail) {
-  kinetic_ = kinetic;
-  detailed_ = true;
-  greatest_ = least_ = kinetic;
-  taken_ = 0;
-  place_ = pieces_.place(phi0_, 1);
-  State y{};
-  const MachineState first = state(place_.phi, y);
-  time_scale_ = machine_.period / first.omega;
-  detail = {
-      .states = {first}, .greatest = {first.omega, first.phi}, .least = {first.omega, first.phi}};
-  detail.states.reserve(static_cast<std::size_t>(steps) + 1);
-  for (std::size_t i = 0; i < pieces_.count(); ++i) {
-    stepper_.start(place_.phi, y);
-    const CycleEnd end = run_piece(pieces_.to(place_.piece), &detail, steps);
-    if (end != CycleEnd::whole) return end;
-    y = stepper_.y();
-    if (i + 1 < pieces_.count()) pieces_.move_on(place_, 1);
-  }
-  // Rounding of φ₀ may leave the last state to this place.
-  if (detail.states.size() <= static_cast<std::size_t>(steps)) {
-    detail.states.push_back(state(stepper_.x(), y));
-  }
-  growth_ = y[Component::kinetic] * work_;
-  detail.multiplier = std::exp(y[deviation]);
-  return CycleEnd::whole;
+  fine_ = true;
+  return go(kinetic, &detail, steps);
 }
 
 }  // namespace cognate::machine

@@ -6,6 +6,7 @@
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/machine.hpp"
 #include "analysis/machine/pieces.hpp"
+#include "analysis/machine/terrain.hpp"
 
 namespace cognate::machine {
 
@@ -19,48 +20,79 @@ struct SpeedAt {
 struct CycleDetail {
   std::vector<MachineState> states;  ///< at equal steps of φ, both ends included
   SpeedAt greatest, least;           ///< refined between the states
+  double energy_swing = 0;           ///< greatest less least K, refined
+  double motor_power = 0;            ///< greatest power of the motor, at the drive, refined
   double multiplier = 0;             ///< dω(end)/dω(beginning)
 };
 
-/// How a period ended: `gave_up` is for too many steps or because it was stopped.
-enum class CycleEnd { whole, open, gave_up };
+/// How a period ended: `gave_up` after too many steps, `stopped` from outside.
+enum class CycleEnd { whole, open, gave_up, stopped };
 
 /// Integrates dK/dφ = M piece by piece over a period from φ₀, so that no step crosses a break. The
 /// derivative of J is not needed. Where K is used up the drive would stop; there the torques are
 /// those at rest, so that the K at the end remains an increasing function of that at the beginning.
+/// Of a machine so heavily damped that explicit steps are short for that alone, implicitly.
 class Cycle {
  public:
-  /// `work`: what to hold the error of K against (J), above 0.
-  Cycle(const Machine& machine, double phi0, double work, const Accuracy& accuracy);
+  /// `work`: that of a period (J), above 0; the error of K is held against it or against K, which
+  /// is less. `terrain` is one of this machine, which has its jumps among its breaks.
+  Cycle(const Machine& machine, const Terrain& terrain, double phi0, double work,
+        const Accuracy& accuracy);
 
   /// What K grows by in a period that begins with `kinetic`.
   CycleEnd run(double kinetic);
   double growth() const { return growth_; }
   double range() const { return greatest_ - least_; }  ///< of K
   bool stands() const { return least_ <= 0; }          ///< whether K was used up
+  double scale() const { return scale_; }              ///< what the error of K is held against
+  bool is_damped() const { return stepper_.is_implicit(); }  ///< implicitly integrated
 
-  /// The same in detail, for a period in which the drive does not stand.
+  /// The same with other, shorter steps, to be compared.
+  CycleEnd check(double kinetic);
+
+  /// The same in detail, with these steps, for a period in which the drive does not stand.
   CycleEnd run(double kinetic, int steps, CycleDetail& detail);
 
  private:
   using State = AdaptiveSteps::State;
 
+  /// What may be extreme at a place of the motion, and what vanishes there.
+  struct Mark {
+    SpeedAt at;
+    double torque = 0;  ///< dK/dφ
+    double bend = 0;    ///< J ω dω/dφ = M − ½ ω² dJ/dφ
+    double power = 0;   ///< of the motor
+  };
+
+  CycleEnd go(double kinetic, CycleDetail* detail, int steps);
   void slope(const State& y, State& slope, double phi);
-  double omega(double inertia, double scaled);
-  double bend(double phi, const State& y);
+  State slope_at(double inertia, double speed, double time);
+  Sensitivity<State> sensitivity(const State& y, const State& slope, double phi, double step);
+  double kinetic(const State& y) const;
+  double speed(double inertia, double kinetic) const;
+  double torque_slope(double speed, double time) const;
+  Mark mark(double phi, const State& y);
+  double motor_power_slope(double phi, const State& y);
+  double longest_step() const;
   CycleEnd run_piece(double to, CycleDetail* detail, int steps);
-  void note_extreme(CycleDetail& detail);
+  CycleEnd count_step();
+  void note_energy(const State& y);
+  void note_extremes(CycleDetail& detail);
+  void note_power(const Mark& before, CycleDetail& detail);
   MachineState state(double phi, const State& y);
 
   const Machine& machine_;
+  const Terrain& terrain_;
   Accuracy accuracy_;
   Pieces pieces_;
   double phi0_, work_;
-  double kinetic_ = 0, time_scale_ = 1;
+  double kinetic_ = 0, scale_ = 1, time_scale_ = 1;
   Place place_;
-  bool detailed_ = false;
+  bool detailed_ = false, fine_ = false;
   AdaptiveSteps stepper_;
   double growth_ = 0, greatest_ = 0, least_ = 0;
+  Mark last_;
+  double power_change_ = 0;
   std::size_t taken_ = 0;
 };
 

@@ -5,16 +5,22 @@
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/pieces.hpp"
+#include "analysis/machine/terrain.hpp"
 #include "analysis/mechanism/zeros.hpp"
 
 namespace cognate::machine {
 namespace {
 
+constexpr std::size_t kAsk = 256;
+
 /// ∫ (M − M̄) dφ at a constant speed, over a period.
 class ExcessWork {
  public:
-  ExcessWork(const Machine& machine, double phi0, double omega, const Accuracy& accuracy)
+  ExcessWork(const Machine& machine, const Terrain& terrain, double phi0, double omega,
+             const Accuracy& accuracy)
       : machine_(machine),
+        terrain_(terrain),
+        accuracy_(accuracy),
         pieces_(machine, phi0),
         phi0_(phi0),
         omega_(omega),
@@ -55,23 +61,30 @@ class ExcessWork {
   bool integrate() {
     place_ = pieces_.place(phi0_, 1);
     State y{};
-    for (std::size_t i = 0; i < pieces_.count(); ++i) {
-      stepper_.start(place_.phi, y);
-      while (stepper_.x() < pieces_.to(place_.piece)) {
-        if (!stepper_.step(pieces_.to(place_.piece))) return false;
+    const bool failed = integrate_round(pieces_, place_, stepper_, y, [&](double to) {
+      while (stepper_.x() < to) {
+        const double longest = terrain_.longest_step(stepper_.x());
+        if (!stepper_.step(std::min(to, stepper_.x() + longest)) || is_over()) return true;
         note();
       }
-      y = stepper_.y();
-      pieces_.move_on(place_, 1);
-    }
-    return true;
+      return false;
+    });
+    return !failed;
+  }
+
+  bool is_over() {
+    if (++taken_ >= accuracy_.most_steps) return true;
+    return taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop();
   }
 
   const Machine& machine_;
+  const Terrain& terrain_;
+  Accuracy accuracy_;
   Pieces pieces_;
   double phi0_, omega_, size_;
   double mean_ = 0, least_ = 0, greatest_ = 0;
   Place place_;
+  std::size_t taken_ = 0;
   AdaptiveSteps stepper_;
 };
 
@@ -79,7 +92,9 @@ class ExcessWork {
 
 double greatest_excess_work(const Machine& machine, double phi0, double omega,
                             const Accuracy& accuracy) {
-  return ExcessWork(machine, phi0, omega, accuracy).range();
+  Terrain terrain(machine);
+  terrain.look(machine, {&omega, 1});
+  return ExcessWork(terrain.cut(machine), terrain, phi0, omega, accuracy).range();
 }
 
 }  // namespace cognate::machine

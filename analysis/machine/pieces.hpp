@@ -45,4 +45,21 @@ class Pieces {
   std::vector<double> cuts_;
 };
 
+/// Goes once round from `place`, forwards, which moves along: in each piece `stepper` begins anew
+/// with `y`, and `through(end of the piece)` takes it there. What that returns ends the round where
+/// it is not its type's first value.
+template <class Stepper, class State, class Through>
+auto integrate_round(const Pieces& pieces, Place& place, Stepper& stepper, State& y,
+                     Through&& through) {
+  using End = decltype(through(0.0));
+  for (std::size_t i = 0; i < pieces.count(); ++i) {
+    if (i > 0) pieces.move_on(place, 1);
+    stepper.start(place.phi, y);
+    const End end = through(pieces.to(place.piece));
+    if (end != End{}) return end;
+    y = stepper.y();
+  }
+  return End{};
+}
+
 }  // namespace cognate::machine

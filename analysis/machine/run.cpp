@@ -29,14 +29,49 @@ constexpr int kMostRests = 8;
 constexpr int kWakes = 10000;
 constexpr std::size_t kAsk = 256;
 
+/// Steps that a run may take for each turn that it gets on, and for each piece of that.
+constexpr std::size_t kStepsOfATurn = 5000, kStepsOfAPiece = 20;
+/// How often torques that depend on time are looked at in advance, from how many places.
+constexpr std::size_t kTimes = 4096;
+constexpr int kPlaces = 3;
+/// The longest steps, in parts of the period, where it is not known how long torques change.
+constexpr double kUntimed = 1.0 / 64;
+
+/// A speed that the machine may come to.
+double usual_speed(const Machine& machine, const MachineState& from, const RunEnd& end) {
+  double speed = from.omega;
+  if (end.speed && std::abs(*end.speed) > std::abs(speed)) speed = *end.speed;
+  if (end.approach && std::abs(end.approach->omega) > std::abs(speed)) speed = end.approach->omega;
+  return speed != 0 ? speed : speed_of_mean_torques(machine).value_or(1);
+}
+
+StepLimits limits_in_time(const Machine& machine, const MachineState& from, double duration) {
+  StepLimits limits(from.time, duration, kTimes);
+  const std::vector<int> one_stretch(kTimes);
+  std::vector<double> values(kTimes);
+  for (int place = 0; place < kPlaces; ++place) {
+    machine.move_to(machine.period * (place + 0.5) / kPlaces);
+    double sum = 0;
+    for (std::size_t i = 0; i < kTimes; ++i) {
+      const double speed = from.omega != 0 ? from.omega : kBarely;
+      const Torques acting = machine.torques(speed, limits.place(i));
+      values[i] = acting.sum();
+      sum += std::abs(acting.motor) + std::abs(acting.load);
+    }
+    limits.shorten(values, one_stretch, sum / static_cast<double>(kTimes));
+  }
+  return limits;
+}
+
 /// What may end a step, in the order in which they count where they coincide.
 enum class Event { none, rest, speed, travel, border };
 
 class Runner {
  public:
-  Runner(const Machine& machine, const MachineState& from, const RunEnd& end,
-         const Accuracy& accuracy)
+  Runner(const Machine& machine, const Terrain& terrain, const MachineState& from,
+         const RunEnd& end, const Accuracy& accuracy)
       : machine_(machine),
+        terrain_(terrain),
         end_(end),
         accuracy_(accuracy),
         pieces_(machine, end.approach ? end.approach->phi : 0),
@@ -50,6 +85,10 @@ class Runner {
     if (!(work_ > 0)) work_ = 1;
     momentum_ = std::sqrt(2 * std::max(work_, 0.5 * inertia * size * size));
     time_ = machine.period * std::sqrt(inertia) / momentum_;
+    root_ = std::sqrt(inertia);
+    if (machine.depends_on_time && end.time) {
+      limits_in_time_ = limits_in_time(machine, from, *end.time - from.time);
+    }
   }
 
   /// The motion with states at `times` (increasing).
@@ -196,8 +235,8 @@ class Runner {
     while (true) {
       record();
       if (end_.time && stepper_.x() >= *end_.time / time_) return leave(RunStop::time);
-      if (++taken_ >= accuracy_.most_steps) return leave(RunStop::gave_up);
-      if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::gave_up);
+      if (++taken_ >= most_steps()) return leave(RunStop::gave_up);
+      if (taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop()) return leave(RunStop::stopped);
       if (!stepper_.step(next_time() / time_) || is_at_edge()) return leave(RunStop::open);
       const auto [event, at] = first_event();
       if (event != Event::none) return take(event, at);
@@ -238,7 +277,26 @@ class Runner {
     if (next_ < times_.size()) next = times_[next_];
     if (end_.time) next = std::min(next, *end_.time);
     // A machine that drifts on without end is looked at now and then.
-    return std::min(next, stepper_.x() * time_ + 10 * time_);
+    return std::min({next, stepper_.x() * time_ + 10 * time_, resolved_time()});
+  }
+
+  /// Until when a step may go so that it jumps over no narrow load.
+  double resolved_time() const {
+    const double now = stepper_.x() * time_;
+    const double rate = std::abs(stepper_.slope()[phi]);
+    const double bend = std::abs(stepper_.slope()[momentum]) * momentum_ / root_ * time_;
+    const double way = terrain_.longest_step(stepper_.y()[phi]);
+    const double by_angle = 2 * way / (rate + std::sqrt(rate * rate + 2 * bend * way)) * time_;
+    const double longest =
+        limits_in_time_ ? std::min(by_angle, limits_in_time_->at(now)) : by_angle;
+    return now + std::max(longest, 1e-12 * std::abs(now));
+  }
+
+  std::size_t most_steps() const {
+    const double way = pieces_.counted({place_.turn, place_.piece, stepper_.y()[phi]}) - from_.phi;
+    const auto of_a_turn = static_cast<double>(kStepsOfATurn + kStepsOfAPiece * pieces_.count());
+    return accuracy_.most_steps +
+           static_cast<std::size_t>(std::abs(way) / machine_.period * of_a_turn);
   }
 
   /// Stands at the event, exactly; the reason where it ends the run.
@@ -269,12 +327,14 @@ class Runner {
   }
 
   const Machine& machine_;
+  const Terrain& terrain_;
+  std::optional<StepLimits> limits_in_time_;
   RunEnd end_;
   Accuracy accuracy_;
   Pieces pieces_;
   MachineState from_, now_;
   AdaptiveSteps stepper_;
-  double work_ = 1, momentum_ = 1, time_ = 1;
+  double work_ = 1, momentum_ = 1, time_ = 1, root_ = 1;
   Place place_;
   int direction_ = 1;
   double limit_ = 0, speed_side_ = 1;
@@ -288,18 +348,29 @@ class Runner {
 
 }  // namespace
 
-MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
-               const Accuracy& accuracy, std::size_t records) {
-  Runner runner(machine, from, end, accuracy);
+MachineRun run(const Machine& machine, const Terrain& terrain, const MachineState& from,
+               const RunEnd& end, const Accuracy& accuracy, std::size_t records) {
+  Runner runner(machine, terrain, from, end, accuracy);
   MachineRun whole = runner.go({});
-  if (records == 0 || whole.stop == RunStop::gave_up) return whole;
+  const bool ended_early = whole.stop == RunStop::gave_up || whole.stop == RunStop::stopped;
+  if (records == 0 || ended_early) return whole;
   const double duration = whole.states.back().time - from.time;
   std::vector<double> times;
   for (std::size_t i = 1; i <= records; ++i) {
     times.push_back(from.time +
                     duration * static_cast<double>(i) / static_cast<double>(records + 1));
   }
-  return Runner(machine, from, end, accuracy).go(std::move(times));
+  return Runner(machine, terrain, from, end, accuracy).go(std::move(times));
+}
+
+MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
+               const Accuracy& accuracy, std::size_t records) {
+  Terrain terrain(machine);
+  const double speed = usual_speed(machine, from, end);
+  const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
+  terrain.look(machine, speeds, from.time);
+  if (machine.depends_on_time && !end.time) terrain.refine(kUntimed);
+  return run(terrain.cut(machine), terrain, from, end, accuracy, records);
 }
 
 }  // namespace cognate::machine

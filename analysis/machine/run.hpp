@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/machine/machine.hpp"
+#include "analysis/machine/terrain.hpp"
 
 namespace cognate::machine {
 
@@ -15,7 +16,8 @@ struct Approach {
   double within = 0.01;  ///< relative to ω
 };
 
-/// When a run ends, whichever comes first; or with the most steps.
+/// When a run ends, whichever comes first; or with the most steps: those of `Accuracy`, and some
+/// more for each turn travelled.
 struct RunEnd {
   std::optional<double> time{};    ///< s
   std::optional<double> travel{};  ///< |φ − φ₀|
@@ -25,8 +27,8 @@ struct RunEnd {
 };
 
 /// Why a run ended. `stalled`: at rest, and what acts does not move it; `open`: the mechanism
-/// cannot be assembled further on; `gave_up`: too many steps, or stopped from outside.
-enum class RunStop { time, travel, speed, approached, at_rest, stalled, open, gave_up };
+/// cannot be assembled further on; `gave_up`: too many steps; `stopped`: from outside.
+enum class RunStop { time, travel, speed, approached, at_rest, stalled, open, gave_up, stopped };
 
 struct MachineRun {
   std::vector<MachineState> states;  ///< the first the initial one, the last where it ended
@@ -40,5 +42,9 @@ struct MachineRun {
 /// it was given up.
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
                const Accuracy& accuracy, std::size_t records);
+
+/// The same of a machine whose terrain is known, which has its jumps among its breaks.
+MachineRun run(const Machine& machine, const Terrain& terrain, const MachineState& from,
+               const RunEnd& end, const Accuracy& accuracy, std::size_t records);
 
 }  // namespace cognate::machine

@@ -1,6 +1,7 @@
 #include "analysis/machine/steady_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -21,6 +22,10 @@ constexpr double kFar = 1e15;
 /// made again from there, so many times.
 constexpr double kCoarse = 10;
 constexpr int kSearches = 20;
+/// Where two integrations of a period differ by more, in parts of what is worked, they are made
+/// again with steps of at most these parts of the period.
+constexpr double kSound = 1e-6;
+constexpr std::array<double, 3> kShorter{1.0 / 256, 1.0 / 2048, 1.0 / 16384};
 /// The loosest tolerance: a little more saves little time, and blurs what is nothing.
 constexpr double kLoosest = 1e-8;
 
@@ -32,14 +37,16 @@ struct Shot {
 
 class Shooting {
  public:
-  Shooting(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy)
+  Shooting(const Machine& machine, const Terrain& terrain, const SteadyGuess& guess,
+           const Accuracy& accuracy)
       : machine_(machine),
+        terrain_(terrain),
         accuracy_(at_most_loose(accuracy)),
         guess_(guess),
         speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
         inertia_(machine.move_to(guess.phi).value),
         work_(turnover(machine, speed_)),
-        cycle_(machine, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
+        cycle_(machine, terrain, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
 
   /// Whether errors were held against far more than is worked at the speed that was found.
   bool was_coarse(const SteadyState& found) const {
@@ -53,15 +60,11 @@ class Shooting {
     if (!std::isfinite(start) || !std::isfinite(work_)) return missing(NoSteadyState::open);
     if (!shoot(start)) return missing(failure_);
     const Shot first = shot_;
-    if (std::abs(first.growth) <= nothing() && is_any_speed(first)) {
-      if (guess_.speed && !shoot(start)) return missing(failure_);
-      if (guess_.speed && cycle_.stands()) return missing(NoSteadyState::stands);
-      if (guess_.speed) record(start, steps);
-      return missing(NoSteadyState::any_speed);
-    }
+    if (std::abs(first.growth) <= nothing() && is_any_speed(first))
+      return of_any_speed(start, steps);
     const bool found = first.growth >= 0 ? climb(first) : descend(first) || leap(first);
-    if (!found) return missing(failure_);
-    return finish(steps);
+    if (!found && is_about_works()) return missing_for_sure(failure_);
+    return found ? finish(steps) : missing(failure_);
   }
 
  private:
@@ -70,7 +73,9 @@ class Shooting {
     return accuracy;
   }
 
-  double nothing() const { return kNothing * accuracy_.relative * std::max(work_, cycle_.range()); }
+  /// What errors and differences are measured by.
+  double size() const { return std::max(cycle_.scale(), cycle_.range()); }
+  double nothing() const { return kNothing * accuracy_.relative * size(); }
 
   SteadyState missing(NoSteadyState why) {
     steady_.missing = why;
@@ -78,20 +83,46 @@ class Shooting {
     return std::move(steady_);
   }
 
+  /// The same where other steps agree with what the last shot said.
+  SteadyState missing_for_sure(NoSteadyState why) {
+    ++steady_.integrations;
+    const bool sure = cycle_.check(shot_.kinetic) == CycleEnd::whole &&
+                      std::abs(cycle_.growth() - shot_.growth) <= kSound * size();
+    return missing(sure ? why : NoSteadyState::unsure);
+  }
+
+  static NoSteadyState reason(CycleEnd end) {
+    if (end == CycleEnd::open) return NoSteadyState::open;
+    return end == CycleEnd::stopped ? NoSteadyState::stopped : NoSteadyState::gave_up;
+  }
+
   /// Integrates a period from `kinetic`; false, with `failure_`, where that is not possible.
   bool shoot(double kinetic) {
     ++steady_.integrations;
     const CycleEnd end = cycle_.run(kinetic);
     if (end != CycleEnd::whole) {
-      failure_ = end == CycleEnd::open ? NoSteadyState::open : NoSteadyState::gave_up;
+      failure_ = reason(end);
       return false;
     }
     shot_ = {kinetic, cycle_.growth()};
     return true;
   }
 
+  bool is_about_works() const {
+    return failure_ == NoSteadyState::stalls || failure_ == NoSteadyState::stands ||
+           failure_ == NoSteadyState::runs_away;
+  }
+
+  SteadyState of_any_speed(double kinetic, int steps) {
+    if (!shoot(kinetic)) return missing(failure_);
+    if (!guess_.speed) return missing_for_sure(NoSteadyState::any_speed);
+    if (cycle_.stands()) return missing_for_sure(NoSteadyState::stands);
+    return record(kinetic, steps, NoSteadyState::any_speed);
+  }
+
   /// K neither grows nor shrinks at this speed; whether that is so at others too.
   bool is_any_speed(const Shot& first) {
+    if (depends_on_speed(machine_, speed_)) return false;
     for (const double factor : {4.0, 1.5}) {
       if (!shoot(factor * first.kinetic) || std::abs(shot_.growth) > nothing()) return false;
     }
@@ -147,7 +178,9 @@ class Shooting {
       if (shot_.growth > 0) return climb(shot_);
     }
     shot_ = stalling;
-    failure_ = NoSteadyState::stalls;
+    // Kept at some speed the drive would neither gain nor lose: it has too little energy.
+    const bool balances = speed_of_mean_torques(machine_).has_value();
+    failure_ = balances ? NoSteadyState::stands : NoSteadyState::stalls;
     return false;
   }
 
@@ -156,7 +189,7 @@ class Shooting {
     if (low_.growth == 0) high_ = low_;
     if (high_.growth == 0) low_ = high_;
     if (low_.kinetic == high_.kinetic) return true;
-    const double met = kMet * accuracy_.relative * work_;
+    const double met = kMet * accuracy_.relative * cycle_.scale();
     bool failed = false;
     const auto growth = [&](double kinetic) {
       failed = failed || !shoot(kinetic);
@@ -172,43 +205,56 @@ class Shooting {
     return !failed;
   }
 
-  bool record(double kinetic, int steps) {
+  /// The period from `kinetic` in detail, if it agrees with the last shot.
+  SteadyState record(double kinetic, int steps, NoSteadyState why) {
     CycleDetail detail;
     ++steady_.integrations;
-    if (cycle_.run(kinetic, steps, detail) != CycleEnd::whole) return false;
+    const CycleEnd end = cycle_.run(kinetic, steps, detail);
+    if (end != CycleEnd::whole) return missing(reason(end));
+    steady_.missing = why;
     steady_.states = std::move(detail.states);
     steady_.greatest = detail.greatest;
     steady_.least = detail.least;
+    steady_.energy_swing = detail.energy_swing;
+    steady_.motor_power = detail.motor_power;
     steady_.multiplier = detail.multiplier;
     steady_.surplus = cycle_.growth();
     steady_.energy_residual = energy_residual();
-    return true;
+    const double change = std::abs(cycle_.growth() - shot_.growth) / size();
+    const bool sound = std::max(change, steady_.energy_residual) <= kSound;
+    if (!sound) steady_.missing = NoSteadyState::unsure;
+    return std::move(steady_);
   }
 
   SteadyState finish(int steps) {
     if (!refine()) return missing(failure_);
     const double kinetic = 0.5 * (low_.kinetic + high_.kinetic);
     if (!shoot(kinetic)) return missing(failure_);
-    if (cycle_.stands()) return missing(NoSteadyState::stands);
-    if (!record(kinetic, steps)) return missing(NoSteadyState::gave_up);
-    return std::move(steady_);
+    if (cycle_.stands()) return missing_for_sure(NoSteadyState::stands);
+    return record(kinetic, steps, NoSteadyState::none);
   }
 
   double energy_residual() {
+    const double size = std::max(work_, cycle_.range());
+    if (!(size > 0)) return 0;
+    if (cycle_.is_damped()) {
+      const MachineState& last = steady_.states.back();
+      return std::abs(last.motor_work + last.load_work) / size;
+    }
     const MachineState& first = steady_.states.front();
     RunEnd end;
     end.travel = machine_.period;
     const MachineRun turn = cognate::machine::run(
-        machine_, {.phi = first.phi, .omega = first.omega}, end, accuracy_, 0);
+        machine_, terrain_, {.phi = first.phi, .omega = first.omega}, end, accuracy_, 0);
     const MachineState& last = turn.states.back();
     const double inertia = machine_.move_to(guess_.phi).value;
     const double growth = 0.5 * inertia * (last.omega - first.omega) * (last.omega + first.omega);
     const double work = last.motor_work + last.load_work;
-    const double size = std::max(work_, cycle_.range());
-    return size > 0 ? std::max(std::abs(growth - work), std::abs(work)) / size : 0;
+    return std::max(std::abs(growth - work), std::abs(work)) / size;
   }
 
   const Machine& machine_;
+  const Terrain& terrain_;
   Accuracy accuracy_;
   SteadyGuess guess_;
   double speed_, inertia_, work_;
@@ -228,18 +274,38 @@ double fluctuation(const SteadyState& steady) {
   return (steady.greatest.omega - steady.least.omega) / mean_speed(steady);
 }
 
-SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
-                         int steps) {
+Terrain terrain_about(const Machine& machine, const SteadyGuess& guess) {
+  Terrain terrain(machine);
+  const double speed = guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1);
+  const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
+  terrain.look(machine, speeds);
+  return terrain;
+}
+
+SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGuess& guess,
+                         const Accuracy& accuracy, int steps) {
   SteadyGuess from = guess;
   int integrations = 0;
+  std::size_t doubts = 0;
   for (int i = 0;; ++i) {
-    Shooting shooting(machine, from, accuracy);
+    const Machine cut = terrain.cut(machine);
+    Shooting shooting(cut, terrain, from, accuracy);
     SteadyState found = shooting.find(steps);
-    found.integrations += integrations;
-    if (i == kSearches || !shooting.was_coarse(found)) return found;
-    integrations = found.integrations;
-    from.speed = found.states.front().omega;
+    found.integrations = integrations += found.integrations;
+    const bool unsure = found.missing == NoSteadyState::unsure;
+    const bool coarse = shooting.was_coarse(found);
+    const bool last = i == kSearches || (unsure && doubts == kShorter.size());
+    if (unsure && last) found.states.clear();
+    if (last || !(unsure || coarse)) return found;
+    if (unsure) terrain.refine(kShorter[doubts++]);
+    if (coarse) from.speed = found.states.front().omega;
+    if (!found.states.empty()) terrain.look(machine, {&found.states.front().omega, 1});
   }
+}
+
+SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
+                         int steps) {
+  return steady_state(machine, terrain_about(machine, guess), guess, accuracy, steps);
 }
 
 }  // namespace cognate::machine

@@ -10,9 +10,9 @@
 namespace cognate::problems {
 namespace {
 
+constexpr std::string_view kOutOfTime = "out of time";
 constexpr std::string_view kSteep =
-    ": out of time, or after too many steps, as where torques change very steeply with speed or "
-    "angle";
+    "too many steps, as where torques change very steeply with speed or angle";
 
 }  // namespace
 
@@ -24,16 +24,16 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
     case NoSteadyState::stalls:
       return fmt::format(
           "no steady state: the machine stalls, since motor and loads together take from it at "
-          "every speed ({:.6g} J in a period)",
+          "every speed looked at ({:.6g} J in a period)",
           -steady.surplus);
     case NoSteadyState::stands:
-      return "no steady state: the drive comes to a stop within a period in which it would gain as "
-             "much as it loses; a greater flywheel helps, or a greater start speed where torques "
-             "do not depend on speed";
+      return "no steady state: the machine comes to rest within a turn in which, kept at an even "
+             "speed, it would gain as much as it loses; a greater flywheel helps, or a greater "
+             "start speed where torques do not depend on speed";
     case NoSteadyState::runs_away:
       return fmt::format(
           "no steady state: the machine runs away, since motor and loads together give to it at "
-          "every speed ({:.6g} J in a period)",
+          "every speed looked at ({:.6g} J in a period)",
           steady.surplus);
     case NoSteadyState::any_speed:
       return "every speed is a steady one: torques do not depend on speed and do no work in a "
@@ -43,10 +43,16 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
     case NoSteadyState::open:
       return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
                    : "no steady state: the mechanism cannot be assembled all the way round";
+    case NoSteadyState::unsure:
+      return "no steady state is told: what is found with some steps is not so with others, as "
+             "where torques change too steeply with speed or angle, or act over too short a "
+             "stretch";
+    case NoSteadyState::stopped:
     case NoSteadyState::gave_up:
       break;
   }
-  return fmt::format("the search for the steady state was ended before it was done{}", kSteep);
+  return fmt::format("the search for the steady state was ended before it was done: {}",
+                     steady.missing == NoSteadyState::stopped ? kOutOfTime : kSteep);
 }
 
 std::string ended_note(const EndedMotion& motion) {
@@ -70,7 +76,9 @@ std::string ended_note(const EndedMotion& motion) {
       return fmt::format("{} fails: the mechanism cannot be assembled further on than {:.6g}°, {}",
                          name, angle, place);
     case RunStop::gave_up:
-      return fmt::format("{} was ended before it was done{}, {}", name, kSteep, place);
+    case RunStop::stopped:
+      return fmt::format("{} was ended before it was done: {}, {}", name,
+                         run.stop == RunStop::stopped ? kOutOfTime : kSteep, place);
     case RunStop::at_rest:
       return fmt::format("{} fails: the machine comes to rest, {}", name, place);
     default:

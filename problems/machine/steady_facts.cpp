@@ -1,8 +1,6 @@
 #include "problems/machine/steady_facts.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace cognate::problems {
@@ -13,30 +11,10 @@ double degrees(double phi, double period) {
   return (phi - period * std::floor(phi / period)) * 180 / std::numbers::pi;
 }
 
-/// Over the states of a period: the greatest power of the motor, the range of kinetic energy.
-struct StateExtremes {
-  double power = -std::numeric_limits<double>::infinity();
-  double least_energy = std::numeric_limits<double>::infinity(), greatest_energy = 0;
-};
-
-StateExtremes extremes(const machine::Machine& machine, const machine::SteadyState& steady) {
-  StateExtremes found;
-  for (const machine::MachineState& state : steady.states) {
-    const double phi = state.phi - machine.period * std::floor(state.phi / machine.period);
-    const double energy = 0.5 * machine.move_to(phi).value * state.omega * state.omega;
-    const double power = machine.torques(state.omega, state.time).motor * state.omega;
-    found.power = std::max(found.power, power);
-    found.least_energy = std::min(found.least_energy, energy);
-    found.greatest_energy = std::max(found.greatest_energy, energy);
-  }
-  return found;
-}
-
 }  // namespace
 
 std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Machine& machine,
                                const machine::SteadyState& steady) {
-  const StateExtremes found = extremes(machine, steady);
   std::vector<Fact> facts{
       {"speed_mean_rad_s", machine::mean_speed(steady)},
       {"speed_max_rad_s", steady.greatest.omega},
@@ -45,7 +23,7 @@ std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Mac
       {"speed_min_at_deg", degrees(steady.least.phi, machine.period)},
       {"fluctuation", machine::fluctuation(steady)},
       {"period_s", steady.period()},
-      {"energy_swing_J", found.greatest_energy - found.least_energy},
+      {"energy_swing_J", steady.energy_swing},
       {"multiplier", steady.multiplier},
       {"energy_residual", steady.energy_residual},
   };
@@ -53,7 +31,7 @@ std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Mac
     const double work = steady.states.back().motor_work;
     facts.push_back({"motor_work_J", work});
     facts.push_back({"motor_power_mean_W", work / steady.period()});
-    facts.push_back({"motor_power_max_W", found.power});
+    facts.push_back({"motor_power_max_W", steady.motor_power});
   }
   return facts;
 }

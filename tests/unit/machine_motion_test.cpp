@@ -213,7 +213,7 @@ TEST(Run, GivesUpWhenAsked) {
   accuracy.most_steps = 50;
   EXPECT_EQ(run(pendulum(), {.phi = 3}, {.time = 1e9}, accuracy, 0).stop, RunStop::gave_up);
   accuracy = {.stop = [] { return true; }};
-  EXPECT_EQ(run(pendulum(), {.phi = 3}, {.time = 1e9}, accuracy, 0).stop, RunStop::gave_up);
+  EXPECT_EQ(run(pendulum(), {.phi = 3}, {.time = 1e9}, accuracy, 0).stop, RunStop::stopped);
 }
 
 /// ω = 10 + 2 sin φ + cos 3φ is the motion of J = 4 + cos 2φ under 200 − 12 ω and a load that
@@ -301,11 +301,11 @@ TEST(SteadyState, SaysWhyThereIsNone) {
               return Torques{omega * omega, 1};
             }),
             NoSteadyState::runs_away);
-  // The balance of the mean torques is at 1 rad/s, but the drive cannot get over the hill there.
+  // The mean torques balance at 1 rad/s, but the drive has not the energy to get over the hill.
   const auto hill = [](double phi, double omega, double) {
     return Torques{1 - omega, 50 * std::sin(phi)};
   };
-  EXPECT_EQ(why_none(hill), NoSteadyState::stalls);
+  EXPECT_EQ(why_none(hill), NoSteadyState::stands);
   const auto even_hill = [](double phi, double, double) { return Torques{0, -50 * std::sin(phi)}; };
   const Machine steep = machine_of(constant_inertia(1), even_hill);
   EXPECT_EQ(steady_state(steep, {.speed = 1}, {}, 10).missing, NoSteadyState::stands);

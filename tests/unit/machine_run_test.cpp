@@ -100,7 +100,8 @@ value = "50*v"
 )");
   const Deadline deadline{problems::Run{}};
   const machine::Machine machine = MachineModel(problem, deadline).machine({.flywheel = 50});
-  machine::Cycle cycle(machine, 0.3, 1000, {});
+  const machine::Terrain terrain(machine);
+  machine::Cycle cycle(machine, terrain, 0.3, 1000, {});
   ASSERT_EQ(cycle.run(1000), machine::CycleEnd::whole);
   const std::size_t before = test::allocations();
   EXPECT_EQ(cycle.run(1100), machine::CycleEnd::whole);
