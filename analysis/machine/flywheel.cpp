@@ -14,10 +14,17 @@ namespace {
 constexpr double kFirst = 1.0 / 64;
 constexpr int kMostDoublings = 40;
 constexpr int kSamples = 720;
+/// (ω_max − ω_min)/ω_m of a drive that comes to rest.
+constexpr double kComesToRest = 2;
 
 bool runs(const SteadyState& steady) {
   return steady.missing == NoSteadyState::none ||
          (steady.missing == NoSteadyState::any_speed && !steady.states.empty());
+}
+
+/// Whether the machine has no steady state for want of energy.
+bool falls_short(const SteadyState& steady) {
+  return steady.missing == NoSteadyState::stands || steady.missing == NoSteadyState::stalls;
 }
 
 double mean_inertia(const Machine& machine) {
@@ -32,39 +39,54 @@ class FlywheelSearch {
  public:
   FlywheelSearch(const std::function<Machine(double)>& machine_with, double wanted,
                  const SteadyGuess& guess, const Accuracy& accuracy)
-      : machine_with_(machine_with), wanted_(wanted), guess_(guess), accuracy_(accuracy) {}
+      : machine_with_(machine_with),
+        wanted_(wanted),
+        guess_(guess),
+        accuracy_(accuracy),
+        bare_(machine_with(0)),
+        terrain_(terrain_about(bare_, guess)),
+        mean_inertia_(mean_inertia(bare_)) {}
 
   Flywheel find(int steps) {
-    Flywheel found;
-    const Machine bare = machine_with_(0);
-    found.without = steady_state(bare, guess_, accuracy_, steps);
-    if (!runs(found.without)) return found;
-    const double mean = mean_speed(found.without);
-    found.greatest_excess = greatest_excess_work(bare, guess_.phi, mean, accuracy_);
-    found.approximate =
-        std::max(0.0, found.greatest_excess / (mean * mean * wanted_) - mean_inertia(bare));
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    Flywheel found{.approximate = kNone, .greatest_excess = kNone};
+    found.without = with(0, steps);
+    if (runs(found.without)) {
+      const double mean = mean_speed(found.without);
+      found.greatest_excess = greatest_excess_work(bare_, guess_.phi, mean, accuracy_);
+      found.approximate =
+          std::max(0.0, found.greatest_excess / (mean * mean * wanted_) - mean_inertia_);
+    }
     if (const auto inertia = root(found)) {
       found.inertia = *inertia;
-      found.steady = *inertia > 0 ? steady_state(machine_with_(*inertia), guess_, accuracy_, steps)
-                                  : found.without;
+      found.steady = *inertia > 0 ? with(*inertia, steps) : found.without;
       found.found = runs(found.steady);
     }
+    if (!found.found) found.why = why_;
     return found;
   }
 
  private:
-  /// By how much the fluctuation with a flywheel is beyond the one wanted; NaN where there is none.
-  double beyond(double inertia) {
-    const SteadyState steady = steady_state(machine_with_(inertia), guess_, accuracy_, 1);
+  SteadyState with(double inertia, int steps) {
+    SteadyState steady = steady_state(machine_with_(inertia), terrain_, guess_, accuracy_, steps);
+    why_ = steady.missing;
+    return steady;
+  }
+
+  /// By how much the fluctuation is beyond the one wanted; NaN where it is not known.
+  double beyond(const SteadyState& steady) const {
+    if (falls_short(steady)) return kComesToRest - wanted_;
     if (!runs(steady)) return std::numeric_limits<double>::quiet_NaN();
     return fluctuation(steady) - wanted_;
   }
 
+  double beyond(double inertia) { return beyond(with(inertia, 1)); }
+
   std::optional<double> root(const Flywheel& found) {
-    double low = 0, at_low = fluctuation(found.without) - wanted_;
+    double low = 0, at_low = beyond(found.without);
+    if (std::isnan(at_low)) return std::nullopt;
     if (at_low <= 0) return 0;
-    const double size = std::max(found.approximate, mean_inertia(machine_with_(0)));
-    double high = kFirst * size;
+    double high = kFirst * std::fmax(found.approximate, mean_inertia_);
     for (int i = 0; i < kMostDoublings; ++i, high *= 2) {
       const double at_high = beyond(high);
       if (std::isnan(at_high)) return std::nullopt;
@@ -96,6 +118,10 @@ class FlywheelSearch {
   double wanted_;
   SteadyGuess guess_;
   Accuracy accuracy_;
+  Machine bare_;
+  Terrain terrain_;
+  double mean_inertia_;
+  NoSteadyState why_ = NoSteadyState::none;
 };
 
 }  // namespace

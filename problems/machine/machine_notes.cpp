@@ -55,6 +55,26 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
                      steady.missing == NoSteadyState::stopped ? kOutOfTime : kSteep);
 }
 
+std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation) {
+  using machine::NoSteadyState;
+  switch (flywheel.why) {
+    case NoSteadyState::any_speed:
+      return "no flywheel can be found while every speed is a steady one; give run.start_speed";
+    case NoSteadyState::gave_up:
+    case NoSteadyState::stopped:
+    case NoSteadyState::unsure:
+      return fmt::format("the search for the flywheel was ended before it was done: {}",
+                         flywheel.why == NoSteadyState::stopped ? kOutOfTime : kSteep);
+    case NoSteadyState::none:
+    case NoSteadyState::stands:
+    case NoSteadyState::stalls:
+      return fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
+                         fluctuation);
+    default:
+      return "no flywheel: the machine has no steady state with any";
+  }
+}
+
 std::string ended_note(const EndedMotion& motion) {
   using machine::RunStop;
   const auto& [name, run, turns, awaited] = motion;

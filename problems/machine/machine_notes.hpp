@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/run.hpp"
 #include "analysis/machine/steady_state.hpp"
 
@@ -11,6 +12,9 @@ namespace cognate::problems {
 
 /// Why there is no steady state. `turns`: whether the drive can turn fully.
 std::string steady_note(const machine::SteadyState& steady, bool turns);
+
+/// Why no flywheel was found that leaves `fluctuation`.
+std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation);
 
 /// A start or a stop as it went.
 struct EndedMotion {

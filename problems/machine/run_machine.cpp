@@ -95,21 +95,23 @@ class MachineTasks {
 
   void find_flywheel() {
     const auto machine_with = [this](double inertia) {
-      return model_.machine({.flywheel = problem_.flywheel + inertia});
+      return model_.machine({.flywheel = inertia});
     };
     machine::Flywheel found = machine::flywheel_for(machine_with, *problem_.fluctuation, guess(),
                                                     accuracy_, problem_.run.steps);
     if (found.found) {
-      flywheel_ += found.inertia;
+      flywheel_ = found.inertia;
       append(result_.facts, flywheel_facts(found));
+      if (found.without.states.empty()) {
+        result_.notes.emplace_back(
+            "without a flywheel the machine does not get round, so that there is no fluctuation "
+            "of it, nor what the textbooks' formula makes of it");
+      }
       steady_ = std::move(found.steady);
-    } else if (found.without.states.empty()) {
-      fail("no flywheel: without one there is no steady state to begin from");
-      steady_ = std::move(found.without);
-    } else {
-      fail(fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
-                       *problem_.fluctuation));
+      return;
     }
+    fail(flywheel_note(found, *problem_.fluctuation));
+    if (found.without.states.empty()) steady_ = std::move(found.without);
   }
 
   /// The steady state, found once; not looked for where the drive cannot turn fully.

@@ -37,12 +37,12 @@ std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Mac
 }
 
 std::vector<Fact> flywheel_facts(const machine::Flywheel& flywheel) {
-  return {
-      {"flywheel_inertia_kg_m2", flywheel.inertia},
-      {"flywheel_inertia_approximate_kg_m2", flywheel.approximate},
-      {"greatest_excess_work_J", flywheel.greatest_excess},
-      {"fluctuation_without_flywheel", machine::fluctuation(flywheel.without)},
-  };
+  std::vector<Fact> facts{{"flywheel_inertia_kg_m2", flywheel.inertia}};
+  if (flywheel.without.states.empty()) return facts;
+  facts.push_back({"flywheel_inertia_approximate_kg_m2", flywheel.approximate});
+  facts.push_back({"greatest_excess_work_J", flywheel.greatest_excess});
+  facts.push_back({"fluctuation_without_flywheel", machine::fluctuation(flywheel.without)});
+  return facts;
 }
 
 }  // namespace cognate::problems

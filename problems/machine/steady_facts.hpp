@@ -17,8 +17,8 @@ namespace cognate::problems {
 std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Machine& machine,
                                const machine::SteadyState& steady);
 
-/// flywheel_inertia_kg_m2, flywheel_inertia_approximate_kg_m2, greatest_excess_work_J,
-/// fluctuation_without_flywheel.
+/// flywheel_inertia_kg_m2, and where the machine runs without one
+/// flywheel_inertia_approximate_kg_m2, greatest_excess_work_J, fluctuation_without_flywheel.
 std::vector<Fact> flywheel_facts(const machine::Flywheel& flywheel);
 
 }  // namespace cognate::problems
