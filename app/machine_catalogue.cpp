@@ -51,9 +51,9 @@ constexpr KeyedEntry kTables[] = {
 constexpr Metric kMetrics[] = {
     {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of greatest and least"},
     {"speed_max_rad_s", "rad/s", "greatest speed of the drive"},
-    {"speed_max_at_deg", "deg", "the drive's angle there, of its period"},
+    {"speed_max_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
     {"speed_min_rad_s", "rad/s", "least speed of the drive"},
-    {"speed_min_at_deg", "deg", "the drive's angle there, of its period"},
+    {"speed_min_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
     {"fluctuation", "1", "(greatest - least)/mean of the speed"},
     {"fluctuation_without_flywheel", "1", "where a flywheel is to be found: without it"},
     {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is what is wanted, exactly"},

@@ -25,7 +25,8 @@ class AdaptiveSteps {
 
   AdaptiveSteps(Slope slope, double tolerance);
 
-  /// From now on by an implicit method, for which f may depend on the first component alone.
+  /// From now on by an implicit method, for which f may depend on the first component alone; with
+  /// no function by the explicit one again.
   void make_implicit(Sensitivities sensitivities) { sensitivities_ = std::move(sensitivities); }
   bool is_implicit() const { return static_cast<bool>(sensitivities_); }
 

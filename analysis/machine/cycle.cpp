@@ -20,8 +20,10 @@ enum Component : std::size_t { grown, elapsed, motor, load, deviation };
 constexpr double kBarely = std::numeric_limits<double>::min();
 /// The step, relative to ω, of ∂M/∂ω by central differences.
 constexpr double kDifference = 1e-5;
-/// The error of K is held against no less than this part of the work: a smaller K is passed through
-/// in steps that φ does not resolve.
+/// A machine of which deviations decay so much in a period is integrated implicitly.
+constexpr double kDamped = 1e5;
+/// The error of K is held, in explicit steps, against no less than this part of the work: a smaller
+/// K is passed through in steps that φ does not resolve.
 constexpr double kLeastScale = 1e-10;
 /// The longest of the steps that are compared with others, in parts of the period.
 constexpr double kFine = 1.0 / 256;
@@ -181,21 +183,32 @@ double Cycle::longest_step() const {
   return fine_ ? std::min(0.5 * longest, kFine * machine_.period) : longest;
 }
 
+/// By how much a deviation of K decays with φ.
+double Cycle::decay(double phi, double kinetic) {
+  const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
+  const double omega = speed(inertia, kinetic);
+  return -torque_slope(omega, 0) / (inertia * omega);
+}
+
+void Cycle::choose_method(bool implicit) {
+  if (implicit == stepper_.is_implicit()) return;
+  AdaptiveSteps::Sensitivities sensitivities;
+  if (implicit) {
+    sensitivities = [this](const State& y, const State& slope, double phi, double step) {
+      return sensitivity(y, slope, phi, step);
+    };
+  }
+  stepper_.make_implicit(std::move(sensitivities));
+}
+
 /// After every step whether to go on, now and then whether implicitly.
 CycleEnd Cycle::count_step() {
   if (++taken_ >= accuracy_.most_steps) return CycleEnd::gave_up;
   if (taken_ % kAsk != 0) return CycleEnd::whole;
   if (accuracy_.stop && accuracy_.stop()) return CycleEnd::stopped;
-  if (stepper_.is_implicit()) return CycleEnd::whole;
-  const double inertia = machine_.move_to(pieces_.inside(place_.piece, stepper_.x())).value;
-  const double omega = speed(inertia, kinetic(stepper_.y()));
-  const double decay =
-      -torque_slope(omega, stepper_.y()[elapsed] * time_scale_) / (inertia * omega);
-  if (decay * (stepper_.x() - stepper_.x_before()) > 1) {
-    stepper_.make_implicit([this](const State& y, const State& slope, double phi, double step) {
-      return sensitivity(y, slope, phi, step);
-    });
-  }
+  const double rate = decay(stepper_.x(), kinetic(stepper_.y()));
+  always_implicit_ = always_implicit_ || rate * (stepper_.x() - stepper_.x_before()) > 1;
+  if (always_implicit_) choose_method(true);
   return CycleEnd::whole;
 }
 
@@ -228,11 +241,13 @@ CycleEnd Cycle::run_piece(double to, CycleDetail* detail, int steps) {
 
 CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
   kinetic_ = kinetic;
-  scale_ = std::clamp(kinetic, kLeastScale * work_, work_);
   detailed_ = detail != nullptr;
   greatest_ = least_ = kinetic;
   taken_ = 0;
   place_ = pieces_.place(phi0_, 1);
+  choose_method(always_implicit_ || decay(place_.phi, kinetic) * machine_.period > kDamped);
+  const double least_scale = stepper_.is_implicit() ? kBarely : kLeastScale * work_;
+  scale_ = std::clamp(kinetic, least_scale, work_);
   State y{};
   if (detailed_) {
     const MachineState first = state(place_.phi, y);

@@ -76,6 +76,8 @@ class Cycle {
   double longest_step() const;
   CycleEnd run_piece(double to, CycleDetail* detail, int steps);
   CycleEnd count_step();
+  double decay(double phi, double kinetic);
+  void choose_method(bool implicit);
   void note_energy(const State& y);
   void note_extremes(CycleDetail& detail);
   void note_power(const Mark& before, CycleDetail& detail);
@@ -88,7 +90,7 @@ class Cycle {
   double phi0_, work_;
   double kinetic_ = 0, scale_ = 1, time_scale_ = 1;
   Place place_;
-  bool detailed_ = false, fine_ = false;
+  bool detailed_ = false, fine_ = false, always_implicit_ = false;
   AdaptiveSteps stepper_;
   double growth_ = 0, greatest_ = 0, least_ = 0;
   Mark last_;

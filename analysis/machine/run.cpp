@@ -226,7 +226,12 @@ class Runner {
 
   /// Moves on in one direction within one piece; the reason where the run ends in it.
   std::optional<RunStop> stretch() {
-    place_ = pieces_.place(now_.phi, direction_);
+    // After many turns φ does not say any more on which side of a border it is.
+    if (at_border_ && now_.omega != 0) {
+      pieces_.move_on(place_, direction_);
+    } else {
+      place_ = pieces_.place(now_.phi, direction_);
+    }
     if (is_open()) return RunStop::open;
     set_limit();
     speed_side_ = end_.speed && now_.omega > *end_.speed ? -1 : 1;
@@ -305,6 +310,7 @@ class Runner {
     if (event == Event::rest) y[momentum] = 0;
     if (event == limit_event_) y[phi] = limit_;
     now_ = state(at, y);
+    at_border_ = event == Event::border;
     if (event == limit_event_ && has_approached()) return RunStop::approached;
     if (event == Event::travel) return RunStop::travel;
     if (event != Event::speed) return std::nullopt;
@@ -339,7 +345,7 @@ class Runner {
   int direction_ = 1;
   double limit_ = 0, speed_side_ = 1;
   Event limit_event_ = Event::border;
-  bool moved_ = false;
+  bool moved_ = false, at_border_ = false;
   RunStop waited_ = RunStop::stalled;
   std::vector<double> times_;
   std::size_t next_ = 0, taken_ = 0;

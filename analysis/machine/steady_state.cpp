@@ -25,6 +25,8 @@ constexpr int kSearches = 20;
 /// Where two integrations of a period differ by more, in parts of what is worked, they are made
 /// again with steps of at most these parts of the period.
 constexpr double kSound = 1e-6;
+/// Where K grows or shrinks by a period, not by how much matters.
+constexpr double kSameSense = 0.05;
 constexpr std::array<double, 3> kShorter{1.0 / 256, 1.0 / 2048, 1.0 / 16384};
 /// The loosest tolerance: a little more saves little time, and blurs what is nothing.
 constexpr double kLoosest = 1e-8;
@@ -86,9 +88,10 @@ class Shooting {
   /// The same where other steps agree with what the last shot said.
   SteadyState missing_for_sure(NoSteadyState why) {
     ++steady_.integrations;
-    const bool sure = cycle_.check(shot_.kinetic) == CycleEnd::whole &&
-                      std::abs(cycle_.growth() - shot_.growth) <= kSound * size();
-    return missing(sure ? why : NoSteadyState::unsure);
+    const bool whole = cycle_.check(shot_.kinetic) == CycleEnd::whole;
+    const double change = std::abs(cycle_.growth() - shot_.growth);
+    const bool agree = change <= kSound * size() || change <= kSameSense * std::abs(shot_.growth);
+    return missing(whole && agree ? why : NoSteadyState::unsure);
   }
 
   static NoSteadyState reason(CycleEnd end) {

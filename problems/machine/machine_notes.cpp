@@ -13,6 +13,9 @@ namespace {
 constexpr std::string_view kOutOfTime = "out of time";
 constexpr std::string_view kSteep =
     "too many steps, as where torques change very steeply with speed or angle";
+constexpr std::string_view kManySteps =
+    "too many steps, as where the machine swings to and fro, or torques change very steeply with "
+    "speed or angle";
 
 }  // namespace
 
@@ -36,8 +39,10 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
           "every speed looked at ({:.6g} J in a period)",
           steady.surplus);
     case NoSteadyState::any_speed:
-      return "every speed is a steady one: torques do not depend on speed and do no work in a "
-             "period";
+      return fmt::format(
+          "every speed is a steady one: torques do not depend on speed and do no work in a period; "
+          "{}",
+          steady.states.empty() ? "give run.start_speed" : "that of the start is taken");
     case NoSteadyState::depends_on_time:
       return "no steady state: motor or loads depend on time";
     case NoSteadyState::open:
@@ -98,7 +103,7 @@ std::string ended_note(const EndedMotion& motion) {
     case RunStop::gave_up:
     case RunStop::stopped:
       return fmt::format("{} was ended before it was done: {}, {}", name,
-                         run.stop == RunStop::stopped ? kOutOfTime : kSteep, place);
+                         run.stop == RunStop::stopped ? kOutOfTime : kManySteps, place);
     case RunStop::at_rest:
       return fmt::format("{} fails: the machine comes to rest, {}", name, place);
     default:

@@ -111,7 +111,9 @@ class MachineTasks {
       return;
     }
     fail(flywheel_note(found, *problem_.fluctuation));
-    if (found.without.states.empty()) steady_ = std::move(found.without);
+    if (!found.without.states.empty()) return;
+    steady_ = std::move(found.without);
+    is_told_ = found.why == steady_->missing && found.why != NoSteadyState::stalls;
   }
 
   /// The steady state, found once; not looked for where the drive cannot turn fully.
@@ -130,15 +132,14 @@ class MachineTasks {
     const SteadyState& found = steady_state();
     if (!model_.turns()) tell_gap();
     if (!is_steady()) {
-      fail(steady_note(found, model_.turns()));
-      if (found.missing == NoSteadyState::any_speed) {
-        result_.notes.emplace_back("with a start speed, that of the start is taken");
-      }
+      whole_ = false;
+      if (!is_told_) tell_once(steady_note(found, model_.turns()));
       if (found.missing == NoSteadyState::stalls && sets_out_backwards()) tell_backwards();
       return;
     }
-    if (found.missing == NoSteadyState::any_speed)
+    if (found.missing == NoSteadyState::any_speed) {
       result_.notes.push_back(steady_note(found, model_.turns()));
+    }
     const Machine whole = machine();
     result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
     append(result_.facts, steady_facts(problem_, whole, found));
@@ -264,6 +265,7 @@ class MachineTasks {
   double flywheel_ = 0;
   std::optional<SteadyState> steady_;
   MachineResult result_;
+  bool is_told_ = false;  ///< why there is no steady state, with the flywheel
   bool whole_ = true;
 };
 

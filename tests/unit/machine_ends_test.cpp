@@ -111,6 +111,36 @@ TEST(MachineEnds, SaysWhereASpeedOutOfReachLeavesIt) {
   EXPECT_EQ(start("start_speed = 20\nspeed_end = 40\n").status, Status::solved);
 }
 
+TEST(MachineEnds, SaysOnceWhyThereIsNoFlywheel) {
+  const std::string balanced = R"toml(
+equivalent = {inertia = 1, torque = "-100*(1 + cos(phi))"}
+motor = {torque = 100}
+flywheel = {fluctuation = 0.1}
+)toml";
+  const MachineResult unknown = result_of(balanced);
+  ASSERT_EQ(unknown.notes.size(), 1u);
+  EXPECT_TRUE(says(unknown, "give run.start_speed"));
+  const MachineResult known = result_of(balanced + "run = {start_speed = 30}\n");
+  EXPECT_EQ(known.status, Status::solved);
+  ASSERT_EQ(known.notes.size(), 1u);
+  EXPECT_TRUE(says(known, "that of the start is taken"));
+  problems::Run run;
+  run.time_limit = 0;
+  const MachineResult stopped = run_machine(test::parse(balanced), run);
+  ASSERT_EQ(stopped.notes.size(), 1u);
+  EXPECT_TRUE(says(stopped, "out of time"));
+}
+
+TEST(MachineEnds, AnEvenSpeedIsNowhereGreatest) {
+  const MachineResult even = result_of("equivalent = {inertia = 1}\nmotor = {torque = '50 - w'}\n");
+  EXPECT_NEAR(fact(even, "speed_max_rad_s"), 50, 1e-8);
+  const auto is_place = [](const Fact& each) { return each.name.ends_with("_at_deg"); };
+  EXPECT_TRUE(std::ranges::none_of(even.facts, is_place));
+  const MachineResult uneven =
+      result_of("equivalent = {inertia = 1, torque = 'cos(phi)'}\nmotor = {torque = '50 - w'}\n");
+  EXPECT_EQ(std::ranges::count_if(uneven.facts, is_place), 2);
+}
+
 TEST(MachineEnds, SaysThatItGoesBackwards) {
   const MachineResult result = result_of(R"(
 equivalent = {inertia = 1}
