@@ -111,9 +111,8 @@ class MachineTasks {
       return;
     }
     fail(flywheel_note(found, *problem_.fluctuation));
-    if (!found.without.states.empty()) return;
+    is_told_ = found.why == found.without.missing && found.why != NoSteadyState::stalls;
     steady_ = std::move(found.without);
-    is_told_ = found.why == steady_->missing && found.why != NoSteadyState::stalls;
   }
 
   /// The steady state, found once; not looked for where the drive cannot turn fully.

@@ -1,4 +1,5 @@
 /// Machines from their files: values, functions, and every fault at its place.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -188,7 +189,7 @@ TEST(MachineProblem, AnExpressionsSlopeIsThatOfItsNarrowestBumps) {
 
 TEST(MachineProblem, RowsMayBeAsCloseAsIsWanted) {
   for (const std::string at : {"7", "90", "359"}) {
-    read_sound(equivalent("inertia = [[0, 1], [" + at + ", 2], [" + at + ".000001, 3]]\n"));
+    read_sound(equivalent(fmt::format("inertia = [[0, 1], [{0}, 2], [{0}.000001, 3]]\n", at)));
   }
 }
 
