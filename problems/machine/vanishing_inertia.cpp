@@ -18,12 +18,13 @@ constexpr double kNothing = 1e-12;
 }  // namespace
 
 std::optional<double> vanishing_inertia(const machine::Machine& machine) {
+  constexpr double kUnknown = std::numeric_limits<double>::max();
   const auto inertia = [&](double phi) {
     const double value = machine.move_to(in_period(phi, machine.period)).value;
-    return std::isfinite(value) ? value : std::numeric_limits<double>::max();
+    return std::isfinite(value) ? value : kUnknown;
   };
   const double step = machine.period / kSamples;
-  double least = std::numeric_limits<double>::max(), at = 0;
+  double least = kUnknown, at = 0;
   for (int i = 0; i < kSamples; ++i) {
     const double value = inertia(i * step);
     if (value >= least) continue;
@@ -33,8 +34,11 @@ std::optional<double> vanishing_inertia(const machine::Machine& machine) {
   // In steps from `at`, whose own size would blur a place far from 0.
   const auto beside = [&](double steps) { return inertia(at + steps * step); };
   const auto [place, value] = boost::math::tools::brent_find_minima(beside, -1.0, 1.0, 30);
-  const double around = std::max(beside(place - 1), beside(place + 1));
-  if (!(std::min(value, least) <= kNothing * around)) return std::nullopt;
+  double around = 0;
+  for (const double side : {beside(place - 1), beside(place + 1)}) {
+    if (side < kUnknown) around = std::max(around, side);
+  }
+  if (std::min(value, least) > kNothing * around) return std::nullopt;
   constexpr double kClose = 1e-6;
   const double phi = value < least ? at + place * step : at;
   return std::abs(std::remainder(phi, kTurn)) < kClose ? 0 : in_one_turn(phi);

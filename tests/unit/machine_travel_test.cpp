@@ -79,12 +79,12 @@ TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {
   const auto about = [](double phi) { return std::pow(std::sin(0.5 * (phi - 4.321)), 2); };
   EXPECT_NEAR(place(about).value_or(-1), 4.321, 1e-9);
   EXPECT_FALSE(place([&](double phi) { return 1e-6 + about(phi); }));
-  const auto unknown_at_0 = [](double phi) {
-    return phi < 1e-3 ? std::numeric_limits<double>::quiet_NaN() : 2.0;
+  const auto unknown_at_ends = [](double phi) {
+    return phi < 1e-3 || phi > 6.25 ? std::numeric_limits<double>::quiet_NaN() : 2.0;
   };
-  EXPECT_FALSE(place(unknown_at_0));
-  EXPECT_NEAR(place([&](double phi) { return unknown_at_0(phi) * about(phi); }).value_or(-1), 4.321,
-              1e-9);
+  EXPECT_FALSE(place(unknown_at_ends));
+  EXPECT_NEAR(place([&](double phi) { return unknown_at_ends(phi) * about(phi); }).value_or(-1),
+              4.321, 1e-9);
 }
 
 TEST(VanishingInertia, IsNotToldWhereTheCrankHasSomeHoweverLargeItIsElsewhere) {
