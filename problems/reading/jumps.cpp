@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
+
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kLeastShare = 0.01;
 
 struct Sample {
