@@ -132,9 +132,9 @@ MachineState Cycle::state(double phi, const State& y) {
 }
 
 void Cycle::note_energy(const State& y) {
-  const double k = kinetic(y);
-  greatest_ = std::max(greatest_, k);
-  least_ = std::min(least_, k);
+  const double growth = y[grown] * scale_;
+  greatest_ = std::max(greatest_, growth);
+  least_ = std::min(least_, growth);
 }
 
 /// The end of the last step, and the extremes of speed, energy and power between its ends.
@@ -242,12 +242,12 @@ CycleEnd Cycle::run_piece(double to, CycleDetail* detail, int steps) {
 CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
   kinetic_ = kinetic;
   detailed_ = detail != nullptr;
-  greatest_ = least_ = kinetic;
+  greatest_ = least_ = 0;
   taken_ = 0;
   place_ = pieces_.place(phi0_, 1);
   choose_method(always_implicit_ || decay(place_.phi, kinetic) * machine_.period > kDamped);
-  const double least_scale = stepper_.is_implicit() ? kBarely : kLeastScale * work_;
-  scale_ = std::clamp(kinetic, least_scale, work_);
+  const bool resolves_all = stepper_.is_implicit() && kinetic > 0;
+  scale_ = std::clamp(kinetic, resolves_all ? kBarely : kLeastScale * work_, work_);
   State y{};
   if (detailed_) {
     const MachineState first = state(place_.phi, y);

@@ -42,9 +42,9 @@ class Cycle {
   /// What K grows by in a period that begins with `kinetic`.
   CycleEnd run(double kinetic);
   double growth() const { return growth_; }
-  double range() const { return greatest_ - least_; }  ///< of K
-  bool stands() const { return least_ <= 0; }          ///< whether K was used up
-  double scale() const { return scale_; }              ///< what the error of K is held against
+  double range() const { return greatest_ - least_; }     ///< of K
+  bool stands() const { return kinetic_ + least_ <= 0; }  ///< whether K was used up
+  double scale() const { return scale_; }                 ///< what the error of K is held against
   bool is_damped() const { return stepper_.is_implicit(); }  ///< implicitly integrated
 
   /// The same with other, shorter steps, to be compared.
@@ -92,7 +92,8 @@ class Cycle {
   Place place_;
   bool detailed_ = false, fine_ = false, always_implicit_ = false;
   AdaptiveSteps stepper_;
-  double growth_ = 0, greatest_ = 0, least_ = 0;
+  double growth_ = 0;
+  double greatest_ = 0, least_ = 0;  ///< growth of K in between
   Mark last_;
   double power_change_ = 0;
   std::size_t taken_ = 0;

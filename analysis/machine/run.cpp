@@ -9,6 +9,7 @@
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/pieces.hpp"
 #include "analysis/machine/steady_state.hpp"
+#include "analysis/machine/time_limits.hpp"
 #include "analysis/mechanism/zeros.hpp"
 
 namespace cognate::machine {
@@ -31,9 +32,6 @@ constexpr std::size_t kAsk = 256;
 
 /// Steps that a run may take for each turn that it gets on, and for each piece of that.
 constexpr std::size_t kStepsOfATurn = 5000, kStepsOfAPiece = 20;
-/// How often torques that depend on time are looked at in advance, from how many places.
-constexpr std::size_t kTimes = 4096;
-constexpr int kPlaces = 3;
 /// The longest steps, in parts of the period, where it is not known how long torques change.
 constexpr double kUntimed = 1.0 / 64;
 
@@ -43,24 +41,6 @@ double usual_speed(const Machine& machine, const MachineState& from, const RunEn
   if (end.speed && std::abs(*end.speed) > std::abs(speed)) speed = *end.speed;
   if (end.approach && std::abs(end.approach->omega) > std::abs(speed)) speed = end.approach->omega;
   return speed != 0 ? speed : speed_of_mean_torques(machine).value_or(1);
-}
-
-StepLimits limits_in_time(const Machine& machine, const MachineState& from, double duration) {
-  StepLimits limits(from.time, duration, kTimes);
-  const std::vector<int> one_stretch(kTimes);
-  std::vector<double> values(kTimes);
-  for (int place = 0; place < kPlaces; ++place) {
-    machine.move_to(machine.period * (place + 0.5) / kPlaces);
-    double sum = 0;
-    for (std::size_t i = 0; i < kTimes; ++i) {
-      const double speed = from.omega != 0 ? from.omega : kBarely;
-      const Torques acting = machine.torques(speed, limits.place(i));
-      values[i] = acting.sum();
-      sum += std::abs(acting.motor) + std::abs(acting.load);
-    }
-    limits.shorten(values, one_stretch, sum / static_cast<double>(kTimes));
-  }
-  return limits;
 }
 
 /// What may end a step, in the order in which they count where they coincide.

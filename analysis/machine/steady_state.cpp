@@ -223,8 +223,10 @@ class Shooting {
     steady_.multiplier = detail.multiplier;
     steady_.surplus = cycle_.growth();
     steady_.energy_residual = energy_residual();
+    // In time the energy itself is integrated, which may be far more than what is worked.
+    const double blur = kNothing * accuracy_.relative * kinetic / size();
     const double change = std::abs(cycle_.growth() - shot_.growth) / size();
-    const bool sound = std::max(change, steady_.energy_residual) <= kSound;
+    const bool sound = change <= kSound && steady_.energy_residual <= kSound + blur;
     if (!sound) steady_.missing = NoSteadyState::unsure;
     return std::move(steady_);
   }
@@ -275,14 +277,6 @@ double mean_speed(const SteadyState& steady) {
 
 double fluctuation(const SteadyState& steady) {
   return (steady.greatest.omega - steady.least.omega) / mean_speed(steady);
-}
-
-Terrain terrain_about(const Machine& machine, const SteadyGuess& guess) {
-  Terrain terrain(machine);
-  const double speed = guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1);
-  const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
-  terrain.look(machine, speeds);
-  return terrain;
 }
 
 SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGuess& guess,

@@ -151,7 +151,7 @@ TEST(SteadyState, ExtremesOfEnergyAndPowerAreNotThoseOfRows) {
     return EquivalentInertia{2 + std::cos(phi), -std::sin(phi)};
   };
   const Machine machine = machine_of(inertia, [=](double phi, double omega, double) {
-    return Torques{motor(omega), -80 * std::sin(phi) - 30 - 100 * std::cos(2 * phi)};
+    return Torques{motor(omega), -80 * std::sin(phi) - 30 - 300 * std::cos(5 * phi)};
   });
   const SteadyState few = steady_state(machine, {}, {}, 3);
   const SteadyState many = steady_state(machine, {}, {}, 20000);
@@ -163,7 +163,7 @@ TEST(SteadyState, ExtremesOfEnergyAndPowerAreNotThoseOfRows) {
     power = std::max(power, motor(state.omega) * state.omega);
   }
   EXPECT_NEAR(few.energy_swing, greatest - least, 1e-6 * (greatest - least));
-  EXPECT_NEAR(few.motor_power, power, 1e-6 * power);
+  EXPECT_NEAR(few.motor_power, power, 3e-8 * power);
 }
 
 /// A crank of 0.1 and a coupler of 0.45 that move a slider of 6 kg along +x.
@@ -330,9 +330,11 @@ TEST(Run, MayTakeMoreStepsTheFartherItGets) {
   const Accuracy accuracy{.most_steps = 500};
   EXPECT_EQ(run(machine, {.omega = 3}, {.travel = 500}, accuracy, 0).stop, RunStop::travel);
   // So far on, φ does not tell on which side of a break the drive is.
-  const MachineRun far = run(machine, {.phi = 1e6, .omega = 3}, {.travel = 20}, {}, 0);
-  EXPECT_EQ(far.stop, RunStop::travel);
-  EXPECT_NEAR(far.states.back().phi, 1e6 + 20, 1e-9);
+  for (const double from : {1e5, 3e5, 1e6, 2e6}) {
+    const MachineRun far = run(machine, {.phi = from, .omega = 3}, {.travel = 20}, {}, 0);
+    EXPECT_EQ(far.stop, RunStop::travel);
+    EXPECT_NEAR(far.states.back().phi, from + 20, 1e-9);
+  }
 }
 
 }  // namespace
