@@ -84,7 +84,9 @@ std::string ended_note(const EndedMotion& motion) {
   using machine::RunStop;
   const auto& [name, run, turns, awaited] = motion;
   const machine::MachineState &first = run.states.front(), &last = run.states.back();
-  const double angle = in_period(last.phi, kTurn) * 360 / kTurn;
+  constexpr double kShown = 1e-3;
+  const double in_turn = in_period(last.phi, kTurn) * 360 / kTurn;
+  const double angle = in_turn < 360 - kShown ? in_turn : 0;
   const std::string place = fmt::format("after {:.6g} s and {:.6g} turns, at {:.6g} rad/s",
                                         last.time, (last.phi - first.phi) / kTurn, last.omega);
   switch (run.stop) {

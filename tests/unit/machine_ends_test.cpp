@@ -22,6 +22,7 @@ run = {start_deg = 90, tasks = ["steady", "start"]}
 )");
   EXPECT_FALSE(says(result, "vanishes"));
   EXPECT_TRUE(says(result, "the drive does not hold the mechanism at 0°"));
+  EXPECT_TRUE(says(result, "further on than 0°"));
   EXPECT_NEAR(fact(result, "start_turns"), 0.75, 1e-6);
 }
 
