@@ -162,7 +162,23 @@ class Columns {
     }
   }
 
-  std::vector<Column> take() { return std::move(columns_); }
+  /// Lengths are in metres where powers, torques and inertias follow from them.
+  void name_metres() {
+    const auto has_unit = [](const Design& d) {
+      return d.metrics.torque_ripple || d.metrics.flywheel_inertia || d.metrics.motor_power;
+    };
+    if (std::ranges::none_of(designs_, has_unit)) return;
+    for (Column& column : columns_) {
+      const std::string_view unit = "[length";
+      const auto at = column.heading.find(unit);
+      if (at != std::string::npos) column.heading.replace(at, unit.size(), "[m");
+    }
+  }
+
+  std::vector<Column> take() {
+    name_metres();
+    return std::move(columns_);
+  }
 
  private:
   Designs designs_;

@@ -6,7 +6,9 @@ namespace {
 constexpr Entry kLoad[] = {
     {"value",
      "what force and torque are multiplied by: an expression in phi, w, t, s, v (s: travel of the "
-     "body along its slide, or its angle; v: its rate), or [[crank_deg, value], ...]"},
+     "body, along its slide, or rad from the end of its swing, or its angle where it turns fully; "
+     "v: "
+     "its rate), or [[crank_deg, value], ...]"},
     {"interpolation", "of such a table: \"linear\" (default) or \"smooth\""}};
 constexpr Entry kEquivalent[] = {
     {"inertia", "kg m2 at the drive: a number, an expression in phi, or [[deg, inertia], ...]"},
@@ -30,9 +32,12 @@ constexpr Entry kRun[] = {
     {"start_deg", "the drive's angle where a start begins (default 0)"},
     {"start_speed", "rad/s, of the drive where it begins (default 0)"},
     {"speed_end", "rad/s, at which it ends"},
-    {"time_max", "s, after which a start or a stop ends"},
+    {"time_max", "s, after which a start or a stop ends; until then a machine at rest waits"},
     {"turns_max", "of the drive, after which a start or a stop ends"},
-    {"steps", "rows of the table for a turn, 12 to 100000 (default 360)"},
+    {"steps",
+     "rows of the table for a turn of the steady motion, or for a whole start or stop, 12 to "
+     "100000 "
+     "(default 360)"},
     {"tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)"}};
 
 constexpr KeyedEntry kTables[] = {
@@ -46,9 +51,9 @@ constexpr KeyedEntry kTables[] = {
 constexpr Metric kMetrics[] = {
     {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of greatest and least"},
     {"speed_max_rad_s", "rad/s", "greatest speed of the drive"},
-    {"speed_max_at_deg", "deg", "the drive's angle there, of its period"},
+    {"speed_max_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
     {"speed_min_rad_s", "rad/s", "least speed of the drive"},
-    {"speed_min_at_deg", "deg", "the drive's angle there, of its period"},
+    {"speed_min_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
     {"fluctuation", "1", "(greatest - least)/mean of the speed"},
     {"fluctuation_without_flywheel", "1", "where a flywheel is to be found: without it"},
     {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is what is wanted, exactly"},

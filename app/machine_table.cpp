@@ -3,8 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <limits>
+#include <cstddef>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -75,13 +74,6 @@ std::size_t rows_of(const problems::MachineMotion& motion) {
   return motion.columns.empty() ? 0 : motion.columns.front().values.size();
 }
 
-/// The values of `motion` under `name`; NaN where it has none.
-std::vector<double> values_of(const problems::MachineMotion& motion, std::string_view name) {
-  const auto column = std::ranges::find(motion.columns, name, &problems::Column::name);
-  if (column != motion.columns.end()) return column->values;
-  return std::vector<double>(rows_of(motion), std::numeric_limits<double>::quiet_NaN());
-}
-
 }  // namespace
 
 std::string describe(const MachineProblem& problem) {
@@ -112,9 +104,9 @@ std::string machine_csv(const MachineResult& result) {
   for (auto& column : columns) column.values.clear();
   for (const auto& motion : result.motions) {
     tasks.insert(tasks.end(), rows_of(motion), std::string(problems::to_string(motion.task)));
-    for (auto& column : columns) {
-      const auto values = values_of(motion, column.name);
-      column.values.insert(column.values.end(), values.begin(), values.end());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto& values = motion.columns[i].values;
+      columns[i].values.insert(columns[i].values.end(), values.begin(), values.end());
     }
   }
   return csv_text(columns, {"task", tasks});

@@ -15,8 +15,8 @@ std::string describe(const problems::MachineProblem& problem);
 std::string machine_table(const problems::MachineProblem& problem,
                           const problems::MachineResult& result, const Screen& screen);
 
-/// The table of all motions as CSV, as `csv_text` does, with the task before the other columns. A
-/// motion has an empty cell where it lacks a column of the first.
+/// The table of all motions, whose columns are the same, as CSV, as `csv_text` does, with the task
+/// before the other columns.
 std::string machine_csv(const problems::MachineResult& result);
 
 }  // namespace cognate::app

@@ -4,6 +4,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "app/command_line.hpp"
 #include "app/command_line_faults.hpp"
@@ -14,6 +15,7 @@
 #include "app/study/study_processes.hpp"
 #include "app/terminal.hpp"
 #include "app/version.hpp"
+#include "problems/read.hpp"
 
 namespace cognate::app {
 namespace {
@@ -49,11 +51,20 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   return allowed ? std::optional(options) : std::nullopt;
 }
 
+/// The command that makes a result of `file`: `analyze` of what a file gives whole.
+const char* command_for(const std::string& file) {
+  const auto task = problems::read_task(file);
+  const bool is_given = task && (std::holds_alternative<problems::AnalysisProblem>(*task) ||
+                                 std::holds_alternative<problems::GearProblem>(*task) ||
+                                 std::holds_alternative<problems::MachineProblem>(*task));
+  return is_given ? "analyze" : "solve";
+}
+
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
   const bool of_study = command.get_option("--row")->count() > 0;
   if (!of_study && arguments.file.ends_with(".toml")) {
-    complain(arguments.file + ": export takes a result; 'cognate solve " + arguments.file +
-             "' writes one, NAME.result.json");
+    complain(arguments.file + ": export takes a result; 'cognate " + command_for(arguments.file) +
+             ' ' + arguments.file + "' writes one, NAME.result.json");
     return exit_bad_input;
   }
   const std::string other = arguments.exporting.any();

@@ -212,6 +212,7 @@ class Runner {
     } else {
       place_ = pieces_.place(now_.phi, direction_);
     }
+    if (is_open()) return RunStop::open;
     set_limit();
     speed_side_ = end_.speed && now_.omega > *end_.speed ? -1 : 1;
     stepper_.start(now_.time / time_, state_vector());
@@ -225,6 +226,11 @@ class Runner {
       const auto [event, at] = first_event();
       if (event != Event::none) return take(event, at);
     }
+  }
+
+  /// Whether the piece that is entered begins where the mechanism cannot be assembled.
+  bool is_open() {
+    return !std::isfinite(machine_.move_to(pieces_.inside(place_.piece, place_.phi)).value);
   }
 
   /// Whether the angle no longer changes for lack of places beyond it: where a mechanism cannot be

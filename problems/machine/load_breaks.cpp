@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/angle.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/mechanism/zeros.hpp"
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Where the travel passes the value `target` in `run`. Between `limits` it goes one way.
 class Passages {

@@ -1,12 +1,9 @@
 #include "problems/machine/machine_model.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <iterator>
-#include <numbers>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -14,14 +11,18 @@
 #include "analysis/mechanism/followed_motion.hpp"
 #include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/whole_motion.hpp"
+#include "problems/machine/drive_angle.hpp"
+#include "problems/machine/drive_gaps.hpp"
 #include "problems/machine/load_breaks.hpp"
 #include "problems/machine/reduced_mechanism.hpp"
+#include "problems/machine/vanishing_inertia.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kDegrees = 180 / std::numbers::pi;
+/// A part of the mechanism that is at infinity is so far away this near to that place that the
+/// drive does not get there.
+constexpr double kNearWall = 1e-6;
 
 /// The mechanism's problem with the loads that are functions among its own, in the order of
 /// strokes.
@@ -55,26 +56,6 @@ bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
   return std::ranges::equal(first.bodies(), second.bodies(), stand_alike);
 }
 
-/// Why the drive does not turn fully; empty where it does.
-std::string gap_of(const Course& course) {
-  if (course.runs.empty()) return "the mechanism cannot be assembled at any angle of its drive";
-  constexpr double kSlack = 1e-9;
-  std::vector<CourseRun> runs = course.runs;
-  const bool closes =
-      runs.front().from <= course.start + kSlack && runs.back().to >= course.end - kSlack;
-  if (closes && runs.size() == 1) return {};
-  if (closes) {
-    runs.front().from = runs.back().from - kTurn;
-    runs.pop_back();
-  }
-  std::string ranges;
-  for (const CourseRun& run : runs) {
-    ranges += fmt::format("{}from {:.6g}° to {:.6g}°", ranges.empty() ? "" : " and ",
-                          run.from * kDegrees, run.to * kDegrees);
-  }
-  return fmt::format("the drive cannot turn fully: the mechanism can be assembled {}", ranges);
-}
-
 /// What a machine is made of, with the state of its mechanism.
 struct Parts {
   std::optional<ReducedMechanism> mechanism;
@@ -82,12 +63,22 @@ struct Parts {
   std::optional<Motor> motor;
   double constant_inertia = 0;
   double brake = 0;
+  double period = 0;
+  std::vector<double> walls;
   double phi = 0;
   std::shared_ptr<std::uint64_t> evaluations;
 
+  bool is_in_wall() const {
+    return std::ranges::any_of(walls, [&](double wall) {
+      return std::abs(std::remainder(phi - wall, period)) < kNearWall;
+    });
+  }
+
   machine::EquivalentInertia move_to(double angle) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     phi = angle;
     ++*evaluations;
+    if (is_in_wall()) return {kNone, kNone};
     machine::EquivalentInertia sum{constant_inertia, 0};
     if (mechanism) {
       const machine::EquivalentInertia of_bodies = mechanism->move_to(phi);
@@ -137,7 +128,7 @@ void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Dea
   AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
   all.drive.start = in_one_turn(problem_.run.start_phi);
   course_ = whole_motion(all, deadline);
-  gap_ = gap_of(course_);
+  gap_ = gap_in_words(course_);
   if (turns() && !course_.runs.front().changes.empty()) {
     Course two_turns = follow_until(all, course_.start, course_.start + 2 * kTurn, deadline);
     if (!repeats(all.mechanism.mechanism, two_turns)) {
@@ -152,9 +143,21 @@ void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Dea
     const auto more = load_breaks(all.mechanism.mechanism, course_, rule, stroke);
     breaks_.insert(breaks_.end(), more.begin(), more.end());
   }
-  for (double& place : breaks_) {
-    if (place >= period_) place -= period_;
+  for (const MachineLoad& load : problem_.loads) add_travel(all.mechanism.mechanism, load);
+  walls_ = walls(course_);
+  for (const double wall : walls_) {
+    breaks_.insert(breaks_.end(), {wall - kNearWall, wall + kNearWall});
   }
+  for (double& place : breaks_) place = in_period(place, period_);
+}
+
+void MachineModel::add_travel(const Mechanism<double>& mechanism, const MachineLoad& load) {
+  const LoadTravel& travel = travels_.emplace_back(mechanism, course_, load.rule.at.body);
+  if (!load.of_travel || !travel.begins_anew()) return;
+  LoadRule whole_turn = load.rule;
+  whole_turn.within_stroke = {0, 1};
+  const auto begins = load_breaks(mechanism, course_, whole_turn, {0, kTurn});
+  breaks_.insert(breaks_.end(), begins.begin(), begins.end());
 }
 
 void MachineModel::add_breaks(const std::vector<double>& of_a_turn) {
@@ -166,7 +169,7 @@ void MachineModel::add_breaks(const std::vector<double>& of_a_turn) {
 machine::Machine MachineModel::machine(const MachineParts& parts) const {
   auto all = std::make_shared<Parts>();
   if (problem_.mechanism) {
-    all->mechanism.emplace(*problem_.mechanism, problem_.loads, course_, strokes_);
+    all->mechanism.emplace(*problem_.mechanism, problem_.loads, course_, strokes_, travels_);
   }
   all->inertia = problem_.inertia;
   all->torque = problem_.torque;
@@ -177,6 +180,8 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
     if (parts.motor) all->motor = motor;
   }
   all->brake = parts.brake;
+  all->period = period_;
+  all->walls = walls_;
   all->evaluations = evaluations_;
   return {.move_to = [all](double phi) { return all->move_to(phi); },
           .torques = [all](double omega, double time) { return all->torques(omega, time); },
@@ -185,27 +190,22 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
           .depends_on_time = depends_on_time_};
 }
 
+bool MachineModel::always_has_inertia(double flywheel) const {
+  if (flywheel > 0 || problem_.inertia) return true;
+  if (problem_.motor && problem_.motor->inertia > 0) return true;
+  // The drive turns with the angle that counts.
+  return problem_.mechanism && problem_.mechanism->inertias.at(1).moment > 0;
+}
+
 std::optional<double> MachineModel::without_inertia(double flywheel) const {
-  constexpr int kSamples = 360;
-  constexpr double kNothing = 1e-9;
-  if (!turns()) return std::nullopt;
-  const machine::Machine whole = machine({.flywheel = flywheel});
-  const auto inertia = [&](double phi) {
-    return whole.move_to(phi - period_ * std::floor(phi / period_)).value;
-  };
-  const double step = period_ / kSamples;
-  double least = inertia(0), greatest = least, at = 0;
-  for (int i = 1; i < kSamples; ++i) {
-    const double value = inertia(i * step);
-    greatest = std::max(greatest, value);
-    if (value >= least) continue;
-    least = value;
-    at = i * step;
-  }
-  at = boost::math::tools::brent_find_minima(inertia, at - step, at + step, 30).first;
-  if (inertia(at) > kNothing * greatest) return std::nullopt;
-  constexpr double kClose = 1e-6;
-  return std::abs(std::remainder(at, kTurn)) < kClose ? 0 : in_one_turn(at);
+  if (!turns() || always_has_inertia(flywheel)) return std::nullopt;
+  return vanishing_inertia(machine({.flywheel = flywheel}));
+}
+
+bool MachineModel::depends_on_angle() const {
+  const auto of_phi = [](const auto& function) { return function && function->of_phi; };
+  return problem_.mechanism || of_phi(problem_.inertia) || of_phi(problem_.torque) ||
+         (problem_.motor && problem_.motor->torque.of_phi);
 }
 
 }  // namespace cognate::problems

@@ -11,6 +11,7 @@
 #include "analysis/mechanism/course.hpp"
 #include "problems/analysis/active_loads.hpp"
 #include "problems/deadline.hpp"
+#include "problems/machine/load_travel.hpp"
 #include "problems/machine/machine_problem.hpp"
 
 namespace cognate::problems {
@@ -38,18 +39,25 @@ class MachineModel {
   /// empty where there is none, or the drive cannot turn fully.
   std::optional<double> without_inertia(double flywheel) const;
 
+  /// Whether inertia or torques may depend on the drive's angle; torques on time.
+  bool depends_on_angle() const;
+  bool depends_on_time() const { return depends_on_time_; }
+
   double period() const { return period_; }
   std::uint64_t evaluations() const { return *evaluations_; }  ///< of inertia, by all machines
 
  private:
   void prepare_mechanism(const AnalysisProblem& mechanism, const Deadline& deadline);
   void add_breaks(const std::vector<double>& of_a_turn);
+  void add_travel(const Mechanism<double>& mechanism, const MachineLoad& load);
+  bool always_has_inertia(double flywheel) const;
 
   const MachineProblem& problem_;
   double period_;
   Course course_;
-  std::vector<Stroke> strokes_;  ///< of the mechanism's loads, then of those that are functions
-  std::vector<double> breaks_;
+  std::vector<Stroke> strokes_;      ///< of the mechanism's loads, then of those that are functions
+  std::vector<LoadTravel> travels_;  ///< of the bodies of the loads that are functions
+  std::vector<double> walls_, breaks_;
   bool depends_on_time_ = false;
   std::string gap_;
   std::shared_ptr<std::uint64_t> evaluations_ = std::make_shared<std::uint64_t>(0);

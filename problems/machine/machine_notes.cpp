@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
+#include <cmath>
 #include <string_view>
+
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -11,6 +13,9 @@ namespace {
 constexpr std::string_view kOutOfTime = "out of time";
 constexpr std::string_view kSteep =
     "too many steps, as where torques change very steeply with speed or angle";
+constexpr std::string_view kManySteps =
+    "too many steps, as where the machine swings to and fro, or torques change very steeply with "
+    "speed or angle";
 
 }  // namespace
 
@@ -34,8 +39,10 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
           "every speed looked at ({:.6g} J in a period)",
           steady.surplus);
     case NoSteadyState::any_speed:
-      return "every speed is a steady one: torques do not depend on speed and do no work in a "
-             "period";
+      return fmt::format(
+          "every speed is a steady one: torques do not depend on speed and do no work in a period; "
+          "{}",
+          steady.states.empty() ? "give run.start_speed" : "that of the start is taken");
     case NoSteadyState::depends_on_time:
       return "no steady state: motor or loads depend on time";
     case NoSteadyState::open:
@@ -73,30 +80,54 @@ std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation)
   }
 }
 
-std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns) {
+std::string ended_note(const EndedMotion& motion) {
   using machine::RunStop;
-  const machine::MachineState& last = run.states.back();
-  const std::string place =
-      fmt::format("after {:.6g} s and {:.6g} turns, at {:.6g} rad/s", last.time,
-                  (last.phi - run.states.front().phi) / (2 * std::numbers::pi), last.omega);
+  const auto& [name, run, turns, awaited] = motion;
+  const machine::MachineState &first = run.states.front(), &last = run.states.back();
+  constexpr double kShown = 1e-3;
+  const double in_turn = in_period(last.phi, kTurn) * 360 / kTurn;
+  const double angle = in_turn < 360 - kShown ? in_turn : 0;
+  const std::string place = fmt::format("after {:.6g} s and {:.6g} turns, at {:.6g} rad/s",
+                                        last.time, (last.phi - first.phi) / kTurn, last.omega);
   switch (run.stop) {
     case RunStop::stalled:
-      return fmt::format("{} fails: the machine stands still and nothing moves it, {}", what,
+      return fmt::format("{} fails: the machine stands still and nothing moves it{}, {}", name,
+                         awaited ? "" : " yet; run.time_max says how long to wait for what does",
                          place);
     case RunStop::open:
-      return fmt::format(
-          "{} fails: {}, {}", what,
-          turns ? "motor or loads have no value" : "the mechanism cannot be assembled further on",
-          place);
+      if (turns) return fmt::format("{} fails: motor or loads have no value, {}", name, place);
+      if (last.time == first.time) {
+        return fmt::format(
+            "{} fails: the mechanism cannot be assembled where it begins, at {:.6g}°", name, angle);
+      }
+      return fmt::format("{} fails: the mechanism cannot be assembled further on than {:.6g}°, {}",
+                         name, angle, place);
     case RunStop::gave_up:
-      return fmt::format("{} was ended before it was done: {}, {}", what, kSteep, place);
     case RunStop::stopped:
-      return fmt::format("{} was ended before it was done: out of time, {}", what, place);
+      return fmt::format("{} was ended before it was done: {}, {}", name,
+                         run.stop == RunStop::stopped ? kOutOfTime : kManySteps, place);
     case RunStop::at_rest:
-      return fmt::format("{} fails: the machine comes to rest, {}", what, place);
+      return fmt::format("{} fails: the machine comes to rest, {}", name, place);
     default:
-      return fmt::format("{} ended at its limit, {}", what, place);
+      return fmt::format("{} ended at its limit, {}", name, place);
   }
+}
+
+std::string beyond_note(double wanted, const machine::SteadyState& steady) {
+  const std::string least = fmt::format("{:.6g}", steady.least.omega);
+  const std::string greatest = fmt::format("{:.6g}", steady.greatest.omega);
+  const std::string speeds =
+      least == greatest ? "at " + least : fmt::format("between {} and {}", least, greatest);
+  return fmt::format("the speed does not reach {:.6g} rad/s: it settles {} rad/s", wanted, speeds);
+}
+
+std::string coarse_note(const std::string& name, std::size_t rows, double turns) {
+  constexpr double kOfATurn = 12;
+  if (static_cast<double>(rows) >= kOfATurn * std::abs(turns)) return {};
+  return fmt::format(
+      "the table of {} has {} rows for {:.6g} turns: too few to show what happens within a turn; "
+      "a greater run.steps, or an earlier end, is wanted for that",
+      name, rows, std::abs(turns));
 }
 
 }  // namespace cognate::problems

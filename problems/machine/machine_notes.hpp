@@ -1,6 +1,7 @@
 /// @file Why a machine does not do what was asked for, in sentences.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "analysis/machine/flywheel.hpp"
@@ -15,7 +16,21 @@ std::string steady_note(const machine::SteadyState& steady, bool turns);
 /// Why no flywheel was found that leaves `fluctuation`.
 std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation);
 
-/// Where and why a motion ended that was not to end there; `what` begins the sentence: "the start".
-std::string ended_note(const std::string& what, const machine::MachineRun& run, bool turns);
+/// A start or a stop as it went.
+struct EndedMotion {
+  std::string name;  ///< begins the sentence: "the start"
+  const machine::MachineRun& run;
+  bool turns = true;    ///< whether the drive can turn fully
+  bool awaited = true;  ///< whether all was waited for that might have moved it, at rest, in time
+};
+
+/// Where and why a motion ended that was not to end there.
+std::string ended_note(const EndedMotion& motion);
+
+/// That the speed `wanted` lies beyond those at which the machine settles.
+std::string beyond_note(double wanted, const machine::SteadyState& steady);
+
+/// That a table of `rows` cannot show what happens within a turn; empty where it can.
+std::string coarse_note(const std::string& name, std::size_t rows, double turns);
 
 }  // namespace cognate::problems

@@ -16,7 +16,8 @@ namespace cognate::problems {
 /// energies.
 struct MachineMotion {
   MachineTask task = MachineTask::steady;
-  std::vector<Column> columns;  ///< "time_s" first, then "crank_deg" (not reduced to a turn)…
+  /// "time_s" first, then "crank_deg" (not reduced to a turn)…; the same for every task.
+  std::vector<Column> columns;
 };
 
 struct MachineResult {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "problems/machine/drive_angle.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -32,8 +34,7 @@ constexpr std::array<Named, 14> kColumns{{{"time_s", "time", "s"},
 std::array<double, kColumns.size()> row(const machine::Machine& machine,
                                         const machine::MachineState& state) {
   const auto& [time, phi, omega, motor_work, load_work] = state;
-  const double period = machine.period;
-  const auto inertia = machine.move_to(phi - period * std::floor(phi / period));
+  const auto inertia = machine.move_to(in_period(phi, machine.period));
   const auto [motor, load] = machine.torques(omega, time);
   const double acceleration = (motor + load - 0.5 * omega * omega * inertia.slope) / inertia.value;
   return {time,

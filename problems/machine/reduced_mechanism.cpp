@@ -11,18 +11,18 @@ namespace cognate::problems {
 
 ReducedMechanism::ReducedMechanism(const AnalysisProblem& problem,
                                    const std::vector<MachineLoad>& loads, const Course& course,
-                                   const std::vector<Stroke>& strokes)
+                                   const std::vector<Stroke>& strokes,
+                                   const std::vector<LoadTravel>& travels)
     : motion_(problem.mechanism.mechanism, course),
       inertias_(problem.inertias),
       gravity_(problem.gravity),
       active_(problem.mechanism.mechanism, problem.loads, strokes) {
   const auto& mechanism = problem.mechanism.mechanism;
-  const std::vector<Travel> all = travels(mechanism);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const std::size_t place = problem.loads.size() + i;
     const Stroke stroke = place < strokes.size() ? strokes[place] : Stroke{};
-    functions_.push_back({loads[i], all[static_cast<std::size_t>(loads[i].rule.at.body)],
-                          ActiveLoads(mechanism, {&loads[i].rule, 1}, {&stroke, 1})});
+    functions_.push_back(
+        {loads[i], travels[i], ActiveLoads(mechanism, {&loads[i].rule, 1}, {&stroke, 1})});
   }
 }
 
@@ -39,8 +39,8 @@ machine::EquivalentInertia ReducedMechanism::move_to(double phi) {
 
 double ReducedMechanism::value(const FunctionLoad& load, double omega, double time) const {
   if (!load.load.of_travel) return load.load.value.value(phi_, omega, time);
-  return load.load.of_travel(phi_, omega, time, travelled<2>(load.travel, motion_.bodies()),
-                             travel_rate<2>(load.travel, motion_.bodies()) * omega);
+  return load.load.of_travel(phi_, omega, time, load.travel.travelled(motion_.bodies()),
+                             load.travel.rate(motion_.bodies()) * omega);
 }
 
 double ReducedMechanism::torque(double omega, double time) {

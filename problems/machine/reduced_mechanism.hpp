@@ -6,6 +6,7 @@
 #include "analysis/machine/machine.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "problems/analysis/active_loads.hpp"
+#include "problems/machine/load_travel.hpp"
 #include "problems/machine/machine_problem.hpp"
 
 namespace cognate::problems {
@@ -15,8 +16,10 @@ namespace cognate::problems {
 class ReducedMechanism {
  public:
   /// `strokes`: of the mechanism's loads, then of `loads`; may be empty where no load needs them.
+  /// `travels`: of the body of each of `loads`.
   ReducedMechanism(const AnalysisProblem& problem, const std::vector<MachineLoad>& loads,
-                   const Course& course, const std::vector<Stroke>& strokes);
+                   const Course& course, const std::vector<Stroke>& strokes,
+                   const std::vector<LoadTravel>& travels);
 
   /// Stands at `phi`, from 0 to the length of the course (which may begin elsewhere). Not numbers
   /// where the mechanism cannot be assembled, or stands at a dead point.
@@ -28,7 +31,7 @@ class ReducedMechanism {
  private:
   struct FunctionLoad {
     MachineLoad load;
-    Travel travel;
+    LoadTravel travel;
     ActiveLoads active;
   };
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
+#include <limits>
 #include <optional>
 
 #include "analysis/machine/flywheel.hpp"
+#include "problems/machine/drive_angle.hpp"
 #include "problems/machine/machine_model.hpp"
 #include "problems/machine/machine_notes.hpp"
 #include "problems/machine/machine_result.hpp"
@@ -24,7 +25,6 @@ using machine::RunEnd;
 using machine::RunStop;
 using machine::SteadyState;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// A start is over where the speed is as close to the steady one, relative to it.
 constexpr double kStarted = 0.01;
 /// Turns after which a start or stop ends for which the file gives no limit.
@@ -62,7 +62,7 @@ class MachineTasks {
 
  private:
   void do_tasks() {
-    if (problem_.fluctuation) find_flywheel();
+    if (problem_.fluctuation && model_.turns()) find_flywheel();
     for (const MachineTask task : problem_.run.tasks) {
       if (task == MachineTask::steady) steady();
       if (task == MachineTask::start) start();
@@ -84,7 +84,7 @@ class MachineTasks {
 
   machine::SteadyGuess guess() const {
     const double phi = problem_.run.start_phi, speed = problem_.run.start_speed;
-    machine::SteadyGuess guess{.phi = phi - model_.period() * std::floor(phi / model_.period())};
+    machine::SteadyGuess guess{.phi = in_period(phi, model_.period())};
     if (speed > 0) guess.speed = speed;
     return guess;
   }
@@ -111,12 +111,15 @@ class MachineTasks {
       return;
     }
     fail(flywheel_note(found, *problem_.fluctuation));
-    if (found.without.states.empty()) steady_ = std::move(found.without);
+    is_told_ = found.why == found.without.missing && found.why != NoSteadyState::stalls;
+    steady_ = std::move(found.without);
   }
 
-  /// The steady state, found once.
+  /// The steady state, found once; not looked for where the drive cannot turn fully.
   const SteadyState& steady_state() {
-    if (!steady_) {
+    if (!model_.turns()) {
+      steady_ = SteadyState{.missing = NoSteadyState::open};
+    } else if (!steady_) {
       steady_ = machine::steady_state(machine(), guess(), accuracy_, problem_.run.steps);
     }
     return *steady_;
@@ -126,19 +129,45 @@ class MachineTasks {
 
   void steady() {
     const SteadyState& found = steady_state();
-    if (!model_.turns()) result_.notes.push_back(model_.gap());
+    if (!model_.turns()) tell_gap();
     if (!is_steady()) {
-      fail(steady_note(found, model_.turns()));
-      if (found.missing == NoSteadyState::any_speed) {
-        result_.notes.emplace_back("with a start speed, that of the start is taken");
-      }
+      whole_ = false;
+      if (!is_told_) tell_once(steady_note(found, model_.turns()));
+      if (found.missing == NoSteadyState::stalls && sets_out_backwards()) tell_backwards();
       return;
     }
-    if (found.missing == NoSteadyState::any_speed)
+    if (found.missing == NoSteadyState::any_speed) {
       result_.notes.push_back(steady_note(found, model_.turns()));
+    }
     const Machine whole = machine();
     result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
     append(result_.facts, steady_facts(problem_, whole, found));
+  }
+
+  /// Whether motor and loads, in the mean over a period, push the drive backwards from rest.
+  bool sets_out_backwards() const {
+    constexpr int kSamples = 90;
+    constexpr double kNothing = 1e-9;
+    const Machine whole = machine();
+    double sum = 0, size = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      whole.move_to(whole.period * (i + 0.5) / kSamples);
+      const auto acting = whole.torques(-std::numeric_limits<double>::min(), 0);
+      sum += acting.sum();
+      size += std::abs(acting.motor) + std::abs(acting.load);
+    }
+    return sum < -kNothing * size;
+  }
+
+  void tell_backwards() {
+    tell_once("the machine goes backwards; a steady motion is looked for forwards alone");
+  }
+
+  void tell_gap() { tell_once(model_.gap()); }
+
+  void tell_once(const std::string& note) {
+    if (std::ranges::find(result_.notes, note) != result_.notes.end()) return;
+    result_.notes.push_back(note);
   }
 
   RunEnd limits() const {
@@ -168,13 +197,34 @@ class MachineTasks {
     result_.facts.push_back({name + "_time_s", last.time});
     result_.facts.push_back({name + "_turns", turns});
     result_.facts.push_back({name + "_end_speed_rad_s", last.omega});
+    const std::string coarse = coarse_note("the " + name, run.states.size(), turns);
+    if (model_.depends_on_angle() && !coarse.empty()) result_.notes.push_back(coarse);
+  }
+
+  /// Says where a motion ended; a failure unless that is all right.
+  void tell_end(const std::string& name, const MachineRun& run, bool is_right) {
+    const bool awaited = !model_.depends_on_time() || problem_.run.time_max;
+    const std::string note = ended_note({name, run, model_.turns(), awaited});
+    if (is_right) {
+      result_.notes.push_back(note);
+    } else {
+      fail(note);
+      if (run.stop == RunStop::open && !model_.turns()) tell_gap();
+    }
+  }
+
+  /// Whether a motion that settles comes past `speed` on its way.
+  bool passes(double speed) const {
+    const double from = problem_.run.start_speed;
+    return speed >= std::min(from, steady_->least.omega) &&
+           speed <= std::max(from, steady_->greatest.omega);
   }
 
   void start() {
     const MachineRunRequest& wanted = problem_.run;
     RunEnd end = limits();
     const bool settles = is_steady() && steady_state().missing == NoSteadyState::none;
-    const bool beyond = settles && wanted.speed_end && *wanted.speed_end > steady_->greatest.omega;
+    const bool beyond = settles && wanted.speed_end && !passes(*wanted.speed_end);
     end.speed = wanted.speed_end;
     if (settles && (!wanted.speed_end || beyond)) {
       end.approach = {{guess().phi, steady_->states.front().omega, kStarted}};
@@ -183,15 +233,12 @@ class MachineTasks {
     const MachineRun run =
         follow(whole, {.phi = wanted.start_phi, .omega = wanted.start_speed}, end);
     tell(MachineTask::start, whole, run);
-    if (beyond && run.stop == RunStop::approached) {
-      fail(
-          fmt::format("the speed does not reach {:.6g} rad/s: it settles between {:.6g} and {:.6g} "
-                      "rad/s",
-                      *wanted.speed_end, steady_->least.omega, steady_->greatest.omega));
-    } else if (is_limit(run.stop) && !wanted.speed_end) {
-      result_.notes.push_back(ended_note("the start", run, model_.turns()));
-    } else if (run.stop != RunStop::approached && run.stop != RunStop::speed) {
-      fail(ended_note("the start", run, model_.turns()));
+    if (run.states.back().omega < 0) tell_backwards();
+    if (run.stop == RunStop::speed) return;
+    if (run.stop != RunStop::approached) {
+      tell_end("the start", run, is_limit(run.stop) && !wanted.speed_end);
+    } else if (beyond) {
+      fail(beyond_note(*wanted.speed_end, *steady_));
     }
   }
 
@@ -207,7 +254,7 @@ class MachineTasks {
     const Machine whole = machine(false, problem_.brake.value_or(0));
     const MachineRun run = follow(whole, {.phi = problem_.run.start_phi, .omega = speed}, end);
     tell(MachineTask::stop, whole, run);
-    if (run.stop != RunStop::at_rest) fail(ended_note("the stop", run, model_.turns()));
+    if (run.stop != RunStop::at_rest) tell_end("the stop", run, is_limit(run.stop));
   }
 
   const MachineProblem& problem_;
@@ -217,6 +264,7 @@ class MachineTasks {
   double flywheel_ = 0;
   std::optional<SteadyState> steady_;
   MachineResult result_;
+  bool is_told_ = false;  ///< why there is no steady state, with the flywheel
   bool whole_ = true;
 };
 

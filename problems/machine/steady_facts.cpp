@@ -1,32 +1,35 @@
 #include "problems/machine/steady_facts.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {
 
-/// An angle of the drive in its period, in degrees.
+/// A speed that is even to within so many tolerances has no place where it is greatest.
+constexpr double kEven = 10;
+
 double degrees(double phi, double period) {
-  return (phi - period * std::floor(phi / period)) * 180 / std::numbers::pi;
+  return in_period(phi, period) * 360 / kTurn;
 }
 
 }  // namespace
 
 std::vector<Fact> steady_facts(const MachineProblem& problem, const machine::Machine& machine,
                                const machine::SteadyState& steady) {
-  std::vector<Fact> facts{
-      {"speed_mean_rad_s", machine::mean_speed(steady)},
-      {"speed_max_rad_s", steady.greatest.omega},
-      {"speed_max_at_deg", degrees(steady.greatest.phi, machine.period)},
-      {"speed_min_rad_s", steady.least.omega},
-      {"speed_min_at_deg", degrees(steady.least.phi, machine.period)},
-      {"fluctuation", machine::fluctuation(steady)},
-      {"period_s", steady.period()},
-      {"energy_swing_J", steady.energy_swing},
-      {"multiplier", steady.multiplier},
-      {"energy_residual", steady.energy_residual},
+  const bool is_even = machine::fluctuation(steady) <= kEven * problem.run.tolerance;
+  std::vector<Fact> facts{{"speed_mean_rad_s", machine::mean_speed(steady)},
+                          {"speed_max_rad_s", steady.greatest.omega}};
+  const auto add_place = [&](const char* name, const machine::SpeedAt& at) {
+    if (!is_even) facts.push_back({name, degrees(at.phi, machine.period)});
   };
+  add_place("speed_max_at_deg", steady.greatest);
+  facts.push_back({"speed_min_rad_s", steady.least.omega});
+  add_place("speed_min_at_deg", steady.least);
+  facts.push_back({"fluctuation", machine::fluctuation(steady)});
+  facts.push_back({"period_s", steady.period()});
+  facts.push_back({"energy_swing_J", steady.energy_swing});
+  facts.push_back({"multiplier", steady.multiplier});
+  facts.push_back({"energy_residual", steady.energy_residual});
   if (problem.motor) {
     const double work = steady.states.back().motor_work;
     facts.push_back({"motor_work_J", work});

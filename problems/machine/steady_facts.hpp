@@ -10,7 +10,8 @@
 
 namespace cognate::problems {
 
-/// speed_mean_rad_s, speed_max_rad_s, speed_max_at_deg, speed_min_rad_s, speed_min_at_deg,
+/// speed_mean_rad_s, speed_max_rad_s, speed_max_at_deg, speed_min_rad_s, speed_min_at_deg (places
+/// of a speed that is not even),
 /// fluctuation, period_s, energy_swing_J (greatest less least kinetic energy), multiplier,
 /// energy_residual, and with a motor motor_work_J (of a period), motor_power_mean_W,
 /// motor_power_max_W, both at the drive.

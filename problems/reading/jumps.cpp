@@ -2,31 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
+
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kLeastShare = 0.01;
+
+struct Sample {
+  double at = 0;
+  double value = 0;
+};
 
 // The interval's half with the greater step, again and again: at a jump all of the step remains, of
 // a function without one nothing.
-std::optional<double> jump_between(const std::function<double(double)>& f, double from, double to,
+std::optional<double> jump_between(const std::function<double(double)>& f, Sample from, Sample to,
                                    double least) {
-  double low = f(from), high = f(to);
-  while (std::abs(high - low) >= least) {
-    const double middle = std::midpoint(from, to);
-    if (middle <= from || middle >= to) return to;
-    const double at = f(middle);
-    if (std::abs(at - low) >= std::abs(high - at)) {
-      to = middle;
-      high = at;
+  while (std::abs(to.value - from.value) >= least) {
+    const double middle = std::midpoint(from.at, to.at);
+    if (middle <= from.at || middle >= to.at) return to.at;
+    const Sample between{middle, f(middle)};
+    if (std::abs(between.value - from.value) >= std::abs(to.value - between.value)) {
+      to = between;
     } else {
-      from = middle;
-      low = at;
+      from = between;
     }
   }
   return std::nullopt;
@@ -36,19 +38,24 @@ std::optional<double> jump_between(const std::function<double(double)>& f, doubl
 
 std::vector<double> find_jumps(const std::function<double(double)>& f, int intervals) {
   const auto angle = [&](int i) { return kTurn * i / intervals; };
-  double least = f(0), greatest = least;
-  for (int i = 1; i < intervals; ++i) {
-    least = std::min(least, f(angle(i)));
-    greatest = std::max(greatest, f(angle(i)));
+  const double before_turn = std::nextafter(kTurn, 0);
+  std::vector<double> values;
+  for (int i = 0; i < intervals; ++i) values.push_back(f(angle(i)));
+  values.push_back(f(before_turn));
+  double least = values.front(), greatest = least;
+  for (const double value : values) {
+    least = std::fmin(least, value);  // passes over what is NaN
+    greatest = std::fmax(greatest, value);
   }
   std::vector<double> jumps;
   const double step = kLeastShare * (greatest - least);
   if (!(step > 0)) return jumps;
-  const double before_turn = std::nextafter(kTurn, 0);
-  if (std::abs(f(before_turn) - f(0)) >= step) jumps.push_back(0);
+  if (std::abs(values.back() - values.front()) >= step) jumps.push_back(0);
   for (int i = 0; i < intervals; ++i) {
-    const double end = i + 1 < intervals ? angle(i + 1) : before_turn;
-    if (const auto jump = jump_between(f, angle(i), end, step)) jumps.push_back(*jump);
+    const auto k = static_cast<std::size_t>(i);
+    const Sample from{angle(i), values[k]};
+    const Sample to{i + 1 < intervals ? angle(i + 1) : before_turn, values[k + 1]};
+    if (const auto jump = jump_between(f, from, to, step)) jumps.push_back(*jump);
   }
   return jumps;
 }

@@ -5,33 +5,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "problems/machine/drive_angle.hpp"
+#include "problems/reading/derivative.hpp"
 #include "problems/reading/expression.hpp"
+#include "problems/reading/expression_jumps.hpp"
 #include "problems/reading/function_target.hpp"
-#include "problems/reading/jumps.hpp"
 #include "problems/reading/periodic_table.hpp"
 #include "problems/reading/quantity_rules.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
-// How finely a turn is searched for values that cannot be used, and for jumps.
-constexpr int kIntervals = 1440;
+// How finely a turn is searched for values that cannot be used.
+constexpr int kIntervals = 7200;
 
 // What is smaller is as good as nothing.
 constexpr double kLeast = 1e-30;
 
-constexpr std::size_t kMostRows = 5000;
-
-// The least distance of rows, so that a slope between them is one of the table and not of rounding.
+// The least distance of rows, so that a slope between them is one of the table and not of rounding;
+// and by what part of it the difference of two angles may be off.
 constexpr double kLeastDegrees = 1e-6;
+constexpr double kRounding = 1e-3;
 
 constexpr NumberRule kInertia{is_positive_quantity, "an inertia from 1e-30 to 1e30"};
 
@@ -51,21 +50,6 @@ ReadFunction constant(double value) {
   function.value = [value](double, double, double) { return value; };
   function.slope = [](double) { return 0.0; };
   return {std::move(function)};
-}
-
-// The derivative of a smooth f by central differences of the eighth order, true to about 1e-12 of
-// what f varies by.
-std::function<double(double)> derivative(std::function<double(double)> f) {
-  return [f = std::move(f)](double x) {
-    constexpr double kStep = 0.01;
-    constexpr std::array<double, 4> kWeights{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-    double sum = 0;
-    for (std::size_t i = 0; i < kWeights.size(); ++i) {
-      const double step = kStep * static_cast<double>(i + 1);
-      sum += kWeights[i] * (f(x + step) - f(x - step));
-    }
-    return sum / kStep;
-  };
 }
 
 // Whether a function of the angle alone can be used all the way round.
@@ -119,14 +103,16 @@ std::optional<ReadFunction> read_expression(TableReader& table, std::string_view
       const std::array<double, 5> values{within_turn(phi), omega, time, travel, rate};
       return value(values);
     };
+    read.function.breaks = jumps_of_expression(*text, *parsed);
     return read;
   }
   MachineFunction& function = read.function;
-  const auto at_angle = [value = function.value](double phi) { return value(phi, 1, 0); };
-  if (parsed->uses[0]) function.breaks = find_jumps(at_angle, kIntervals);
+  function.breaks = jumps_of_expression(*text, *parsed);
   const bool of_angle_alone = !function.of_speed && !function.of_time;
   if (of_angle_alone && !check_turn(table, key, rule, function)) return std::nullopt;
-  if (rule.positive) function.slope = derivative(at_angle);
+  if (rule.positive) {
+    function.slope = derivative([value = function.value](double phi) { return value(phi, 1, 0); });
+  }
   return read;
 }
 
@@ -140,7 +126,8 @@ bool check_rows(TableReader& table, std::string_view key,
                 const std::vector<std::optional<Two>>& all) {
   bool sound = true;
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (!all[i] || !all[i - 1] || (*all[i])[0] - (*all[i - 1])[0] >= kLeastDegrees) continue;
+    if (!all[i] || !all[i - 1]) continue;
+    if ((*all[i])[0] - (*all[i - 1])[0] >= kLeastDegrees * (1 - kRounding)) continue;
     table.faults().add(
         table.where(key, i),
         fmt::format("row {} of {} has the angle {} after {}; increasing angles, "
@@ -170,7 +157,7 @@ bool check_rows(TableReader& table, std::string_view key,
 
 std::optional<ReadFunction> read_table(TableReader& table, std::string_view key,
                                        const FunctionRule& rule, bool smooth) {
-  const auto rows = table.each_two(key, kQuantity, "[deg, value]", {2, kMostRows, "rows"});
+  const auto rows = table.each_two(key, kQuantity, "[deg, value]", {2, kMostMachineRows, "rows"});
   bool sound = check_rows(table, key, rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i] || values_of(rule).accepts((*rows[i])[1])) continue;

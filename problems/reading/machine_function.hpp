@@ -1,6 +1,7 @@
 /// @file Quantities of a machine that a file gives as a number, an expression or a table.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,9 @@
 #include "problems/reading/table_reader.hpp"
 
 namespace cognate::problems::reading {
+
+/// Rows of a table, at most.
+inline constexpr std::size_t kMostMachineRows = 5000;
 
 /// What a function may depend on, by the names of expressions: the drive's angle phi, counted from
 /// 0 to 2π within each turn; w, t; of a load also its body's travel s and its rate v.

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
+#include "problems/machine/drive_angle.hpp"
 #include "problems/reading/link_tables.hpp"
 #include "problems/reading/machine_function.hpp"
 #include "problems/reading/machine_loads.hpp"
@@ -147,7 +147,6 @@ MachineProblem read_machine_problem(TableReader& document) {
   if (document.has(kBrake)) read_brake(document, problem);
   if (document.faults().empty()) check_mass(document, problem);
   if (problem.mechanism) {
-    constexpr double kTurn = 2 * std::numbers::pi;
     problem.mechanism->drive = {.start = problem.run.start_phi,
                                 .end = problem.run.start_phi + kTurn,
                                 .steps = problem.run.steps,

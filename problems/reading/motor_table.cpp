@@ -16,8 +16,6 @@ constexpr std::string_view kTorque = "torque";
 constexpr std::string_view kLine = "line";
 constexpr std::string_view kTable = "table";
 
-constexpr std::size_t kMostRows = 5000;
-
 constexpr NumberRule kPositive{is_positive_quantity, "a number from 1e-30 to 1e30"};
 constexpr NumberRule kGears{[](double x) { return x >= 1e-6 && x <= 1e6; },
                             "motor speed over drive speed, from 1e-6 to 1e6,"};
@@ -62,7 +60,8 @@ void read_line(TableReader& motor, Motor& read) {
 }
 
 void read_speed_table(TableReader& motor, Motor& read) {
-  const auto rows = motor.each_two(kTable, kQuantity, "[speed, torque]", {2, kMostRows, "rows"});
+  const auto rows =
+      motor.each_two(kTable, kQuantity, "[speed, torque]", {2, kMostMachineRows, "rows"});
   bool sound = true;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (!rows[i] || !rows[i - 1] || (*rows[i])[0] > (*rows[i - 1])[0]) continue;

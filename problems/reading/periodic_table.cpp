@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
+
+#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 using Table = std::vector<std::pair<double, double>>;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // `angle` plus whole turns, in [first, first + 2π).
 double from_first(double angle, double first) {
@@ -53,8 +52,7 @@ Interpolant straight(const Table& table) {
 }  // namespace
 
 double within_turn(double angle) {
-  const double rest = angle - kTurn * std::floor(angle / kTurn);
-  return rest < kTurn ? std::max(rest, 0.0) : 0;
+  return in_period(angle, kTurn);
 }
 
 Interpolant periodic(const Table& table, bool smooth) {

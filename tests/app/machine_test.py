@@ -152,6 +152,29 @@ class Machine(unittest.TestCase):
         done = run("export", self.folder / "written.result.json", "--format", "svg")
         self.assertEqual(done.returncode, 2)
         self.assertIn("one with a [mechanism] is wanted", done.stderr)
+        done = run("export", LIBRARY / "machine" / "press.toml", "--format", "svg")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f"'cognate analyze {LIBRARY / 'machine' / 'press.toml'}' writes one", done.stderr)
+        done = run("export", LIBRARY / "function" / "logarithm-small-flywheel.toml", "--format", "svg")
+        self.assertIn("'cognate solve", done.stderr)
+
+    def test_lengths_are_metres_beside_inertias(self):
+        done = run("solve", LIBRARY / "function" / "logarithm-small-flywheel.toml", "--out", self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("[kg m2]", done.stdout)
+        self.assertIn("[m]", done.stdout)
+        self.assertNotIn("[length]", done.stdout)
+
+    def test_a_table_holds_every_motion_column_by_column(self):
+        run("analyze", self.write(RUN_UP), "--out", self.folder, "--quiet")
+        document = json.loads((self.folder / "written.result.json").read_text())
+        with open(self.folder / "written.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file, strict=True))
+        for motion in document["machine"]["motions"]:
+            own = [row for row in rows if row["task"] == motion["task"]]
+            for column in motion["columns"]:
+                for row, value in zip(own, column["values"], strict=True):
+                    self.assertAlmostEqual(float(row[column["name"]]), value, delta=1e-9 * (1 + abs(value)))
 
 
 if __name__ == "__main__":

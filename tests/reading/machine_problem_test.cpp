@@ -1,4 +1,5 @@
 /// Machines from their files: values, functions, and every fault at its place.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -153,6 +154,45 @@ TEST(MachineProblem, AnExpressionBeginsAnewWithEachTurn) {
   EXPECT_FALSE(problem.torque->of_speed || problem.torque->of_time);
 }
 
+TEST(MachineProblem, AnExpressionsJumpsAreFoundWhateverElseItAsksFor) {
+  const auto breaks = [](const std::string& torque) {
+    return read_sound(equivalent("inertia = 1\ntorque = \"" + torque + "\"\n")).torque->breaks;
+  };
+  const auto expect = [](const std::vector<double>& found, const std::vector<double>& wanted) {
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-14);
+  };
+  expect(breaks("w > 3 && phi > 2.15 && phi < 2.25 ? -5000 : 0"), {2.15, 2.25});
+  expect(breaks("w < -250 && phi > 1 && phi < 2 ? -5 : 0"), {1, 2});
+  expect(breaks("w > 41 && w < 42 && phi > 1 && phi < 2 ? -5 : 0"), {1, 2});
+  expect(breaks("t > 5e-3 && t < 6e-3 && phi > 1 && phi < 2 ? -5 : 0"), {1, 2});
+  expect(breaks("t > 5 && w > 6 && phi > 1 && phi < 2 ? -5 : 0"), {1, 2});
+  expect(breaks("phi > 2.1 && phi < 2.103 ? -50000 : 0"), {2.1, 2.103});
+  expect(breaks("w > 3 ? sin(phi)*w : 0"), {});
+  const auto of_travel = read_sound(
+      of_crank("[[load]]\non = \"slider\"\nforce = [1, 0]\n"
+               "value = \"v > 0 && s > 0.2 && s < 0.3 && phi > 1 && phi < 2 ? 1 : 0\"\n"));
+  expect(of_travel.loads.at(0).value.breaks, {1, 2});
+}
+
+TEST(MachineProblem, AnExpressionsSlopeIsThatOfItsNarrowestBumps) {
+  for (const double width : {0.3, 0.1, 0.03, 0.004, 0.001}) {
+    const auto problem = read_sound(
+        equivalent("inertia = \"2 + 5*exp(-((phi - 2)/" + std::to_string(width) + ")^2)\"\n"));
+    for (double steps = -6; steps < 6; steps += 0.0137) {
+      const double exact = -10 * steps / width * std::exp(-steps * steps);
+      EXPECT_NEAR(problem.inertia->slope(2 + steps * width), exact, 1e-9 / width);
+    }
+    EXPECT_NEAR(problem.inertia->slope(4.5), 0, 1e-9);
+  }
+}
+
+TEST(MachineProblem, RowsMayBeAsCloseAsIsWanted) {
+  for (const std::string at : {"7", "90", "359"}) {
+    read_sound(equivalent(fmt::format("inertia = [[0, 1], [{0}, 2], [{0}.000001, 3]]\n", at)));
+  }
+}
+
 TEST(MachineProblem, AMotorsTableIsConstantBeyondItsEnds) {
   const std::string table = "inertia = 1\n[motor]\ntable = [[-10, 8], [50, 20], [60, 0]]\n";
   const auto straight = read_sound(equivalent(table));
@@ -203,7 +243,7 @@ const FaultCase kFaults[] = {
      {{4, 12, "one expression in phi, w and t"}}},
     {"inertia_below_zero",
      equivalent("inertia = \"1 - 2*sin(phi)\"\n"),
-     {{3, 11, "(30.25 degrees); an inertia from"}}},
+     {{3, 11, "(30.05 degrees); an inertia from"}}},
     {"inertia_jumps", equivalent("inertia = \"phi < 2 ? 1 : 3\"\n"), {{3, 11, "jumps at phi = 0"}}},
     {"torque_not_finite",
      equivalent("inertia = 1\ntorque = \"1/(phi - pi)*0\"\n"),

@@ -9,43 +9,14 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "count_allocations.hpp"
 #include "problems/machine/machine_model.hpp"
-#include "problems/machine/machine_result.hpp"
-#include "problems/read.hpp"
+#include "tests/unit/machine_results.hpp"
 
 namespace cognate::problems {
 namespace {
 
+using test::column, test::fact, test::parse, test::result_of, test::says;
+
 constexpr double kPi = std::numbers::pi;
-
-MachineProblem parse(const std::string& text) {
-  const auto problem = parse_machine("kind = \"machine\"\n" + text);
-  if (problem) return *problem;
-  for (const Fault& fault : problem.error()) {
-    ADD_FAILURE() << fault.line << ":" << fault.column << ": " << fault.message;
-  }
-  return {};
-}
-
-MachineResult result_of(const std::string& text) {
-  return run_machine(parse(text), {});
-}
-
-double fact(const MachineResult& result, const std::string& name) {
-  for (const Fact& fact : result.facts) {
-    if (fact.name == name) return std::get<double>(fact.value);
-  }
-  ADD_FAILURE() << "no " << name;
-  return std::nan("");
-}
-
-const std::vector<double>& column(const MachineMotion& motion, const std::string& name) {
-  return std::ranges::find(motion.columns, name, &Column::name)->values;
-}
-
-bool says(const MachineResult& result, const std::string& words) {
-  return std::ranges::any_of(
-      result.notes, [&](const std::string& note) { return note.find(words) != note.npos; });
-}
 
 /// A press with its stroke along +x, crank 0.1, coupler 0.45.
 const std::string kPress = R"(

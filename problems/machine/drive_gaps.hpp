@@ -1,0 +1,19 @@
+/// @file Where the drive of a machine cannot go.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/mechanism/course.hpp"
+
+namespace cognate::problems {
+
+/// Why the drive does not turn fully over `course`, a turn or more; empty where it does.
+std::string gap_in_words(const Course& course);
+
+/// φ in [0, period) of the gaps of no width in a course that is a period long: places between two
+/// ranges of the drive where a part of the mechanism is at infinity, and those at which the drive
+/// does not hold it.
+std::vector<double> walls(const Course& course);
+
+}  // namespace cognate::problems
