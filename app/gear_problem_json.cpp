@@ -97,12 +97,12 @@ ordered_json constraints(const GearPairProblem& problem) {
   ordered_json table = ordered_json::object();
   if (problem.gearing != Gearing::worm) {
     table["contact_ratio_min"] = given.contact_ratio_min;
-    table["tip_thickness_min"] = given.tip_thickness_min;
     table["no_interference"] = given.no_interference;
     table["hunting"] = given.hunting;
     set(table, "sliding_max", given.sliding_max);
     set(table, "tip_clearance_min", given.tip_clearance_min);
   }
+  table["tip_thickness_min"] = given.tip_thickness_min;
   table["no_undercut"] = given.no_undercut;
   return table;
 }

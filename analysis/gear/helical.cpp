@@ -35,4 +35,8 @@ double lead(const HelicalGear& gear) {
   return std::numbers::pi * gear.normal.module * gear.normal.teeth / std::sin(std::abs(gear.helix));
 }
 
+double helix_cosine(const SpurGear& section, double helix, double radius) {
+  return 1 / std::hypot(1.0, std::tan(helix) * radius / reference_radius(section));
+}
+
 }  // namespace cognate::gear

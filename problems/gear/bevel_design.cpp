@@ -33,6 +33,10 @@ bool is_external(const gear::BevelPair& pair) {
          gear::bevel_gear(pair, 1).cone_angle < kRightAngle;
 }
 
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
 class BevelDesign {
  public:
   explicit BevelDesign(const GearPairProblem& asked)
@@ -142,8 +146,18 @@ std::vector<std::string> bevel_notes(const GearPairDesign& design) {
         fmt::format("The face width is more than a third of the cone distance {:.6g}.", cone));
   }
   if (!is_external(pair)) return notes;
-  const auto more = virtual_pair_notes(design.pair);
-  notes.insert(notes.end(), more.begin(), more.end());
+  const GearConstraints& demanded = design.settled.constraints;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string name = i == 0 ? "The pinion" : "The wheel";
+    const gear::BevelGear own = gear::bevel_gear(pair, static_cast<int>(i));
+    const std::string undercut =
+        undercut_note_of_cone(own.virtual_gear, std::cos(own.cone_angle), name);
+    append(notes,
+           section_notes(own.virtual_gear, allowed(undercut, !demanded.no_undercut, "no_undercut"),
+                         name + "'s virtual gear"));
+  }
+  const auto mesh = mesh_of(design.pair);
+  if (mesh) append(notes, interference_notes(design.pair, *mesh, !demanded.no_interference));
   return notes;
 }
 

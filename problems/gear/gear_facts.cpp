@@ -68,6 +68,10 @@ class Facts {
     add("virtual_teeth", gear::virtual_teeth(gear_));
     add("base_helix_deg", degrees(gear::base_helix(gear_)));
     add("lead", gear::lead(gear_));
+    const double tip = gear::tip_radius(section_);
+    if (tip < gear::base_radius(section_)) return;
+    add("normal_tip_thickness",
+        gear::tooth_thickness(section_, tip) * gear::helix_cosine(section_, gear_.helix, tip));
   }
 
   void add_measurements() {

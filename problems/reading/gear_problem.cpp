@@ -60,7 +60,9 @@ gear::BasicRack read_rack(TableReader& document) {
 void refuse_keys(TableReader& table, std::initializer_list<std::string_view> keys,
                  std::string_view why) {
   for (const auto key : keys) {
-    if (table.has(key)) table.fault(key, fmt::format("is given, but {}; leave it out", why));
+    // A key that is not there stays unknown, so that no list of allowed ones names it.
+    if (table.contains(key) && table.has(key))
+      table.fault(key, fmt::format("is given, but {}; leave it out", why));
   }
 }
 
@@ -83,7 +85,7 @@ GearProblem read_gear_problem(TableReader& document) {
   TableReader output = document.table("output");
   problem.gearing = read_gearing(mechanism);
   gear::SpurGear& gear = problem.gear.normal;
-  const auto teeth = mechanism.integer(kTeethKey, kFewestTeeth, kMostTeeth);
+  const auto teeth = mechanism.number(kTeethKey, kTeeth);
   const auto module = mechanism.number("module", kLinkLength);
   for (const auto& [key, wanted] : {std::pair{kTeethKey, "a whole number"},
                                     std::pair{std::string_view("module"), "a length"}}) {
