@@ -108,19 +108,19 @@ GearPairSearch::Interval GearPairSearch::wanted_sums() const {
 }
 
 /// Those that are searched: within the bounds of shifts, and without undercut if that can be. Where
-/// they miss the centre distance, the one that comes nearest.
+/// they miss the centre distance, all that have any.
 GearPairSearch::Interval GearPairSearch::sums() const {
-  const Interval wanted = wanted_sums();
-  if (problem_.constraints.no_undercut) {
-    const Interval first = shifts_of(0, true), second = shifts_of(1, true);
-    const Interval all = (first + second) & wanted;
-    if (!first.empty() && !second.empty() && !all.empty()) return all;
+  const Interval touching{sum_at(closest_), HUGE_VAL};
+  for (const Interval& wanted : {wanted_sums(), touching}) {
+    for (const bool without_undercut : {problem_.constraints.no_undercut, false}) {
+      const Interval first = shifts_of(0, without_undercut),
+                     second = shifts_of(1, without_undercut);
+      const Interval all = (first + second) & wanted;
+      if (!first.empty() && !second.empty() && !all.empty()) return all;
+    }
   }
-  const Interval shifts = shifts_of(0, false) + shifts_of(1, false);
-  const Interval all = shifts & wanted;
-  if (!all.empty()) return all;
-  const double nearest = std::clamp(wanted.from, shifts.from, shifts.to);
-  return {nearest, nearest};
+  const double most = (shifts_of(0, false) + shifts_of(1, false)).to;
+  return {most, most};
 }
 
 /// The pinion's shifts with which the wheel's is within its bounds too.
@@ -182,8 +182,8 @@ double GearPairSearch::objective_of(const GearPairNumbers& numbers,
   return 0;
 }
 
-FoundPair GearPairSearch::at(double first, double second, double centre_distance,
-                             double to_beat) const {
+FoundPair GearPairSearch::at(double first, double second, double centre_distance, double to_beat,
+                             SearchDepth depth) const {
   FoundPair found;
   found.numbers = {combination_.teeth, combination_.module, {first, second}, centre_distance};
   if (problem_.objective == GearObjective::size) found.unit = combination_.module;
@@ -201,8 +201,8 @@ FoundPair GearPairSearch::at(double first, double second, double centre_distance
   weigh();
   found.objective = mesh ? objective_of(found.numbers, *mesh) : kWorst;
   if (std::isnan(found.objective)) found.objective = kWorst;
-  const bool asks = mesh && problem_.constraints.no_interference;
-  if (asks && found.violation - found.unavoidable <= kFeasible && found.merit() < to_beat) {
+  const bool asks = mesh && problem_.constraints.no_interference && found.merit() < to_beat;
+  if (asks && (depth == SearchDepth::fine || found.merit() < 0)) {
     gear::add_fillet_interference(pair, *mesh);
     weigh();
   }
@@ -222,11 +222,11 @@ double GearPairSearch::balanced_shift(double sum, double distance, const Interva
 FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
   const double distance = problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
   const auto at_shift = [&](double first, double to_beat) {
-    return at(first, sum - first, distance, to_beat);
+    return at(first, sum - first, distance, to_beat, depth);
   };
   const auto& [one, two] = problem_.profile_shift;
   if (one) return at_shift(*one, HUGE_VAL);
-  if (two) return at(sum - *two, *two, distance, HUGE_VAL);
+  if (two) return at(sum - *two, *two, distance, HUGE_VAL, depth);
   const Interval all = first_shifts(sum);
   FoundPair best = least_of(at_shift, all.from, all.to,
                             problem_.centre_distance ? kOneUnknown : effort_of(depth));
@@ -243,7 +243,7 @@ std::optional<FoundPair> GearPairSearch::best(SearchDepth depth) const {
   if (one && two) {
     const double distance =
         problem_.centre_distance ? *problem_.centre_distance : distance_of(*one + *two);
-    return std::isfinite(distance) ? std::optional(at(*one, *two, distance, HUGE_VAL))
+    return std::isfinite(distance) ? std::optional(at(*one, *two, distance, HUGE_VAL, depth))
                                    : std::nullopt;
   }
   const Interval all = sums();

@@ -59,8 +59,9 @@ class GearPairSearch {
 
   /// The pair of these shifts of the normal section, in a centre distance that belongs to them.
   /// Whether tips dig into fillets takes most of the time, and is asked only of a pair that would
-  /// else be better than `to_beat`.
-  FoundPair at(double first, double second, double centre_distance, double to_beat) const;
+  /// else be better than `to_beat`; before the fine search only if it meets every other limit.
+  FoundPair at(double first, double second, double centre_distance, double to_beat,
+               SearchDepth depth) const;
 
  private:
   struct Interval {

@@ -74,6 +74,12 @@ TEST(GearProblemTest, TeethAndModulesWithinBounds) {
   EXPECT_EQ(read->solve.designs, 9);
 }
 
+TEST(GearProblemTest, WholeNumbersMayBeWrittenWithAPoint) {
+  const auto read = parse_gear(gear("teeth = 35.0\nmodule = 5"));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->gear.normal.teeth, 35);
+}
+
 TEST(GearProblemTest, AWorm) {
   const auto read = parse_gear_pair(
       pair("gearing = \"worm\"\nstarts = 2\nwheel_teeth = 40\nmodule = 4\nfriction = 0.05"));
@@ -120,6 +126,9 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"PointedRack",
                   gear("teeth = 20\nmodule = 1\n[rack]\naddendum = 3"),
                   {{5, 1, "corners overlap"}}},
+        FaultCase{"SmallHelix",
+                  gear("gearing = \"helical\"\nteeth = 20\nmodule = 1\nhelix_deg = 1e-4"),
+                  {{6, 13, "from 0.001 to 80"}}},
         FaultCase{"Unknown",
                   gear("teeth = 20\nmodule = 1\nmodul = 2"),
                   {{5, 1, "unknown key \"modul\""}}},
@@ -171,6 +180,15 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"WormWithTeeth",
                   pair("gearing = \"worm\"\nwheel_teeth = 40\n" + kWhole),
                   {{5, 9, "wheel_teeth"}}},
+        FaultCase{"WormWithADistance",
+                  pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\ncentre_distance = 60"),
+                  {{6, 19, "follows from module, diameter_quotient, wheel_teeth"}}},
+        FaultCase{"WormWithShifts",
+                  pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\nprofile_shift = [0, 0]"),
+                  {{6, 17, "by wheel_shift"}}},
+        FaultCase{"UnknownOfSpur",
+                  pair(kWhole + "helix = 1"),
+                  {{5, 1, "\"gearing\", \"face_width\", \"teeth\""}}},
         FaultCase{"WormWithContactRatio",
                   pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\n[constraints]\n"
                        "contact_ratio_min = 1.2"),
