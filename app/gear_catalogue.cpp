@@ -5,8 +5,10 @@ namespace {
 
 constexpr Entry kRack[] = {
     {"pressure_angle_deg", "of the rack that cuts, of the normal section (default 20)"},
-    {"addendum", "of its straight flank below the pitch line, in modules (default 1)"},
-    {"clearance", "by how much its rounded tip is deeper, in modules (default 0.25)"}};
+    {"addendum", "below the pitch line, in modules (default 1)"},
+    {"clearance", "by how much its rounded tip is deeper, in modules (default 0.25)"},
+    {"tip_radius",
+     "of the tip's corners, in modules (default clearance/(1 - sin a), or less: the full round)"}};
 
 constexpr Entry kGear[] = {
     {"gearing", "\"spur\" (default) or \"helical\""},

@@ -15,9 +15,11 @@ using problems::GearProblem;
 using problems::to_string;
 
 ordered_json rack(const gear::BasicRack& given) {
-  return {{"pressure_angle_deg", problems::degrees(given.pressure_angle)},
-          {"addendum", given.addendum},
-          {"clearance", given.clearance}};
+  ordered_json table = {{"pressure_angle_deg", problems::degrees(given.pressure_angle)},
+                        {"addendum", given.addendum},
+                        {"clearance", given.clearance}};
+  set(table, "tip_radius", given.corner_radius);
+  return table;
 }
 
 void set_positive(ordered_json& table, const char* key, double value) {

@@ -2,13 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "problems/reading/gear_rules.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg", kShift = "profile_shift",
-                           kReduction = "tip_reduction";
+                           kReduction = "tip_reduction", kTipRadius = "tip_radius";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are told by the pair that they are one of.
@@ -49,11 +52,22 @@ gear::BasicRack read_rack(TableReader& document) {
   rack.pressure_angle = radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
   rack.addendum = table.number("addendum", kRackAddendum).value_or(rack.addendum);
   rack.clearance = table.number("clearance", kRackClearance).value_or(rack.clearance);
+  rack.corner_radius = table.number(kTipRadius, kRackTipRadius);
   table.finish();
-  if (document.faults().size() > before || gear::tip_half_width(rack) >= 0) return rack;
-  document.fault("rack",
-                 "has a tooth so long that its rounded corners overlap; a lesser addendum, "
-                 "clearance or pressure_angle_deg is wanted");
+  if (document.faults().size() > before) return rack;
+  const double greatest = gear::greatest_tip_radius(rack);
+  if (greatest < 0) {
+    document.fault("rack",
+                   fmt::format("has flanks that meet before its tip; addendum and clearance "
+                               "of at most {:.4g} modules together, or a lesser "
+                               "pressure_angle_deg, is wanted",
+                               std::numbers::pi / 4 / std::tan(rack.pressure_angle)));
+  } else if (rack.corner_radius && *rack.corner_radius > greatest) {
+    table.fault(kTipRadius,
+                fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "
+                            "which rounds it fully, is allowed",
+                            *rack.corner_radius, greatest));
+  }
   return rack;
 }
 

@@ -38,6 +38,9 @@ inline constexpr NumberRule kRackAddendum{[](double x) { return x >= 0.1 && x <=
 inline constexpr NumberRule kRackClearance{[](double x) { return x >= 1e-3 && x <= 2; },
                                            "a number of modules from 0.001 to 2"};
 
+inline constexpr NumberRule kRackTipRadius{[](double x) { return x >= 0 && x <= 3; },
+                                           "a number of modules from 0 to 3"};
+
 inline constexpr NumberRule kGearRatio{[](double x) { return x >= 1e-3 && x <= 1e3; },
                                        "a ratio from 0.001 to 1000"};
 

@@ -74,6 +74,17 @@ TEST(GearProblemTest, TeethAndModulesWithinBounds) {
   EXPECT_EQ(read->solve.designs, 9);
 }
 
+TEST(GearProblemTest, RacksThatWorkshopsHave) {
+  const std::string gear20 = "teeth = 20\nmodule = 1\n[rack]\n";
+  const auto profile = parse_gear(gear(gear20 + "clearance = 0.4\ntip_radius = 0.39"));
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->gear.normal.rack.corner_radius, 0.39);
+  for (const char* rack : {"clearance = 0.4", "clearance = 0.3", "addendum = 1.2",
+                           "pressure_angle_deg = 25", "tip_radius = 0"}) {
+    EXPECT_TRUE(parse_gear(gear(gear20 + rack))) << rack;
+  }
+}
+
 TEST(GearProblemTest, WholeNumbersMayBeWrittenWithAPoint) {
   const auto read = parse_gear(gear("teeth = 35.0\nmodule = 5"));
   ASSERT_TRUE(read);
@@ -125,7 +136,10 @@ INSTANTIATE_TEST_SUITE_P(
                   {{5, 17, "leaves no tooth"}}},
         FaultCase{"PointedRack",
                   gear("teeth = 20\nmodule = 1\n[rack]\naddendum = 3"),
-                  {{5, 1, "corners overlap"}}},
+                  {{5, 1, "flanks that meet before its tip"}}},
+        FaultCase{"LargeTipRadius",
+                  gear("teeth = 20\nmodule = 1\n[rack]\nclearance = 0.4\ntip_radius = 0.4"),
+                  {{7, 14, "at most 0.393948"}}},
         FaultCase{"SmallHelix",
                   gear("gearing = \"helical\"\nteeth = 20\nmodule = 1\nhelix_deg = 1e-4"),
                   {{6, 13, "from 0.001 to 80"}}},
