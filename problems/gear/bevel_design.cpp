@@ -14,19 +14,6 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-gear::BevelPair bevel_pair(const GearPairProblem& problem) {
-  gear::BevelPair pair;
-  for (std::size_t i = 0; i < 2; ++i) {
-    pair.teeth[i] = *problem.teeth[i];
-    pair.profile_shift[i] = problem.profile_shift[i].value_or(0);
-  }
-  pair.module = *problem.module;
-  pair.shaft_angle = problem.shaft_angle;
-  pair.face_width = problem.face_width;
-  pair.rack = problem.rack;
-  return pair;
-}
-
 /// Whether both are external gears, to which virtual gears apply.
 bool is_external(const gear::BevelPair& pair) {
   return gear::bevel_gear(pair, 0).cone_angle < kRightAngle &&
@@ -120,6 +107,19 @@ class BevelDesign {
 };
 
 }  // namespace
+
+gear::BevelPair bevel_pair(const GearPairProblem& problem) {
+  gear::BevelPair pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.teeth[i] = problem.teeth[i].value_or(0);
+    pair.profile_shift[i] = problem.profile_shift[i].value_or(0);
+  }
+  pair.module = problem.module.value_or(1);
+  pair.shaft_angle = problem.shaft_angle;
+  pair.face_width = problem.face_width;
+  pair.rack = problem.rack;
+  return pair;
+}
 
 GearPairDesign bevel_design(const GearPairProblem& asked) {
   return BevelDesign(asked).made();

@@ -14,6 +14,9 @@ namespace cognate::problems {
 GearPairDesign cylindrical_design(const GearPairProblem& asked, const GearPairNumbers& numbers,
                                   std::string origin);
 
+/// The bevel gears of a whole problem.
+gear::BevelPair bevel_pair(const GearPairProblem& problem);
+
 /// Bevel gears and worms, of which everything is given.
 GearPairDesign bevel_design(const GearPairProblem& asked);
 GearPairDesign worm_design(const GearPairProblem& asked);
