@@ -84,7 +84,7 @@ class Choices {
 
  private:
   std::uint64_t range(std::size_t i) const {
-    return static_cast<std::uint64_t>(teeth_[i][1] - teeth_[i][0] + 1);
+    return static_cast<std::uint64_t>(teeth_[i][1] - teeth_[i][0]) + 1;
   }
 
   std::vector<double> modules_;

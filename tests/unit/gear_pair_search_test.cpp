@@ -383,8 +383,8 @@ TEST(GearPairSearch, TellsTheDistancesAtWhichAPairDrivesContinuously) {
   for (const int teeth : {8, 10, 11, 14, 20}) {
     const double closest = 2.0 * teeth;
     double greatest = 0;
-    for (int i = 0; i <= 4000; ++i) {
-      const double distance = closest + 1e-3 * i;
+    for (int i = 0; i <= 1500; ++i) {
+      const double distance = closest + 2e-3 * i;
       const auto result = solve(given_pair(teeth, teeth, 2, distance), {});
       const double ratio = fact(result.designs[0].metrics, "contact_ratio");
       if (ratio >= 1) greatest = distance;
@@ -395,7 +395,7 @@ TEST(GearPairSearch, TellsTheDistancesAtWhichAPairDrivesContinuously) {
       if (fact(metrics, "contact_ratio") >= 1) continue;
       EXPECT_EQ(has_note(result, "at every centre distance"), greatest == 0) << teeth;
       if (greatest == 0) continue;
-      EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), greatest, 2e-3) << teeth;
+      EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), greatest, 3e-3) << teeth;
     }
   }
 }
