@@ -105,7 +105,8 @@ class Solver {
       ++looked;
       const GearCombination combination{found.numbers.teeth, found.numbers.module};
       const auto searched = GearPairSearch(problem_, combination).best(depth);
-      if (searched) found = *searched;
+      const bool was_better = found.merit() < 0 && searched && is_better(found, *searched);
+      if (searched && !was_better) found = *searched;
       if (thread != 0 || !run_.progress) return;
       if (found.violation == 0) best = std::min(best, found.objective);
       run_.progress(double(index + 1) / double(found_.size()), best);
