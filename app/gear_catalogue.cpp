@@ -5,8 +5,10 @@ namespace {
 
 constexpr Entry kRack[] = {
     {"pressure_angle_deg", "of the rack that cuts, of the normal section (default 20)"},
-    {"addendum", "of its straight flank below the pitch line, in modules (default 1)"},
-    {"clearance", "by how much its rounded tip is deeper, in modules (default 0.25)"}};
+    {"addendum", "below the pitch line, in modules (default 1)"},
+    {"clearance", "by how much its rounded tip is deeper, in modules (default 0.25)"},
+    {"tip_radius",
+     "of the tip's corners, in modules (default clearance/(1 - sin a), or less: the full round)"}};
 
 constexpr Entry kGear[] = {
     {"gearing", "\"spur\" (default) or \"helical\""},
@@ -52,7 +54,7 @@ constexpr Entry kTarget[] = {
 
 constexpr Entry kConstraints[] = {
     {"contact_ratio_min", "1 (default) or more; of helical gears with the overlap"},
-    {"tip_thickness_min", "of each gear, in modules (default 0)"},
+    {"tip_thickness_min", "of each gear, in modules, across helical teeth (default 0)"},
     {"no_undercut", "true (default)"},
     {"no_interference", "true (default): no tip digs into the fillet or root of the other gear"},
     {"hunting", "true: the numbers of teeth have no common divisor (default false)"},
@@ -81,7 +83,7 @@ constexpr Metric kGearMetrics[] = {
     {"tip_diameter, root_diameter", "length", "of bevel gears at the outer end"},
     {"form_diameter", "length", "where the involute begins, as the rack cuts it"},
     {"tooth_thickness", "length", "arc on the reference circle"},
-    {"tip_thickness", "length", "arc on the tip circle; negative: pointed below it"},
+    {"tip_thickness", "length", "arc (transverse) on the tip circle; negative: pointed below it"},
     {"pointed_diameter", "length", "where the flanks of a tooth meet"},
     {"undercut", "boolean", "whether the rack cuts into the involute"},
     {"least_teeth", "1", "without undercut at this shift"},
@@ -89,6 +91,7 @@ constexpr Metric kGearMetrics[] = {
     {"virtual_teeth", "1", "helical: z/cos3(helix); bevel: z/cos(cone angle)"},
     {"base_helix_deg", "deg", "helical: on the base cylinder"},
     {"lead", "length", "helical: along the axis in a turn; of a worm likewise"},
+    {"normal_tip_thickness", "length", "helical: of the tip across the tooth"},
     {"span_teeth", "1", "teeth over which the span is measured"},
     {"span_measurement", "length", "over so many teeth (base tangent length)"},
     {"pin_diameter", "length", "1.728 modules"},
@@ -115,11 +118,11 @@ constexpr Metric kPairMetrics[] = {
     {"overlap_ratio", "1", "helical: face width over axial pitch; also of a gear"},
     {"total_contact_ratio", "1", "helical: the sum of both"},
     {"continuous_centre_distance_max", "length",
-     "where the contact ratio is below 1: at which it is 1"},
+     "where the contact ratio is below 1: the greatest at which it is 1"},
     {"path_length", "length", "of contact"},
     {"approach_length, recess_length", "length", "before and after the pitch point"},
     {"backlash", "length", "arc on the working pitch circles; negative: the teeth overlap"},
-    {"normal_backlash", "length", "along the line of action"},
+    {"normal_backlash", "length", "along the line of action; of helical gears across the teeth"},
     {"sliding_max", "1", "greatest magnitude of specific sliding at the ends of the flanks"},
     {"sliding_speed_ratio_max", "1", "greatest sliding speed over the pitch line's"},
     {"shaft_angle_deg", "deg", "bevel: between the axes"},

@@ -15,9 +15,11 @@ using problems::GearProblem;
 using problems::to_string;
 
 ordered_json rack(const gear::BasicRack& given) {
-  return {{"pressure_angle_deg", problems::degrees(given.pressure_angle)},
-          {"addendum", given.addendum},
-          {"clearance", given.clearance}};
+  ordered_json table = {{"pressure_angle_deg", problems::degrees(given.pressure_angle)},
+                        {"addendum", given.addendum},
+                        {"clearance", given.clearance}};
+  set(table, "tip_radius", given.corner_radius);
+  return table;
 }
 
 void set_positive(ordered_json& table, const char* key, double value) {
@@ -97,12 +99,12 @@ ordered_json constraints(const GearPairProblem& problem) {
   ordered_json table = ordered_json::object();
   if (problem.gearing != Gearing::worm) {
     table["contact_ratio_min"] = given.contact_ratio_min;
-    table["tip_thickness_min"] = given.tip_thickness_min;
     table["no_interference"] = given.no_interference;
     table["hunting"] = given.hunting;
     set(table, "sliding_max", given.sliding_max);
     set(table, "tip_clearance_min", given.tip_clearance_min);
   }
+  table["tip_thickness_min"] = given.tip_thickness_min;
   table["no_undercut"] = given.no_undercut;
   return table;
 }

@@ -42,7 +42,7 @@ tl::expected<Wanted, Faults> only(Reading read, std::string_view wanted) {
 }
 
 tl::expected<Problem, Faults> only_problem(Reading read) {
-  return only<Problem>(std::move(read), "the design problem of a linkage");
+  return only<Problem>(std::move(read), "a design problem");
 }
 
 tl::expected<AnalysisProblem, Faults> only_analysis(Reading read) {

@@ -76,7 +76,8 @@ double form_tangent(const SpurGear& gear) {
     return std::sqrt(std::max(form - base, 0.0) * (form + base));
   }
   const double sine = std::sin(gear.rack.pressure_angle);
-  const double length = 0.5 * gear.teeth * sine - (gear.rack.addendum - gear.profile_shift) / sine;
+  const double length =
+      0.5 * gear.teeth * sine - (flank_depth(gear.rack) - gear.profile_shift) / sine;
   return gear.module * std::max(length, 0.0);
 }
 

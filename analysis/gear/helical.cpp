@@ -12,6 +12,12 @@ SpurGear transverse(const HelicalGear& gear) {
   section.rack.pressure_angle = std::atan(std::tan(gear.normal.rack.pressure_angle) / cosine);
   section.rack.addendum *= cosine;
   section.rack.clearance *= cosine;
+  if (flank_depth(gear.normal.rack) != gear.normal.rack.addendum) {  // a corner as deep
+    const double sine = std::sin(gear.normal.rack.pressure_angle);
+    const double transverse_sine = std::sin(section.rack.pressure_angle);
+    section.rack.corner_radius =
+        tip_radius(gear.normal.rack) * cosine * (1 - sine) / (1 - transverse_sine);
+  }
   section.profile_shift *= cosine;
   section.tip_reduction *= cosine;
   section.thinning /= cosine;
@@ -33,6 +39,10 @@ double base_helix(const HelicalGear& gear) {
 
 double lead(const HelicalGear& gear) {
   return std::numbers::pi * gear.normal.module * gear.normal.teeth / std::sin(std::abs(gear.helix));
+}
+
+double helix_cosine(const SpurGear& section, double helix, double radius) {
+  return 1 / std::hypot(1.0, std::tan(helix) * radius / reference_radius(section));
 }
 
 }  // namespace cognate::gear

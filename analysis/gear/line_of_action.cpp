@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cognate::gear {
 namespace {
@@ -29,6 +30,25 @@ LineOfAction line_of_action(const SpurPair& pair) {
   line.start = std::max(line.wheel_tip, line.pinion_form);
   line.end = std::max(line.start, std::min(line.pinion_tip, line.wheel_form));
   return line;
+}
+
+std::optional<DistanceRange> distances_in_contact(const std::array<SpurGear, 2>& gears,
+                                                  double ratio) {
+  const double path = ratio * 2 * std::numbers::pi * base_radius(gears[0]) / gears[0].teeth;
+  double tips = 0, forms = 0;
+  for (const SpurGear& gear : gears) {
+    const double tip = tangent_length(base_radius(gear), flank_end_radius(gear));
+    const double form = form_tangent(gear);
+    if (!(tip - form >= path)) return std::nullopt;
+    tips += tip;
+    forms += form;
+  }
+  const double base = sum_of_base_radii(gears);
+  // Teeth that are so thin that they never touch do not overlap anywhere.
+  const double without = centre_distance_without_backlash(gears);
+  const double least = std::max(std::hypot(forms + path, base), std::isnan(without) ? 0 : without);
+  const double greatest = std::hypot(tips - path, base);
+  return least <= greatest ? std::optional(DistanceRange{least, greatest}) : std::nullopt;
 }
 
 }  // namespace cognate::gear

@@ -1,6 +1,9 @@
 /// @file The line of action of a pair of spur gears, and the stretch of it where teeth touch.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "analysis/gear/spur_pair.hpp"
 
 namespace cognate::gear {
@@ -21,5 +24,17 @@ struct LineOfAction {
 };
 
 LineOfAction line_of_action(const SpurPair& pair);
+
+/// Centre distances from `least` to `greatest`.
+struct DistanceRange {
+  double least = 0, greatest = 0;
+};
+
+/// The centre distances at which the contact ratio of `gears` is `ratio` > 0 or more, and their
+/// teeth do not overlap; empty where there are none. The path of contact is the least of four
+/// lengths: from tip to tip, which shrinks as the line of action grows, from form circle to form
+/// circle, which grows with it, and those of either flank.
+std::optional<DistanceRange> distances_in_contact(const std::array<SpurGear, 2>& gears,
+                                                  double ratio);
 
 }  // namespace cognate::gear

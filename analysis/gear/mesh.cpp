@@ -24,7 +24,7 @@ Mesh mesh(const SpurPair& pair) {
   result.path_end = place(line.end);
 
   // Without backlash a space of the wheel is opposite the pinion's tooth; with it the wheel lags.
-  const double half_backlash = 0.5 * geometry(pair).backlash;
+  const double half_backlash = 0.5 * geometry_of_line(pair).backlash;
   const double working_radius = a * (wheel.teeth / (pinion.teeth + wheel.teeth));
   result.wheel_angle = std::numbers::pi * (1 + 1 / wheel.teeth) + half_backlash / working_radius;
 

@@ -29,6 +29,10 @@ double overlap_ratio(const HelicalGear& gear);  ///< b sin|β|/(π m_n)
 double base_helix(const HelicalGear& gear);     ///< sin β_b = sin β cos α_n
 double lead(const HelicalGear& gear);           ///< 2π r/tan|β|; infinite without helix
 
+/// cos β_y, where tan β_y = tan β r_y/r, of teeth whose transverse section is `section`: across
+/// them they are by it thinner than the arc of the section at `radius` (ISO 21771).
+double helix_cosine(const SpurGear& section, double helix, double radius);
+
 /// Straight bevel gears whose axes meet at `shaft_angle`. Module: outer, transverse.
 struct BevelPair {
   std::array<double, 2> teeth{};

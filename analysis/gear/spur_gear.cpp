@@ -14,15 +14,47 @@ double squared_sine(const BasicRack& rack) {
   return sine * sine;
 }
 
+/// The corner of a rack's tip.
+struct Corner {
+  double sine = 0, cosine = 1;  ///< of the pressure angle
+  double greatest = 0;
+  double radius = 0;
+  bool is_usual = false;  ///< begins where the addendum ends
+};
+
+Corner corner_of(const BasicRack& rack) {
+  Corner corner;
+  corner.sine = std::sin(rack.pressure_angle);
+  corner.cosine = std::cos(rack.pressure_angle);
+  const double depth = rack.addendum + rack.clearance;
+  corner.greatest =
+      (std::numbers::pi / 4 * corner.cosine - depth * corner.sine) / (1 - corner.sine);
+  const double usual = rack.clearance / (1 - corner.sine);
+  const bool has_room = usual <= corner.greatest || corner.greatest < 0;
+  corner.is_usual = !rack.corner_radius && has_room;
+  corner.radius = rack.corner_radius.value_or(has_room ? usual : corner.greatest);
+  return corner;
+}
+
 }  // namespace
 
 double tip_radius(const BasicRack& rack) {
-  return rack.clearance / (1 - std::sin(rack.pressure_angle));
+  return corner_of(rack).radius;
+}
+
+double greatest_tip_radius(const BasicRack& rack) {
+  return corner_of(rack).greatest;
+}
+
+double flank_depth(const BasicRack& rack) {
+  const Corner corner = corner_of(rack);
+  if (corner.is_usual) return rack.addendum;
+  return rack.addendum + rack.clearance - corner.radius * (1 - corner.sine);
 }
 
 double tip_half_width(const BasicRack& rack) {
-  return std::numbers::pi / 4 - rack.addendum * std::tan(rack.pressure_angle) -
-         tip_radius(rack) * std::cos(rack.pressure_angle);
+  const Corner corner = corner_of(rack);
+  return (corner.greatest - corner.radius) * (1 - corner.sine) / corner.cosine;
 }
 
 double reference_radius(const SpurGear& gear) {
@@ -45,17 +77,17 @@ double root_radius(const SpurGear& gear) {
 
 bool is_undercut(const SpurGear& gear) {
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  const double reach = gear.rack.addendum - gear.profile_shift;
+  const double depth = flank_depth(gear.rack);
   const double room = 0.5 * gear.teeth * squared_sine(gear.rack);
-  return reach - room > kRounding * (gear.rack.addendum + std::abs(gear.profile_shift));
+  return depth - gear.profile_shift - room > kRounding * (depth + std::abs(gear.profile_shift));
 }
 
 double least_teeth(const BasicRack& rack, double profile_shift) {
-  return 2 * (rack.addendum - profile_shift) / squared_sine(rack);
+  return 2 * (flank_depth(rack) - profile_shift) / squared_sine(rack);
 }
 
 double least_profile_shift(const BasicRack& rack, double teeth) {
-  return rack.addendum - 0.5 * teeth * squared_sine(rack);
+  return flank_depth(rack) - 0.5 * teeth * squared_sine(rack);
 }
 
 double pressure_angle(const SpurGear& gear, double radius) {

@@ -6,21 +6,31 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 
 namespace cognate::gear {
 
-/// The rack that cuts, with its lengths in modules. `addendum` is the depth of its straight flank
-/// below the pitch line, which reaches to where the tip is rounded: what cuts the root also makes
-/// the tip of the mating gear possible. `clearance`: how much deeper its tip is.
+/// The rack that cuts, with its lengths in modules (ISO 53). `addendum` is the depth to which the
+/// mating gear's tip reaches below the pitch line; `clearance`: how much deeper the rack's is.
 struct BasicRack {
   double pressure_angle = std::numbers::pi / 9;
   double addendum = 1;
   double clearance = 0.25;
+  std::optional<double> corner_radius{};  ///< of its tip, in modules, where it is not the usual one
 };
 
-/// Radius of the rack's tip corner in modules: the one that meets the straight flank where the
-/// addendum ends and the tip line tangentially, c*/(1 − sin α) (0.38 of the standard rack).
+/// Radius of the rack's tip corner in modules: the one given, else the usual one. That meets the
+/// straight flank where the addendum ends and the tip line tangentially, c*/(1 − sin α) (0.38 of
+/// the standard rack), or is the greatest if that is less.
 double tip_radius(const BasicRack& rack);
+
+/// The greatest radius for which the tip has room, which rounds it fully: (π/4 − (h* + c*) tan α)
+/// cos α/(1 − sin α). Negative: the flanks meet before the tip.
+double greatest_tip_radius(const BasicRack& rack);
+
+/// The depth at which the straight flank ends and the corner begins: h* + c* − ρ* (1 − sin α), that
+/// is the addendum unless the corner is given or fully round.
+double flank_depth(const BasicRack& rack);
 
 /// Half the width, in modules, of the straight part of the rack's tip. Negative: there is no such
 /// rack, its rounded corners overlap.
@@ -55,13 +65,13 @@ double form_radius(const SpurGear& gear);
 double form_tangent(const SpurGear& gear);
 
 /// Whether the rack's straight flank reaches beyond the point where the base circle touches the
-/// line of action: h_a* − x > ½ z sin²α, to rounding.
+/// line of action: h_f* − x > ½ z sin²α, to rounding, where h_f* is its depth.
 bool is_undercut(const SpurGear& gear);
 
-/// z_min = 2 (h_a* − x)/sin²α: from this number of teeth on nothing is undercut.
+/// z_min = 2 (h_f* − x)/sin²α: from this number of teeth on nothing is undercut.
 double least_teeth(const BasicRack& rack, double profile_shift);
 
-/// x_min = h_a* − ½ z sin²α.
+/// x_min = h_f* − ½ z sin²α.
 double least_profile_shift(const BasicRack& rack, double teeth);
 
 /// α_y of the involute at `radius`, cos α_y = r_b/r_y. Not a number inside the base circle.

@@ -14,10 +14,6 @@ namespace {
 
 using Gears = std::array<SpurGear, 2>;
 
-double sum_of_base_radii(const Gears& gears) {
-  return base_radius(gears[0]) + base_radius(gears[1]);
-}
-
 double sum_of_teeth(const Gears& gears) {
   return gears[0].teeth + gears[1].teeth;
 }
@@ -48,18 +44,23 @@ double specific_sliding(double own, double own_teeth, double other, double other
   return 1 - other * own_teeth / (own * other_teeth);
 }
 
-/// By how much the tip of the other gear digs into what the rack has left of gear `own`. Below the
-/// form circle of a gear without undercut there is more than the involute; the involute that
+/// 0 of what is rounding: of gears so large that they are nearly racks lengths are no better known.
+double if_any(double interference, const SpurPair& pair) {
+  constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+  const double slack = 1e-9 * pair.gears[0].module + kRounding * pair.centre_distance;
+  return interference > slack ? interference : 0;
+}
+
+/// By how much the tip of the other gear reaches beyond what the rack has left of gear `own`. Below
+/// the form circle of a gear without undercut there is more than the involute; the involute that
 /// undercut has taken away is not in its way. `reached` and `form`: places from the gear's base
 /// tangent.
-double interference(const SpurPair& pair, const LineOfAction& line, int own, double reached,
-                    double form) {
+double interference_on_line(const SpurPair& pair, int own, double reached, double form) {
   const SpurGear& gear = pair.gears[own == 0 ? 0 : 1];
   const SpurGear& other = pair.gears[own == 0 ? 1 : 0];
   const double into_root = root_radius(gear) + flank_end_radius(other) - pair.centre_distance;
   const double past_form = is_undercut(gear) ? 0 : form - reached;
-  const double most = std::max({into_root, past_form, -tip_room(pair, line, own)});
-  return most > 1e-9 * gear.module ? most : 0;
+  return if_any(std::max(into_root, past_form), pair);
 }
 
 /// What the line of action tells of a gear, with places on it seen from the gear's own end.
@@ -76,9 +77,8 @@ GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int inde
   const double base = base_radius(own);
   GearInMesh gear;
   gear.working_radius = pair.centre_distance * (own.teeth / (own.teeth + other.teeth));
-  gear.reached_radius = std::hypot(base, std::max(reached, 0.0));
   gear.interference =
-      interference(pair, line, index, reached, place(line.pinion_form, line.wheel_form));
+      interference_on_line(pair, index, reached, place(line.pinion_form, line.wheel_form));
   gear.contact_start = std::hypot(base, start);
   gear.contact_end = std::hypot(base, end);
   gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);
@@ -88,6 +88,10 @@ GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int inde
 }
 
 }  // namespace
+
+double sum_of_base_radii(const Gears& gears) {
+  return base_radius(gears[0]) + base_radius(gears[1]);
+}
 
 double working_pressure_angle(const SpurPair& pair) {
   const double base = sum_of_base_radii(pair.gears);
@@ -102,7 +106,7 @@ double centre_distance_with_backlash(const Gears& gears, double backlash) {
   const double base = sum_of_base_radii(gears);
   const double without = involute_without_backlash(gears);
   const double play = 0.5 * backlash / base;
-  if (!(without >= 0 && play >= 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(without + play >= 0 && play >= 0)) return std::numeric_limits<double>::quiet_NaN();
   double angle = involute_angle(without + play);
   for (int step = 0; play > 0 && step < kSteps; ++step) {
     const double tangent = std::tan(angle);
@@ -125,7 +129,21 @@ double profile_shift_sum(const Gears& gears, double centre_distance, double back
   return (difference * sum_of_teeth(gears) + sum_of_thinning(gears)) / (2 * std::tan(angle));
 }
 
+void add_fillet_interference(const SpurPair& pair, PairGeometry& geometry) {
+  const LineOfAction line = line_of_action(pair);
+  for (std::size_t i = 0; i < 2; ++i) {
+    double& most = geometry.gears[i].interference;
+    most = std::max(most, if_any(-tip_room(pair, line, static_cast<int>(i)), pair));
+  }
+}
+
 PairGeometry geometry(const SpurPair& pair) {
+  PairGeometry result = geometry_of_line(pair);
+  add_fillet_interference(pair, result);
+  return result;
+}
+
+PairGeometry geometry_of_line(const SpurPair& pair) {
   const LineOfAction line = line_of_action(pair);
   PairGeometry result;
   result.working_pressure_angle = line.pressure_angle;

@@ -21,16 +21,18 @@ struct TipPath {
 
   /// The angle at the gear's centre from its tooth's middle to the tip at ψ.
   double from_tooth(double psi) const {
-    const double beta =
-        std::atan2(tip_radius * std::sin(psi), centre_distance - tip_radius * std::cos(psi));
+    const double sine = std::sin(0.5 * psi);
+    const double beta = std::atan2(tip_radius * std::sin(psi),
+                                   centre_distance - tip_radius + 2 * tip_radius * sine * sine);
     return beta - gear_angle - ratio * (psi - at_contact);
   }
 
-  /// |ψ| where the tip is at `radius` from the gear's centre; not a number if it never is.
+  /// |ψ| where the tip is at `radius` from the gear's centre, by half of it so that large gears
+  /// lose no digits; not a number if it never is.
   double psi_at(double radius) const {
-    return std::acos(
-        (centre_distance * centre_distance + tip_radius * tip_radius - radius * radius) /
-        (2 * centre_distance * tip_radius));
+    const double nearest = centre_distance - tip_radius;
+    return 2 * std::asin(std::sqrt((radius - nearest) * (radius + nearest) /
+                                   (4 * centre_distance * tip_radius)));
   }
 };
 

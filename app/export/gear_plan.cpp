@@ -39,14 +39,10 @@ bool is_arc(OutlinePart part) {
   return part == OutlinePart::root || part == OutlinePart::tip;
 }
 
-Vec2d rotated(const Vec2d& at, double cosine, double sine) {
-  return {cosine * at.x - sine * at.y, sine * at.x + cosine * at.y};
-}
-
 DrawnGear drawn(const PlacedGear& gear, double tolerance) {
   DrawnGear made{gear, gear::gear_outline(gear.section, tolerance)};
-  const double cosine = std::cos(gear.angle), sine = std::sin(gear.angle);
-  for (auto& point : made.points) point.at = gear.centre + rotated(point.at, cosine, sine);
+  const Vec2d turn{std::cos(gear.angle), std::sin(gear.angle)};
+  for (auto& point : made.points) point.at = gear.centre + turn * point.at;
   return made;
 }
 

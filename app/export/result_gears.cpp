@@ -82,8 +82,7 @@ std::string missing(const GearPairProblem& problem) {
          "wanted";
 }
 
-void note_contact(const gear::SpurPair& pair, ResultGears& gears) {
-  const auto contact = gear::geometry(pair);
+void note_contact(const gear::PairGeometry& contact, ResultGears& gears) {
   if (contact.backlash < 0) {
     gears.notes.push_back(
         fmt::format("the teeth overlap by {:.6g} on the pitch circles", -contact.backlash));
@@ -96,7 +95,7 @@ void note_contact(const gear::SpurPair& pair, ResultGears& gears) {
 
 Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
   const auto mesh = gear::mesh(pair);
-  const auto contact = gear::geometry(pair);
+  const auto contact = gear::geometry_of_line(pair);
   if (!std::isfinite(mesh.wheel_angle)) {
     return tl::unexpected(std::string(
         "its base circles overlap, so the gears do not mesh; a greater centre_distance is wanted"));
@@ -105,7 +104,7 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
   made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
                 {"wheel", pair.gears[1], mesh.wheel_centre, mesh.wheel_angle,
                  contact.gears[1].working_radius}};
-  note_contact(pair, made);
+  note_contact(contact, made);
   return made;
 }
 

@@ -9,6 +9,7 @@
 #include "app/report/fact_json.hpp"
 #include "app/report/gear_drawing.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "problems/gear/gear_pair_design.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {
@@ -53,21 +54,8 @@ ordered_json pair_json(const gear::SpurPair& pair, double fineness) {
   return entry;
 }
 
-gear::BevelPair bevel_pair(const problems::GearPairProblem& settled) {
-  gear::BevelPair pair;
-  for (std::size_t i = 0; i < 2; ++i) {
-    pair.teeth[i] = settled.teeth[i].value_or(0);
-    pair.profile_shift[i] = settled.profile_shift[i].value_or(0);
-  }
-  pair.module = settled.module.value_or(1);
-  pair.shaft_angle = settled.shaft_angle;
-  pair.face_width = settled.face_width;
-  pair.rack = settled.rack;
-  return pair;
-}
-
 ordered_json cones_json(const problems::GearPairProblem& settled) {
-  const gear::BevelPair pair = bevel_pair(settled);
+  const gear::BevelPair pair = problems::bevel_pair(settled);
   ordered_json gears = ordered_json::array();
   double distance = 0;
   for (const int i : {0, 1}) {

@@ -6,6 +6,7 @@
 
 #include "analysis/gear/tooth_outline.hpp"
 #include "problems/deadline.hpp"
+#include "problems/degrees.hpp"
 #include "problems/gear/gear_facts.hpp"
 #include "problems/gear/gear_notes.hpp"
 #include "problems/gear/gear_result.hpp"
@@ -80,8 +81,7 @@ class FlankTable {
             column("pressure_angle_deg", "deg",
                    [&](const FlankPoint& row) {
                      if (!involute(row)) return double(NAN);
-                     return gear::pressure_angle(section_, std::max(base, radius(row))) * 180 /
-                            std::numbers::pi;
+                     return degrees(gear::pressure_angle(section_, std::max(base, radius(row))));
                    }),
             column("is_involute", "",
                    [&](const FlankPoint& row) { return involute(row) ? 1.0 : 0.0; })};

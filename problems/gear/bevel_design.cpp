@@ -14,23 +14,14 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-gear::BevelPair bevel_pair(const GearPairProblem& problem) {
-  gear::BevelPair pair;
-  for (std::size_t i = 0; i < 2; ++i) {
-    pair.teeth[i] = *problem.teeth[i];
-    pair.profile_shift[i] = problem.profile_shift[i].value_or(0);
-  }
-  pair.module = *problem.module;
-  pair.shaft_angle = problem.shaft_angle;
-  pair.face_width = problem.face_width;
-  pair.rack = problem.rack;
-  return pair;
-}
-
 /// Whether both are external gears, to which virtual gears apply.
 bool is_external(const gear::BevelPair& pair) {
   return gear::bevel_gear(pair, 0).cone_angle < kRightAngle &&
          gear::bevel_gear(pair, 1).cone_angle < kRightAngle;
+}
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
 }
 
 class BevelDesign {
@@ -117,6 +108,19 @@ class BevelDesign {
 
 }  // namespace
 
+gear::BevelPair bevel_pair(const GearPairProblem& problem) {
+  gear::BevelPair pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.teeth[i] = problem.teeth[i].value_or(0);
+    pair.profile_shift[i] = problem.profile_shift[i].value_or(0);
+  }
+  pair.module = problem.module.value_or(1);
+  pair.shaft_angle = problem.shaft_angle;
+  pair.face_width = problem.face_width;
+  pair.rack = problem.rack;
+  return pair;
+}
+
 GearPairDesign bevel_design(const GearPairProblem& asked) {
   return BevelDesign(asked).made();
 }
@@ -142,8 +146,18 @@ std::vector<std::string> bevel_notes(const GearPairDesign& design) {
         fmt::format("The face width is more than a third of the cone distance {:.6g}.", cone));
   }
   if (!is_external(pair)) return notes;
-  const auto more = virtual_pair_notes(design.pair);
-  notes.insert(notes.end(), more.begin(), more.end());
+  const GearConstraints& demanded = design.settled.constraints;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string name = i == 0 ? "The pinion" : "The wheel";
+    const gear::BevelGear own = gear::bevel_gear(pair, static_cast<int>(i));
+    const std::string undercut =
+        undercut_note_of_cone(own.virtual_gear, std::cos(own.cone_angle), name);
+    append(notes,
+           section_notes(own.virtual_gear, allowed(undercut, !demanded.no_undercut, "no_undercut"),
+                         name + "'s virtual gear"));
+  }
+  const auto mesh = mesh_of(design.pair);
+  if (mesh) append(notes, interference_notes(design.pair, *mesh, !demanded.no_interference));
   return notes;
 }
 

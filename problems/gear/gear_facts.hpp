@@ -1,6 +1,7 @@
 /// @file What a gear is like by itself, in numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,22 @@ namespace cognate::problems {
 std::vector<Fact> gear_facts(const gear::HelicalGear& gear, const std::string& prefix);
 
 /// The span over `teeth` teeth, W_k = m_n cos α_n (π (k − ½) + z inv α_t + 2 x tan α_n): ISO 21771,
-/// and how many teeth so that the anvils touch the middle of the flanks.
+/// and how many teeth so that the anvils touch the middle of the flanks, or one more or less if
+/// only then they touch the involute. Empty where they do not, or where the gear is given a face
+/// width too narrow for both anvils to reach it, W sin β_b.
 struct SpanMeasurement {
   int teeth = 0;
   double length = 0;
 };
-SpanMeasurement span_measurement(const gear::HelicalGear& gear);
+std::optional<SpanMeasurement> span_measurement(const gear::HelicalGear& gear);
 
 /// The distance over two pins (balls of helical gears) of `diameter` in opposite tooth spaces:
 /// inv α_K = inv α_t + D/(m_n z cos α_n) − (π/2 − 2 x tan α_n)/z, M = d_b/cos α_K + D, of odd teeth
 /// the first part times cos(π/2z). Not a number where such a pin falls through.
 double measurement_over_pins(const gear::HelicalGear& gear, double diameter);
+
+/// Whether such pins touch the involute, clear of the root, and flat anvils touch the pins and not
+/// the tips beside them.
+bool pins_can_be_measured(const gear::HelicalGear& gear, double diameter);
 
 }  // namespace cognate::problems

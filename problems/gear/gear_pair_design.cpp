@@ -46,21 +46,9 @@ GearPairDesign cylindrical_design(const GearPairProblem& asked, const GearPairNu
   return design;
 }
 
-std::optional<double> greatest_continuous_distance(const GearPairDesign& design) {
-  const double module = *design.settled.module;
-  gear::SpurPair pair = design.pair;
-  const auto ratio = [&](double distance) {
-    pair.centre_distance = distance;
-    return total_contact_ratio(design.settled, module, gear::geometry(pair));
-  };
-  double low = gear::centre_distance_without_backlash(pair.gears);
-  double high = design.pair.centre_distance;
-  if (!(low < high) || !(ratio(low) >= 1)) return std::nullopt;
-  while (true) {  // the contact ratio falls as the distance grows
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return low;
-    (ratio(middle) >= 1 ? low : high) = middle;
-  }
+std::optional<gear::DistanceRange> continuous_distances(const GearPairDesign& design) {
+  const double overlap = overlap_of(design.settled, *design.settled.module);
+  return gear::distances_in_contact(design.pair.gears, 1 - overlap);
 }
 
 }  // namespace cognate::problems

@@ -45,12 +45,14 @@ class Facts {
     add("approach_length", mesh_->approach);
     add("recess_length", mesh_->recess);
     add("backlash", mesh_->backlash);
-    add("normal_backlash", mesh_->normal_backlash);
+    // Across helical teeth that along the line of action is shorter (ISO 21771).
+    const double base_helix = gear::base_helix(helical_gear(settled_, 0));
+    add("normal_backlash", mesh_->normal_backlash * std::cos(base_helix));
     add("sliding_max", greatest_sliding(*mesh_));
     add("sliding_speed_ratio_max", mesh_->greatest_sliding_speed);
     if (total_contact_ratio(settled_, module, *mesh_) >= 1) return;
-    const auto most = greatest_continuous_distance(design_);
-    if (most) add("continuous_centre_distance_max", *most);
+    const auto distances = continuous_distances(design_);
+    if (distances) add("continuous_centre_distance_max", distances->greatest);
   }
 
   void add_gear(std::size_t index, const std::string& prefix) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace cognate::problems {
@@ -12,12 +11,8 @@ using gear::PairGeometry;
 using gear::SpurGear;
 using gear::SpurPair;
 
-/// Of what is no number.
-constexpr double kNoNumber = 1e9;
-
-double sum_of_base_radii(const SpurPair& pair) {
-  return gear::base_radius(pair.gears[0]) + gear::base_radius(pair.gears[1]);
-}
+/// Of gears that do not mesh, for which most demands have no meaning.
+constexpr double kNoMesh = 1000;
 
 }  // namespace
 
@@ -36,18 +31,22 @@ SpurPair section_of(const GearPairProblem& problem, const GearPairNumbers& numbe
   return pair;
 }
 
+bool can_mesh(const SpurPair& pair) {
+  return pair.centre_distance > gear::sum_of_base_radii(pair.gears) &&
+         std::ranges::all_of(pair.gears, [](const SpurGear& gear) {
+           return gear::tooth_fault(gear) == gear::ToothFault::none;
+         });
+}
+
 std::optional<PairGeometry> mesh_of(const SpurPair& pair) {
-  if (!(pair.centre_distance > sum_of_base_radii(pair))) return std::nullopt;
-  for (const auto& gear : pair.gears) {
-    if (gear::tooth_fault(gear) != gear::ToothFault::none) return std::nullopt;
-  }
-  return gear::geometry(pair);
+  return can_mesh(pair) ? std::optional(gear::geometry(pair)) : std::nullopt;
 }
 
 double GearLimit::violation() const {
-  if (std::isnan(value)) return kNoNumber;
+  const double weight = kind == GearLimitKind::running ? 10 : 1;
   const double missing = (at_least ? bound - value : value - bound) / scale;
-  return missing > 0 ? std::min(missing, kNoNumber) : 0;
+  if (std::isnan(missing) || missing == HUGE_VAL) return weight;
+  return missing > 0 ? weight * missing / (1 + missing) : 0;
 }
 
 GearLimits::GearLimits(const GearPairProblem& problem, const GearPairNumbers& numbers,
@@ -55,11 +54,13 @@ GearLimits::GearLimits(const GearPairProblem& problem, const GearPairNumbers& nu
     : problem_(problem), numbers_(numbers), pair_(pair), mesh_(mesh) {
   const GearConstraints& c = problem_.constraints;
   add_bounds();
-  add_possibility();
-  if (!mesh_) return;
+  if (!mesh_) {
+    add_possibility();
+    return;
+  }
   at_least("contact_ratio_min", total_contact_ratio(problem_, numbers_.module, *mesh_),
            c.contact_ratio_min);
-  at_least("backlash", mesh_->backlash, 0, numbers_.module);
+  add_backlash();
   add_gear(0);
   add_gear(1);
   if (c.sliding_max) at_most("sliding_max", greatest_sliding(*mesh_), *c.sliding_max);
@@ -69,12 +70,28 @@ void GearLimits::add_possibility() {
   constexpr const char* kTeeth[] = {"teeth.pinion", "teeth.wheel"};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto fault = gear::tooth_fault(pair_.gears[i]);
-    if (fault != gear::ToothFault::none) at_most(kTeeth[i], double(fault), 0);
+    if (fault == gear::ToothFault::none) continue;
+    at_most(kTeeth[i], double(fault), 0, 1, GearLimitKind::running);
   }
-  const double least = sum_of_base_radii(pair_);
+  const double least = gear::sum_of_base_radii(pair_.gears);
   if (!(pair_.centre_distance > least)) {
-    at_least("centre_distance", pair_.centre_distance, least, numbers_.module);
+    at_least("centre_distance", pair_.centre_distance, least, numbers_.module,
+             GearLimitKind::running);
   }
+}
+
+void GearLimits::add_backlash() {
+  at_least("backlash", mesh_->backlash, 0, numbers_.module, GearLimitKind::running);
+  const bool is_tied =
+      problem_.centre_distance && !(problem_.profile_shift[0] && problem_.profile_shift[1]);
+  if (!is_tied) return;
+  // Shifts within their bounds may not reach the centre distance; told only then.
+  const char* name = "mechanism.backlash";
+  const double wanted = problem_.backlash.value_or(0);
+  const double more = mesh_->backlash - wanted;
+  const double slack = 1e-9 * numbers_.module;
+  if (more > slack) at_most(name, mesh_->backlash, wanted, numbers_.module);
+  if (more < -slack && wanted > 0) at_least(name, mesh_->backlash, wanted, numbers_.module);
 }
 
 void GearLimits::add_bounds() {
@@ -98,10 +115,10 @@ void GearLimits::add_bounds() {
   if (problem_.ratio) {
     const double ratio = double(numbers_.teeth[1]) / numbers_.teeth[0];
     at_most("target.ratio_tolerance", std::abs(ratio / *problem_.ratio - 1),
-            problem_.ratio_tolerance + 1e-12);
+            problem_.ratio_tolerance, 1, GearLimitKind::teeth);
   }
   if (problem_.constraints.hunting) {
-    at_most("hunting", std::gcd(numbers_.teeth[0], numbers_.teeth[1]), 1);
+    at_most("hunting", std::gcd(numbers_.teeth[0], numbers_.teeth[1]), 1, 1, GearLimitKind::teeth);
   }
 }
 
@@ -119,31 +136,45 @@ void GearLimits::add_gear(std::size_t index) {
   const double normal = std::cos(problem_.helix);
   const double module = numbers_.module;
   const double tip = gear::tip_radius(own);
+  const double across = gear::helix_cosine(own, problem_.helix, tip) / module;
   const double thickness =
-      tip >= gear::base_radius(own) ? gear::tooth_thickness(own, tip) / module : NAN;
+      tip >= gear::base_radius(own) ? gear::tooth_thickness(own, tip) * across : NAN;
   at_least(names.tip, thickness, c.tip_thickness_min);
   if (c.no_undercut) {
     at_least(names.undercut, numbers_.shift[index],
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    at_most(names.interference, mesh_->gears[index].interference, 0, module);
+    at_most(names.interference, mesh_->gears[index].interference, 0, module,
+            GearLimitKind::running);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,
            c.tip_clearance_min.value_or(0));
 }
 
 double GearLimits::violation() const {
-  double most = 0;
-  for (const GearLimit& limit : all()) most = std::max(most, limit.violation());
-  return most;
+  double sum = 0;
+  for (const GearLimit& limit : all()) sum += limit.violation();
+  return mesh_ ? sum : kNoMesh + sum;
+}
+
+double GearLimits::violation_of_teeth() const {
+  double sum = 0;
+  for (const GearLimit& limit : all()) {
+    if (limit.kind == GearLimitKind::teeth) sum += limit.violation();
+  }
+  return sum;
+}
+
+double overlap_of(const GearPairProblem& problem, double module) {
+  gear::HelicalGear gear{.helix = problem.helix, .face_width = problem.face_width};
+  gear.normal.module = module;
+  return gear::overlap_ratio(gear);
 }
 
 double total_contact_ratio(const GearPairProblem& problem, double module,
                            const PairGeometry& mesh) {
-  const double overlap =
-      problem.face_width * std::abs(std::sin(problem.helix)) / (std::numbers::pi * module);
-  return mesh.contact_ratio + overlap;
+  return mesh.contact_ratio + overlap_of(problem, module);
 }
 
 double greatest_sliding(const PairGeometry& mesh) {

@@ -22,19 +22,31 @@ struct GearPairNumbers {
 /// Its transverse sections.
 gear::SpurPair section_of(const GearPairProblem& problem, const GearPairNumbers& numbers);
 
+/// Whether neither gear is impossible, and the centres are farther apart than base circles reach.
+bool can_mesh(const gear::SpurPair& pair);
+
 /// What holds of the pair where there is one: neither gear is impossible, and the centres are
 /// farther apart than the base circles reach.
 std::optional<gear::PairGeometry> mesh_of(const gear::SpurPair& pair);
 
-/// A demand: value ≥ bound, or value ≤ bound. `scale` is what counts as a whole violation.
+/// What a demand is of, which tells how much it counts.
+enum class GearLimitKind {
+  wish,     ///< without it the pair runs
+  running,  ///< without it the pair cannot run, and is no answer to wishes
+  teeth     ///< the numbers of teeth alone tell
+};
+
+/// A demand: value ≥ bound, or value ≤ bound. `scale` is what counts as half a violation.
 struct GearLimit {
   const char* name = "";
   double value = 0;
   double bound = 0;
   bool at_least = true;
   double scale = 1;
+  GearLimitKind kind = GearLimitKind::wish;
 
-  /// 0 where it is met; 1e9 where its value is not a number.
+  /// 0 where it is met, below 1 where it is missed, 1 where its value is not a number; ten times as
+  /// much of what a pair cannot run without.
   double violation() const;
 };
 
@@ -45,17 +57,21 @@ class GearLimits {
              const gear::SpurPair& pair, const std::optional<gear::PairGeometry>& mesh);
 
   std::span<const GearLimit> all() const { return {limits_.data(), count_}; }
-  /// The greatest of all.
+  /// The sum of all, so that nothing is missed needlessly, and what of it is the teeth's.
   double violation() const;
+  double violation_of_teeth() const;
 
  private:
-  void at_least(const char* name, double value, double bound, double scale = 1) {
-    limits_.at(count_++) = {name, value, bound, true, scale};
+  void at_least(const char* name, double value, double bound, double scale = 1,
+                GearLimitKind kind = GearLimitKind::wish) {
+    limits_.at(count_++) = {name, value, bound, true, scale, kind};
   }
-  void at_most(const char* name, double value, double bound, double scale = 1) {
-    limits_.at(count_++) = {name, value, bound, false, scale};
+  void at_most(const char* name, double value, double bound, double scale = 1,
+               GearLimitKind kind = GearLimitKind::wish) {
+    limits_.at(count_++) = {name, value, bound, false, scale, kind};
   }
   void add_possibility();
+  void add_backlash();
   void add_gear(std::size_t index);
   void add_bounds();
 
@@ -66,6 +82,9 @@ class GearLimits {
   std::array<GearLimit, 28> limits_{};
   std::size_t count_ = 0;
 };
+
+/// ε_β of helical gears of that (normal) module, 0 of others.
+double overlap_of(const GearPairProblem& problem, double module);
 
 /// Of helical gears with their overlap ε_α + ε_β, else ε_α.
 double total_contact_ratio(const GearPairProblem& problem, double module,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "analysis/golden_section.hpp"
 
@@ -18,41 +19,37 @@ struct Effort {
   int samples = 0, steps = 0;
 };
 
-/// Over the pinion's shift alone; of two unknowns, over each; and to compare combinations.
-constexpr Effort kOneUnknown{40, 48}, kOfTwo{16, 32}, kCoarse{8, 6};
+/// Over the pinion's shift alone; and over each of two unknowns.
+constexpr Effort kOneUnknown{40, 48}, kRough{4, 0}, kCoarse{8, 6}, kFine{16, 32};
 
 const Effort& effort_of(SearchDepth depth) {
-  return depth == SearchDepth::fine ? kOfTwo : kCoarse;
+  if (depth == SearchDepth::rough) return kRough;
+  return depth == SearchDepth::coarse ? kCoarse : kFine;
 }
 
-/// One number to be least: below 0 where every limit is met, by the objective; else the violation.
-double merit(const FoundPair& found) {
-  if (found.violation > kFeasible) return found.violation;
-  const double objective = std::min(found.objective / found.unit, kWorst);
-  return objective / (1 + std::abs(objective)) - 1;
-}
-
-/// The best of `at(x)` over [from, to]: of samples, then by the golden section around the best one.
+/// The best of `at(x, to_beat)` over [from, to]: of samples, then by the golden section around the
+/// best one.
 template <class At>
 FoundPair least_of(const At& at, double from, double to, const Effort& effort) {
-  FoundPair best = at(from);
+  FoundPair best = at(from, HUGE_VAL);
+  double least = best.merit();
   const auto keep = [&](double x) {
-    FoundPair found = at(x);
-    const double value = merit(found);
-    if (value < merit(best)) best = found;
+    const FoundPair found = at(x, least);
+    const double value = found.merit();
+    if (value < least) {
+      best = found;
+      least = value;
+    }
     return value;
   };
   if (!(from < to)) return best;
   const double step = (to - from) / effort.samples;
-  double least = merit(best);
   int place = 0;
   for (int i = 1; i <= effort.samples; ++i) {
-    const double value = keep(i < effort.samples ? from + i * step : to);
-    if (value < least) {
-      least = value;
-      place = i;
-    }
+    const double before = least;
+    if (keep(i < effort.samples ? from + i * step : to) < before) place = i;
   }
+  if (effort.steps == 0) return best;
   golden_section(keep, std::max(from, from + (place - 1) * step),
                  std::min(to, from + (place + 1) * step), effort.steps);
   return best;
@@ -60,12 +57,24 @@ FoundPair least_of(const At& at, double from, double to, const Effort& effort) {
 
 }  // namespace
 
+double FoundPair::merit() const {
+  const double avoidable = violation - unavoidable;
+  if (avoidable > kFeasible) return avoidable;
+  const double size = std::min(objective / unit, kWorst);
+  return size / (1 + std::abs(size)) - 1;
+}
+
+GearPairSearch::Interval GearPairSearch::Interval::operator&(const Interval& other) const {
+  return {std::max(from, other.from), std::min(to, other.to)};
+}
+
 GearPairSearch::GearPairSearch(const GearPairProblem& problem, const GearCombination& combination)
     : problem_(problem),
       combination_(combination),
       normal_(std::cos(problem.helix)),
       backlash_(problem.backlash.value_or(0)),
-      unshifted_(section_of(problem, {combination.teeth, combination.module, {}, 0}).gears) {}
+      unshifted_(section_of(problem, {combination.teeth, combination.module, {}, 0}).gears),
+      closest_(gear::sum_of_base_radii(unshifted_) * (1 + 1e-9)) {}
 
 GearPairSearch::Interval GearPairSearch::shifts_of(std::size_t index, bool without_undercut) const {
   const auto& given = problem_.profile_shift[index];
@@ -88,48 +97,76 @@ double GearPairSearch::distance_of(double sum) const {
   return gear::centre_distance_with_backlash(gears, backlash_);
 }
 
-/// The sums of shifts that the bounds of shifts and of the centre distance leave.
-GearPairSearch::Interval GearPairSearch::sums(bool without_undercut) const {
-  const Interval first = shifts_of(0, without_undercut), second = shifts_of(1, without_undercut);
-  Interval all{first.from + second.from, first.to + second.to};
-  if (problem_.centre_distance) {
-    const double sum = sum_at(*problem_.centre_distance);
-    return {sum, sum};
-  }
-  const auto& distances = problem_.centre_distance_bounds;
-  const double bases = gear::base_radius(unshifted_[0]) + gear::base_radius(unshifted_[1]);
-  if (distances.min > bases) all.from = std::max(all.from, sum_at(distances.min));
-  if (std::isfinite(distances.max)) {
-    all.to = std::min(all.to, distances.max > bases ? sum_at(distances.max) : -HUGE_VAL);
-  }
-  return all;
+/// The sums of shifts that belong to the centre distances asked for; of those that are too close
+/// for any, those of the closest.
+GearPairSearch::Interval GearPairSearch::wanted_sums() const {
+  const auto sum = [&](double distance) { return sum_at(std::max(distance, closest_)); };
+  const auto& given = problem_.centre_distance;
+  if (given) return {sum(*given), sum(*given)};
+  const auto& [least, greatest] = problem_.centre_distance_bounds;
+  return {sum(least), std::isfinite(greatest) ? sum(greatest) : HUGE_VAL};
 }
 
-/// By how much the sums that the centre distance allows miss those that the shifts allow.
+/// Those that are searched: within the bounds of shifts, and without undercut if that can be. Where
+/// they miss the centre distance, all that have any.
+GearPairSearch::Interval GearPairSearch::sums() const {
+  const Interval touching{sum_at(closest_), HUGE_VAL};
+  for (const Interval& wanted : {wanted_sums(), touching}) {
+    for (const bool without_undercut : {problem_.constraints.no_undercut, false}) {
+      const Interval first = shifts_of(0, without_undercut),
+                     second = shifts_of(1, without_undercut);
+      const Interval all = (first + second) & wanted;
+      if (!first.empty() && !second.empty() && !all.empty()) return all;
+    }
+  }
+  const double most = (shifts_of(0, false) + shifts_of(1, false)).to;
+  return {most, most};
+}
+
+/// The pinion's shifts with which the wheel's is within its bounds too.
+GearPairSearch::Interval GearPairSearch::first_shifts(double sum) const {
+  const auto within = [&](bool without_undercut) {
+    const Interval first = shifts_of(0, without_undercut), second = shifts_of(1, without_undercut);
+    return first & Interval{sum - second.to, sum - second.from};
+  };
+  if (problem_.constraints.no_undercut) {
+    const Interval all = within(true);
+    if (!all.empty()) return all;
+  }
+  const Interval all = within(false);
+  if (!all.empty()) return all;
+  const double middle = 0.5 * (all.from + all.to);  // between ends that only rounding parts
+  return {middle, middle};
+}
+
+/// By how many modules of shift, or of a centre distance at which base circles overlap, the pair is
+/// kept from the centre distance asked for.
 double GearPairSearch::missing_sum(bool without_undercut) const {
   const Interval first = shifts_of(0, without_undercut), second = shifts_of(1, without_undercut);
-  const Interval wanted = sums(without_undercut);
-  const double narrow = std::max({0.0, first.from - first.to, second.from - second.to});
-  const double below = first.from + second.from - wanted.to;
-  const double above = wanted.from - (first.to + second.to);
-  const double missing = std::max({narrow, below, above, 0.0});
-  return missing > kFeasible || std::isnan(missing) ? (std::isfinite(missing) ? missing : kWorst)
-                                                    : 0;
+  const Interval shifts = first + second, wanted = wanted_sums();
+  const double narrow = std::max(first.from - first.to, second.from - second.to);
+  const double farthest = problem_.centre_distance.value_or(problem_.centre_distance_bounds.max);
+  const double overlap = std::max(0.0, (closest_ - farthest) / combination_.module);
+  const double missing =
+      overlap + std::max({0.0, narrow, shifts.from - wanted.to, wanted.from - shifts.to});
+  return missing > kFeasible ? missing : 0;
 }
 
-CheapTests GearPairSearch::cheap_tests() const {
-  CheapTests tests;
+std::optional<Refusal> GearPairSearch::refusal() const {
   const auto [first, second] = combination_.teeth;
   if (problem_.ratio) {
-    const double off = std::abs(double(second) / first / *problem_.ratio - 1);
-    tests.ratio = std::max(0.0, off - problem_.ratio_tolerance - 1e-12);
+    const double off =
+        std::abs(double(second) / first / *problem_.ratio - 1) - problem_.ratio_tolerance;
+    if (off > 1e-12) return Refusal{CheapTest::ratio, off};
   }
-  if (problem_.constraints.hunting && std::gcd(first, second) > 1) tests.hunting = 1;
-  tests.centre_distance = missing_sum(false);
-  if (problem_.constraints.no_undercut && tests.centre_distance == 0) {
-    tests.undercut = missing_sum(true);
+  if (problem_.constraints.hunting && std::gcd(first, second) > 1) {
+    return Refusal{CheapTest::hunting, 1};
   }
-  return tests;
+  const double missing = missing_sum(false);
+  if (missing > 0) return Refusal{CheapTest::centre_distance, missing};
+  if (!problem_.constraints.no_undercut) return std::nullopt;
+  const double cut = missing_sum(true);
+  return cut > 0 ? std::optional(Refusal{CheapTest::undercut, cut}) : std::nullopt;
 }
 
 double GearPairSearch::objective_of(const GearPairNumbers& numbers,
@@ -145,41 +182,58 @@ double GearPairSearch::objective_of(const GearPairNumbers& numbers,
   return 0;
 }
 
-FoundPair GearPairSearch::at(double first, double second, double centre_distance) const {
+FoundPair GearPairSearch::at(double first, double second, double centre_distance, double to_beat,
+                             SearchDepth depth) const {
   FoundPair found;
   found.numbers = {combination_.teeth, combination_.module, {first, second}, centre_distance};
-  const auto pair = section_of(problem_, found.numbers);
-  const auto mesh = mesh_of(pair);
-  found.violation = GearLimits(problem_, found.numbers, pair, mesh).violation();
+  if (problem_.objective == GearObjective::size) found.unit = combination_.module;
+  gear::SpurPair pair{unshifted_, centre_distance};
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.gears[i].profile_shift = normal_ * found.numbers.shift[i];
+  }
+  std::optional<gear::PairGeometry> mesh;
+  if (can_mesh(pair)) mesh = gear::geometry_of_line(pair);
+  const auto weigh = [&] {
+    const GearLimits limits(problem_, found.numbers, pair, mesh);
+    found.violation = limits.violation();
+    found.unavoidable = limits.violation_of_teeth();
+  };
+  weigh();
   found.objective = mesh ? objective_of(found.numbers, *mesh) : kWorst;
   if (std::isnan(found.objective)) found.objective = kWorst;
-  if (problem_.objective == GearObjective::size) found.unit = combination_.module;
+  const bool asks = mesh && problem_.constraints.no_interference && found.merit() < to_beat;
+  if (asks && (depth == SearchDepth::fine || found.merit() < 0)) {
+    gear::add_fillet_interference(pair, *mesh);
+    weigh();
+  }
   return found;
 }
 
 /// Where the sliding at the foot of both flanks is the same, by a zero and not by a minimum.
-double GearPairSearch::balanced_shift(double sum, double distance, double from, double to) const {
-  const gear::SpurPair pair =
-      section_of(problem_, {combination_.teeth, combination_.module, {from, sum - from}, distance});
-  const double shift = gear::balanced_shift(pair, from * normal_, to * normal_) / normal_;
-  return std::isfinite(shift) ? std::clamp(shift, from, to) : from;
+double GearPairSearch::balanced_shift(double sum, double distance, const Interval& shifts) const {
+  const gear::SpurPair pair = section_of(
+      problem_,
+      {combination_.teeth, combination_.module, {shifts.from, sum - shifts.from}, distance});
+  const double shift =
+      gear::balanced_shift(pair, shifts.from * normal_, shifts.to * normal_) / normal_;
+  return std::isfinite(shift) ? std::clamp(shift, shifts.from, shifts.to) : shifts.from;
 }
 
 FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
   const double distance = problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
-  const auto at_shift = [&](double first) { return at(first, sum - first, distance); };
+  const auto at_shift = [&](double first, double to_beat) {
+    return at(first, sum - first, distance, to_beat, depth);
+  };
   const auto& [one, two] = problem_.profile_shift;
-  if (one) return at_shift(*one);
-  if (two) return at(sum - *two, *two, distance);
-  const bool safe = problem_.constraints.no_undercut;
-  const Interval first = shifts_of(0, safe), second = shifts_of(1, safe);
-  const Interval all{std::max(first.from, sum - second.to), std::min(first.to, sum - second.from)};
-  if (all.empty()) return at_shift(0.5 * (all.from + all.to));
+  if (one) return at_shift(*one, HUGE_VAL);
+  if (two) return at(sum - *two, *two, distance, HUGE_VAL, depth);
+  const Interval all = first_shifts(sum);
   FoundPair best = least_of(at_shift, all.from, all.to,
                             problem_.centre_distance ? kOneUnknown : effort_of(depth));
-  if (problem_.objective == GearObjective::balanced_sliding) {
-    const FoundPair balanced = at_shift(balanced_shift(sum, distance, all.from, all.to));
-    if (is_better(balanced, best)) best = balanced;
+  if (problem_.objective == GearObjective::balanced_sliding && all.from < all.to) {
+    const double to_beat = best.merit();
+    const FoundPair balanced = at_shift(balanced_shift(sum, distance, all), to_beat);
+    if (balanced.merit() < to_beat) best = balanced;
   }
   return best;
 }
@@ -189,15 +243,21 @@ std::optional<FoundPair> GearPairSearch::best(SearchDepth depth) const {
   if (one && two) {
     const double distance =
         problem_.centre_distance ? *problem_.centre_distance : distance_of(*one + *two);
-    return std::isfinite(distance) ? std::optional(at(*one, *two, distance)) : std::nullopt;
+    return std::isfinite(distance) ? std::optional(at(*one, *two, distance, HUGE_VAL, depth))
+                                   : std::nullopt;
   }
-  Interval all = sums(problem_.constraints.no_undercut);
-  if (all.empty()) all.from = all.to = 0.5 * (all.from + all.to);
-  if (!std::isfinite(all.from) || !std::isfinite(all.to)) return std::nullopt;
-  const auto at_sum = [&](double sum) { return best_split(sum, depth); };
+  const Interval all = sums();
+  const auto at_sum = [&](double sum, double /*to_beat*/) { return best_split(sum, depth); };
   FoundPair found = least_of(at_sum, all.from, all.to, effort_of(depth));
   if (!std::isfinite(found.numbers.centre_distance)) return std::nullopt;
   return found;
+}
+
+bool is_smaller(const FoundPair& a, const FoundPair& b) {
+  const auto size = [](const FoundPair& pair) {
+    return std::tuple(pair.numbers.centre_distance, pair.numbers.teeth);
+  };
+  return size(a) < size(b);
 }
 
 bool is_better(const FoundPair& a, const FoundPair& b) {
@@ -205,8 +265,17 @@ bool is_better(const FoundPair& a, const FoundPair& b) {
   if (feasible != other) return feasible;
   if (!feasible && a.violation != b.violation) return a.violation < b.violation;
   if (a.objective != b.objective) return a.objective < b.objective;
-  const auto size = [](const FoundPair& f) { return f.numbers.centre_distance; };
-  return size(a) < size(b);
+  return is_smaller(a, b);
+}
+
+bool is_as_good(const FoundPair& a, const FoundPair& b) {
+  constexpr double kRounding = 1e-9;
+  const auto near = [](double x, double y) {
+    return x == y || std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));
+  };
+  const bool feasible = a.violation <= kFeasible, other = b.violation <= kFeasible;
+  return feasible == other && (feasible || near(a.violation, b.violation)) &&
+         near(a.objective, b.objective);
 }
 
 }  // namespace cognate::problems

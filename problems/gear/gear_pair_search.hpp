@@ -17,21 +17,27 @@ struct GearCombination {
 /// A pair that was found.
 struct FoundPair {
   GearPairNumbers numbers;
-  double violation = 0;  ///< 0 where every limit is met
-  double objective = 0;  ///< the less the better
-  double unit = 1;       ///< of the objective, so that it is a number of the size of 1
+  double violation = 0;    ///< of all limits; 0 where every one is met
+  double unavoidable = 0;  ///< what of it the teeth alone tell
+  double objective = 0;    ///< the less the better
+  double unit = 1;         ///< of the objective, so that it is a number of the size of 1
+
+  /// One number to be least over pairs of the same teeth: below 0 where every limit is met but
+  /// those that the teeth alone miss, by the objective; else the violation.
+  double merit() const;
 };
 
-/// How finely it is searched.
-enum class SearchDepth { coarse, fine };
+/// How finely it is searched: to drop most of many combinations, to put the rest in order, to tell.
+enum class SearchDepth { rough, coarse, fine };
 
-/// What a cheap test says of a combination: how far the pair is from what it asks for, 0 where it
-/// passes.
-struct CheapTests {
-  double ratio = 0;            ///< relative, beyond the tolerance
-  double hunting = 0;          ///< 1 where the teeth have a common divisor that they must not have
-  double centre_distance = 0;  ///< shifts beyond their bounds, in modules, that it would need
-  double undercut = 0;         ///< the same with no gear undercut
+/// The cheap tests, in the order in which they are made.
+enum class CheapTest { ratio, hunting, centre_distance, undercut };
+
+/// Which of them a combination fails first, and how far it is from passing: relative to the ratio;
+/// 1 of teeth with a common divisor; by how many modules of shift or distance.
+struct Refusal {
+  CheapTest test = CheapTest::ratio;
+  double missing = 0;
 };
 
 /// The problem with one combination of teeth and module.
@@ -44,25 +50,34 @@ class GearPairSearch {
  public:
   GearPairSearch(const GearPairProblem& problem, const GearCombination& combination);
 
-  CheapTests cheap_tests() const;
+  /// Empty where every cheap test is passed.
+  std::optional<Refusal> refusal() const;
 
-  /// Empty where no pair of these teeth has a working pressure angle.
+  /// Empty where no pair of these teeth has a working pressure angle. Where bounds leave no pair,
+  /// one within those of the shifts that is near to what is wanted.
   std::optional<FoundPair> best(SearchDepth depth) const;
 
   /// The pair of these shifts of the normal section, in a centre distance that belongs to them.
-  FoundPair at(double first, double second, double centre_distance) const;
+  /// Whether tips dig into fillets takes most of the time, and is asked only of a pair that would
+  /// else be better than `to_beat`; before the fine search only if it meets every other limit.
+  FoundPair at(double first, double second, double centre_distance, double to_beat,
+               SearchDepth depth) const;
 
  private:
   struct Interval {
     double from = 0, to = 0;
-    bool empty() const { return from > to; }
+    bool empty() const { return !(from <= to); }
+    Interval operator+(const Interval& other) const { return {from + other.from, to + other.to}; }
+    Interval operator&(const Interval& other) const;
   };
   Interval shifts_of(std::size_t index, bool without_undercut) const;
-  Interval sums(bool without_undercut) const;
+  Interval wanted_sums() const;
+  Interval sums() const;
+  Interval first_shifts(double sum) const;
   double missing_sum(bool without_undercut) const;
   double distance_of(double sum) const;
   double sum_at(double distance) const;
-  double balanced_shift(double sum, double distance, double from, double to) const;
+  double balanced_shift(double sum, double distance, const Interval& shifts) const;
   FoundPair best_split(double sum, SearchDepth depth) const;
   double objective_of(const GearPairNumbers& numbers, const gear::PairGeometry& mesh) const;
 
@@ -71,9 +86,16 @@ class GearPairSearch {
   double normal_ = 1;  ///< cos β: shifts of the section over those of the normal section
   double backlash_ = 0;
   std::array<gear::SpurGear, 2> unshifted_;
+  double closest_ = 0;  ///< centre distance at which the line of action still has a length
 };
 
-/// Whether `a` is to be preferred: meets more, else is better by the objective.
+/// Whether `a` has the lesser centre distance, of the same one the fewer teeth.
+bool is_smaller(const FoundPair& a, const FoundPair& b);
+
+/// Whether `a` is to be preferred: meets more, else is better by the objective, else is smaller.
 bool is_better(const FoundPair& a, const FoundPair& b);
+
+/// Whether neither violation nor objective of the two differ by more than rounding.
+bool is_as_good(const FoundPair& a, const FoundPair& b);
 
 }  // namespace cognate::problems

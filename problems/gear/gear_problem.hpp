@@ -24,7 +24,7 @@ struct GearProblem {
   int points = 20;                  ///< rows of the table for each part of the flank
 };
 
-/// Teeth that a gear may have, so few that products of them are exact.
+/// Teeth that a gear may have: more are a rack's to every digit that counts.
 inline constexpr int kFewestTeeth = 3, kMostTeeth = 2000;
 
 /// `target.objective` of a gear pair.
@@ -45,7 +45,7 @@ struct GearConstraints {
   std::optional<double> tip_clearance_min;  ///< in modules
 };
 
-/// `kind = "gear-pair"`. What is empty is found; what is there twice must agree.
+/// `kind = "gear-pair"`. What is empty is found; nothing is given twice.
 struct GearPairProblem {
   std::string title;
   Gearing gearing = Gearing::spur;

@@ -15,7 +15,7 @@ namespace cognate::problems {
 struct GearResult {
   Status status = Status::no_solution;  ///< `infeasible`: an impossible gear, told by the notes
   std::vector<Fact> metrics;
-  std::vector<Column> columns;  ///< radius, x, y, part, thickness… one row for each point
+  std::vector<Column> columns;  ///< radius, x, y, thickness… is_involute: one row for each point
   Work work;
   std::vector<std::string> notes;
 };

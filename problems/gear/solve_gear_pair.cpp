@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -18,11 +19,9 @@
 namespace cognate::problems {
 namespace {
 
-using Found = std::vector<std::optional<FoundPair>>;  ///< one for each combination
-
 /// Of more combinations than these, each with two unknowns, those are searched finely that a coarse
-/// search puts first.
-constexpr std::size_t kMostFine = 100;
+/// search puts first; of more than those coarsely that a rough one does.
+constexpr std::size_t kMostFine = 100, kMostCoarse = 2000;
 
 /// Searches combinations; keeps what its parts share.
 class Solver {
@@ -32,66 +31,108 @@ class Solver {
       : problem_(problem), run_(run), deadline_(deadline), result_(result) {}
 
   void solve() {
-    Sieved sieved = sieve(problem_, deadline_);
+    const Sieved sieved = sieve(problem_, deadline_);
     tell(sieved);
-    const bool none = sieved.left.empty();
-    auto combinations = none ? sieved.nearest : sieved.left;
-    if (!problem_.centre_distance && combinations.size() > kMostFine) {
-      combinations = first_by_coarse_search(combinations);
+    const auto& combinations = sieved.left.empty() ? sieved.nearest : sieved.left;
+    for (const GearCombination& each : combinations) found_.push_back(unsearched(each));
+    if (!problem_.centre_distance && found_.size() > kMostFine) {
+      const bool are_many = found_.size() > kMostCoarse;
+      const std::size_t looked = search(are_many ? SearchDepth::rough : SearchDepth::coarse);
+      add_fact("combinations_searched_coarsely", double(looked));
+      note_cut(sieved, looked);
+      if (are_many) {
+        keep_first(kMostCoarse);
+        search(SearchDepth::coarse);
+      }
+      keep_first(kMostFine);
+      add_fact("combinations_searched", double(search(SearchDepth::fine)));
+    } else {
+      const std::size_t looked = search(SearchDepth::fine);
+      add_fact("combinations_searched", double(looked));
+      note_cut(sieved, looked);
     }
-    add_fact("combinations_searched", double(combinations.size()));
-    Found found = search(combinations, SearchDepth::fine);
-    take_best(found);
+    keep_first(found_.size());
+    take_best();
   }
 
  private:
   void add_fact(const char* name, double value) { result_.facts.push_back({name, value}); }
 
   void tell(const Sieved& sieved) {
-    add_fact("combinations", double(sieved.tested));
-    add_fact("refused_by_ratio", double(sieved.refused_by_ratio));
-    add_fact("refused_by_hunting", double(sieved.refused_by_hunting));
-    add_fact("refused_by_centre_distance", double(sieved.refused_by_centre_distance));
-    add_fact("refused_by_undercut", double(sieved.refused_by_undercut));
+    constexpr const char* kRefused[] = {"refused_by_ratio", "refused_by_hunting",
+                                        "refused_by_centre_distance", "refused_by_undercut"};
+    add_fact("combinations", double(sieved.all + sieved.copies));
+    if (sieved.copies > 0) {
+      add_fact("scaled_copies", double(sieved.copies));
+      result_.notes.emplace_back(
+          "With the centre distance free, pairs of other modules are scaled copies: the smallest "
+          "module is taken.");
+    }
+    for (std::size_t i = 0; i < 4; ++i) add_fact(kRefused[i], double(sieved.refused[i]));
     result_.work.candidates = sieved.tested;
   }
 
-  Found search(const std::vector<GearCombination>& combinations, SearchDepth depth) {
-    Found found(combinations.size());
+  /// Says so where the run ended before every combination had been looked at once.
+  void note_cut(const Sieved& sieved, std::size_t looked) {
+    const std::uint64_t refused = sieved.left.empty() ? sieved.tested - sieved.nearest.size()
+                                                      : sieved.tested - sieved.left.size();
+    if (looked + refused >= sieved.all) return;
+    result_.notes.push_back(fmt::format(
+        "Only {} of {} combinations had been looked at when the run ended; others may be better.",
+        looked + refused, sieved.all));
+  }
+
+  /// Stands for a combination until it has been looked at.
+  static FoundPair unsearched(const GearCombination& combination) {
+    FoundPair none;
+    none.numbers.teeth = combination.teeth;
+    none.numbers.module = combination.module;
+    none.violation = HUGE_VAL;
+    return none;
+  }
+
+  /// Searches all of `found_` until the deadline, but at least so many as are told; what is not
+  /// searched stays as it is. How many were.
+  std::size_t search(SearchDepth depth) {
+    const int least = deadline_.interrupted() ? 1 : problem_.solve.designs;
+    std::atomic<std::size_t> looked = 0;
     result_.work.threads = thread_count(run_.threads);
     double best = HUGE_VAL;  // of those of thread 0
-    parallel_for(static_cast<int>(combinations.size()), run_.threads, [&](int index, int thread) {
-      const auto i = static_cast<std::size_t>(index);
-      if (index > 0 && deadline_.reached()) return;
-      found[i] = GearPairSearch(problem_, combinations[i]).best(depth);
+    const auto look = [&](int index, int thread) {
+      FoundPair& found = found_[static_cast<std::size_t>(index)];
+      const bool is_first = found.violation == HUGE_VAL;
+      if (deadline_.reached() && !(is_first && index < least)) return;
+      ++looked;
+      const GearCombination combination{found.numbers.teeth, found.numbers.module};
+      const auto searched = GearPairSearch(problem_, combination).best(depth);
+      const bool was_better = found.merit() < 0 && searched && is_better(found, *searched);
+      if (searched && !was_better) found = *searched;
       if (thread != 0 || !run_.progress) return;
-      if (found[i] && found[i]->violation == 0) best = std::min(best, found[i]->objective);
-      run_.progress(double(i + 1) / double(combinations.size()), best);
-    });
-    return found;
+      if (found.violation == 0) best = std::min(best, found.objective);
+      run_.progress(double(index + 1) / double(found_.size()), best);
+    };
+    parallel_for(static_cast<int>(found_.size()), run_.threads, look);
+    return looked;
   }
 
-  std::vector<GearCombination> first_by_coarse_search(
-      const std::vector<GearCombination>& combinations) {
-    Found found = search(combinations, SearchDepth::coarse);
-    sort(found);
-    found.resize(std::min(found.size(), kMostFine));
-    std::vector<GearCombination> first;
-    for (const auto& pair : found) first.push_back({pair->numbers.teeth, pair->numbers.module});
-    return first;
+  /// The `count` best, without those that are none or have not been looked at.
+  void keep_first(std::size_t count) {
+    std::erase_if(found_, [](const FoundPair& pair) { return pair.violation == HUGE_VAL; });
+    std::ranges::stable_sort(found_, is_better);
+    for (auto first = found_.begin(); first != found_.end();) {
+      const auto last =
+          std::find_if_not(std::next(first), found_.end(),
+                           [&](const FoundPair& pair) { return is_as_good(*first, pair); });
+      std::ranges::stable_sort(first, last, is_smaller);
+      first = last;
+    }
+    found_.resize(std::min(found_.size(), count));
   }
 
-  /// Best first, without those that are none.
-  static void sort(Found& found) {
-    std::erase(found, std::nullopt);
-    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return is_better(*a, *b); });
-  }
-
-  void take_best(Found& found) {
-    sort(found);
-    for (const auto& pair : found) {
+  void take_best() {
+    for (const FoundPair& pair : found_) {
       if (std::ssize(result_.designs) == problem_.solve.designs) return;
-      GearPairDesign design = cylindrical_design(problem_, pair->numbers, "search");
+      GearPairDesign design = cylindrical_design(problem_, pair.numbers, "search");
       const bool feasible = all_satisfied(design.constraints);
       if (!feasible && !result_.designs.empty()) return;  // one tells what is missing
       result_.designs.push_back(std::move(design));
@@ -102,6 +143,7 @@ class Solver {
   const Run& run_;
   const Deadline& deadline_;
   GearPairResult& result_;
+  std::vector<FoundPair> found_;
 };
 
 /// The pair of which all is given.
@@ -114,6 +156,10 @@ std::optional<GearPairDesign> given_design(const GearPairProblem& problem) {
   return cylindrical_design(problem, found->numbers, "given");
 }
 
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
 std::vector<std::string> notes_of(const GearPairDesign& design) {
   switch (design.settled.gearing) {
     case Gearing::bevel:
@@ -123,6 +169,38 @@ std::vector<std::string> notes_of(const GearPairDesign& design) {
     default:
       return gear_pair_notes(design);
   }
+}
+
+/// What the nearest pair misses of which `notes_of` says nothing.
+std::vector<std::string> missed_notes(const GearPairDesign& design) {
+  constexpr std::string_view kTold[] = {"teeth.", "centre_distance", "backlash", "no_undercut",
+                                        "no_interference"};
+  std::vector<std::string> notes;
+  for (const ConstraintCheck& check : design.constraints) {
+    const auto* value = std::get_if<double>(&check.value);
+    const auto* bound = std::get_if<double>(&check.bound);
+    const auto is_told = [&](std::string_view told) { return check.name.starts_with(told); };
+    if (check.satisfied || !value || !bound || std::ranges::any_of(kTold, is_told)) continue;
+    if (check.name == "target.ratio_tolerance") {
+      const auto& settled = design.settled;
+      notes.push_back(fmt::format(
+          "The nearest ratio is {:.6g}; {:.6g} is wanted, with a relative tolerance of {:g}.",
+          double(*settled.teeth[1]) / *settled.teeth[0], *settled.ratio, *bound));
+    } else {
+      notes.push_back(fmt::format("The nearest pair misses {}: it has {:.6g}, the limit is {:.6g}.",
+                                  check.name, *value, *bound));
+    }
+  }
+  return notes;
+}
+
+/// Why there is no pair at all.
+std::string no_pair_note(const GearPairProblem& problem) {
+  return fmt::format(
+      "No pair of these teeth and shifts has a centre distance {}: the teeth are too thin to "
+      "touch; "
+      "greater shifts are wanted.",
+      problem.backlash.value_or(0) > 0 ? "with the backlash asked for" : "without backlash");
 }
 
 Status status_of(const GearPairResult& result, const Deadline& deadline, bool whole) {
@@ -152,12 +230,12 @@ GearPairResult solve(const GearPairProblem& problem, const Run& run) {
     Solver(problem, run, deadline, result).solve();
   }
   result.status = status_of(result, deadline, whole);
-  if (!result.designs.empty()) result.notes = notes_of(result.designs.front());
-  if (result.status == Status::no_solution) {
-    result.notes.emplace_back(
-        "No pair of these teeth and shifts has a centre distance with the backlash asked for; "
-        "greater shifts are wanted.");
+  if (!result.designs.empty()) {
+    const GearPairDesign& best = result.designs.front();
+    if (!whole) append(result.notes, missed_notes(best));
+    append(result.notes, notes_of(best));
   }
+  if (result.status == Status::no_solution) result.notes.push_back(no_pair_note(problem));
   result.work.seconds = deadline.spent();
   return result;
 }

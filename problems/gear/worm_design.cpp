@@ -1,22 +1,29 @@
 /// A cylindrical worm and its wheel, of which all is given.
-#include <fmt/core.h>
-
-#include <cmath>
-
 #include "problems/degrees.hpp"
+#include "problems/gear/gear_notes.hpp"
 #include "problems/gear/gear_pair_design.hpp"
 
 namespace cognate::problems {
 namespace {
 
+constexpr const char* kWheel = "The wheel's middle section";
+
 double least_shift(const gear::WormPair& worm) {
   return gear::least_profile_shift(worm.rack, worm.wheel_teeth);
+}
+
+/// The wheel in its middle plane, where it meshes as a spur gear does with a rack.
+gear::SpurGear middle_section(const gear::WormPair& worm) {
+  return {.teeth = worm.wheel_teeth,
+          .module = worm.module,
+          .profile_shift = worm.wheel_shift,
+          .rack = worm.rack};
 }
 
 class WormDesign {
  public:
   explicit WormDesign(const GearPairProblem& asked)
-      : worm_(asked.worm), geometry_(gear::geometry(worm_)) {
+      : worm_(asked.worm), geometry_(gear::geometry(worm_)), wheel_(middle_section(worm_)) {
     design_.settled = asked;
     design_.settled.centre_distance = geometry_.centre_distance;
     design_.origin = "given";
@@ -60,9 +67,13 @@ class WormDesign {
     add("wheel.throat_diameter", geometry_.wheel_throat_diameter);
     add("wheel.root_diameter", geometry_.wheel_root_diameter);
     add("wheel.least_profile_shift", least_shift(worm_));
-    const bool undercut = worm_.wheel_shift < least_shift(worm_) - 1e-12;
-    design_.metrics.push_back({"wheel.undercut", undercut});
+    design_.metrics.push_back({"wheel.undercut", gear::is_undercut(wheel_)});
+    if (has_tip()) add("wheel.tip_thickness", tip_thickness());
   }
+
+  /// Whether the tooth reaches beyond the base circle, inside which it has no thickness.
+  bool has_tip() const { return gear::tip_radius(wheel_) >= gear::base_radius(wheel_); }
+  double tip_thickness() const { return gear::tooth_thickness(wheel_, gear::tip_radius(wheel_)); }
 
   void at_least(const char* name, double value, double bound, double scale = 1) {
     design_.constraints.push_back(check_of({name, value, bound, true, scale}));
@@ -71,13 +82,23 @@ class WormDesign {
   void add_checks() {
     at_least("root_diameter.worm", geometry_.worm_root_diameter, 0, worm_.module);
     at_least("root_diameter.wheel", geometry_.wheel_root_diameter, 0, worm_.module);
-    if (design_.settled.constraints.no_undercut) {
+    const auto fault = gear::tooth_fault(wheel_);
+    if (fault != gear::ToothFault::none) {
+      design_.constraints.push_back(check_of({"teeth.wheel", double(fault), 0, false, 1}));
+    }
+    const auto& demanded = design_.settled.constraints;
+    if (has_tip()) {
+      at_least("tip_thickness_min.wheel", tip_thickness() / worm_.module,
+               demanded.tip_thickness_min);
+    }
+    if (demanded.no_undercut) {
       at_least("no_undercut.wheel", worm_.wheel_shift, least_shift(worm_));
     }
   }
 
   gear::WormPair worm_;
   gear::WormGeometry geometry_;
+  gear::SpurGear wheel_;
   GearPairDesign design_;
 };
 
@@ -89,19 +110,22 @@ GearPairDesign worm_design(const GearPairProblem& asked) {
 
 std::vector<std::string> worm_notes(const GearPairDesign& design) {
   const gear::WormPair& worm = design.settled.worm;
+  const gear::SpurGear wheel = middle_section(worm);
   std::vector<std::string> notes;
-  if (worm.wheel_shift < least_shift(worm) - 1e-12) {
-    notes.push_back(
-        fmt::format("The wheel is undercut in the middle plane: {:g} teeth need a shift "
-                    "of at least {:.4f}.",
-                    worm.wheel_teeth, least_shift(worm)));
-  }
-  const auto geometry = gear::geometry(worm);
-  if (geometry.worm_root_diameter <= 0 || geometry.wheel_root_diameter <= 0) {
+  if (gear::geometry(worm).worm_root_diameter <= 0) {
     notes.emplace_back(
-        "The teeth reach beyond the axis; a greater diameter_quotient, or more "
-        "teeth, is wanted.");
+        "The worm's teeth reach beyond its axis; a greater diameter_quotient is wanted.");
   }
+  if (gear::root_radius(wheel) <= 0) {
+    notes.emplace_back(
+        "The wheel's teeth reach beyond its axis; more of them, or a greater wheel_shift, is "
+        "wanted.");
+    return notes;
+  }
+  const std::string undercut = undercut_note(wheel, least_shift(worm), kWheel);
+  const auto own = section_notes(
+      wheel, allowed(undercut, !design.settled.constraints.no_undercut, "no_undercut"), kWheel);
+  notes.insert(notes.end(), own.begin(), own.end());
   return notes;
 }
 

@@ -13,7 +13,7 @@ constexpr std::string_view kTeethKey = "teeth", kModule = "module", kModulesKey 
                            kShift = "profile_shift", kDistance = "centre_distance";
 
 constexpr std::size_t kMostModules = 50;
-/// So many combinations of teeth and modules that trying all of them takes seconds.
+/// So many combinations of teeth and modules that trying all of them takes less than a minute.
 constexpr std::int64_t kMostCombinations = 400'000;
 
 void refuse_both(TableReader& mechanism, std::string_view key, TableReader& bounds,

@@ -95,8 +95,8 @@ void read_bevel(TableReader& mechanism, GearPairProblem& problem) {
 
 void read_worm(TableReader& mechanism, GearPairProblem& problem) {
   gear::WormPair& worm = problem.worm;
-  worm.starts = mechanism.integer("starts", 1, 12).value_or(1);
-  worm.wheel_teeth = mechanism.integer("wheel_teeth", kFewestTeeth, kMostTeeth).value_or(0);
+  worm.starts = mechanism.number("starts", kStarts).value_or(1);
+  worm.wheel_teeth = mechanism.number("wheel_teeth", kTeeth).value_or(0);
   problem.module = mechanism.number(kModule, kLinkLength);
   worm.diameter_quotient =
       mechanism.number("diameter_quotient", kDiameterQuotient).value_or(worm.diameter_quotient);
@@ -104,8 +104,11 @@ void read_worm(TableReader& mechanism, GearPairProblem& problem) {
   problem.friction = mechanism.number("friction", kFriction);
   worm.module = problem.module.value_or(1);
   want(mechanism, {"wheel_teeth", kModule}, "worms are evaluated, not searched for");
-  refuse_keys(mechanism,
-              {kTeethKey, kShift, kDistance, kBacklashKey, kReduction, kFace, "helix_deg", kShaft},
+  refuse_keys(mechanism, {kTeethKey}, "a worm has starts and its wheel wheel_teeth instead");
+  refuse_keys(mechanism, {kShift}, "the wheel alone is shifted, by wheel_shift");
+  refuse_keys(mechanism, {kDistance},
+              "it follows from module, diameter_quotient, wheel_teeth and wheel_shift");
+  refuse_keys(mechanism, {kBacklashKey, kReduction, kFace, "helix_deg", kShaft},
               "a worm and its wheel have none");
 }
 
@@ -122,20 +125,20 @@ void refuse_search(TableReader& document, Gearing gearing) {
 
 void read_constraints(TableReader& table, Gearing gearing, GearConstraints& constraints) {
   if (gearing == Gearing::worm) {
-    refuse_keys(table,
-                {"contact_ratio_min", "tip_thickness_min", "no_interference", "hunting",
-                 "sliding_max", "tip_clearance_min"},
-                "of a worm and its wheel it is not known");
+    refuse_keys(
+        table,
+        {"contact_ratio_min", "no_interference", "hunting", "sliding_max", "tip_clearance_min"},
+        "of a worm and its wheel it is not known");
   } else {
     constraints.contact_ratio_min =
         table.number("contact_ratio_min", kContactRatio).value_or(constraints.contact_ratio_min);
-    constraints.tip_thickness_min =
-        table.number("tip_thickness_min", kModules).value_or(constraints.tip_thickness_min);
     constraints.no_interference = table.boolean("no_interference").value_or(true);
     constraints.hunting = table.boolean("hunting").value_or(false);
     constraints.sliding_max = table.number("sliding_max", kSliding);
     constraints.tip_clearance_min = table.number("tip_clearance_min", kModules);
   }
+  constraints.tip_thickness_min =
+      table.number("tip_thickness_min", kModules).value_or(constraints.tip_thickness_min);
   constraints.no_undercut = table.boolean("no_undercut").value_or(true);
   table.finish();
 }

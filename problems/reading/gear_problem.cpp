@@ -2,13 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "problems/reading/gear_rules.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg", kShift = "profile_shift",
-                           kReduction = "tip_reduction";
+                           kReduction = "tip_reduction", kTipRadius = "tip_radius";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are told by the pair that they are one of.
@@ -49,18 +52,31 @@ gear::BasicRack read_rack(TableReader& document) {
   rack.pressure_angle = radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
   rack.addendum = table.number("addendum", kRackAddendum).value_or(rack.addendum);
   rack.clearance = table.number("clearance", kRackClearance).value_or(rack.clearance);
+  rack.corner_radius = table.number(kTipRadius, kRackTipRadius);
   table.finish();
-  if (document.faults().size() > before || gear::tip_half_width(rack) >= 0) return rack;
-  document.fault("rack",
-                 "has a tooth so long that its rounded corners overlap; a lesser addendum, "
-                 "clearance or pressure_angle_deg is wanted");
+  if (document.faults().size() > before) return rack;
+  const double greatest = gear::greatest_tip_radius(rack);
+  if (greatest < 0) {
+    document.fault("rack",
+                   fmt::format("has flanks that meet before its tip; addendum and clearance "
+                               "of at most {:.4g} modules together, or a lesser "
+                               "pressure_angle_deg, is wanted",
+                               std::numbers::pi / 4 / std::tan(rack.pressure_angle)));
+  } else if (rack.corner_radius && *rack.corner_radius > greatest) {
+    table.fault(kTipRadius,
+                fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "
+                            "which rounds it fully, is allowed",
+                            *rack.corner_radius, greatest));
+  }
   return rack;
 }
 
 void refuse_keys(TableReader& table, std::initializer_list<std::string_view> keys,
                  std::string_view why) {
   for (const auto key : keys) {
-    if (table.has(key)) table.fault(key, fmt::format("is given, but {}; leave it out", why));
+    // A key that is not there stays unknown, so that no list of allowed ones names it.
+    if (table.contains(key) && table.has(key))
+      table.fault(key, fmt::format("is given, but {}; leave it out", why));
   }
 }
 
@@ -83,7 +99,7 @@ GearProblem read_gear_problem(TableReader& document) {
   TableReader output = document.table("output");
   problem.gearing = read_gearing(mechanism);
   gear::SpurGear& gear = problem.gear.normal;
-  const auto teeth = mechanism.integer(kTeethKey, kFewestTeeth, kMostTeeth);
+  const auto teeth = mechanism.number(kTeethKey, kTeeth);
   const auto module = mechanism.number("module", kLinkLength);
   for (const auto& [key, wanted] : {std::pair{kTeethKey, "a whole number"},
                                     std::pair{std::string_view("module"), "a length"}}) {

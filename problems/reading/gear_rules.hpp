@@ -14,6 +14,10 @@ inline constexpr NumberRule kTeeth{
     [](double x) { return x >= kFewestTeeth && x <= kMostTeeth && is_whole_number(x); },
     "a whole number from 3 to 2000"};
 
+inline constexpr NumberRule kStarts{
+    [](double x) { return x >= 1 && x <= 12 && is_whole_number(x); },
+    "a whole number from 1 to 12"};
+
 /// In modules; what is beyond is no tooth of any rack.
 inline constexpr NumberRule kProfileShift{
     [](double x) { return x >= -10 && x <= 10 && is_quantity(x); }, "a number from -10 to 10"};
@@ -23,7 +27,7 @@ inline constexpr NumberRule kTipReduction{
 
 inline constexpr NumberRule kHelix{
     [](double x) { return x >= -80 && x <= 80 && (x >= 1e-3 || x <= -1e-3); },
-    "an angle in degrees from -80 to 80, not 0,"};
+    "an angle in degrees from 0.001 to 80, or from -80 to -0.001,"};
 
 inline constexpr NumberRule kRackAngle{[](double x) { return x >= 5 && x <= 45; },
                                        "an angle in degrees from 5 to 45"};
@@ -33,6 +37,9 @@ inline constexpr NumberRule kRackAddendum{[](double x) { return x >= 0.1 && x <=
 
 inline constexpr NumberRule kRackClearance{[](double x) { return x >= 1e-3 && x <= 2; },
                                            "a number of modules from 0.001 to 2"};
+
+inline constexpr NumberRule kRackTipRadius{[](double x) { return x >= 0 && x <= 3; },
+                                           "a number of modules from 0 to 3"};
 
 inline constexpr NumberRule kGearRatio{[](double x) { return x >= 1e-3 && x <= 1e3; },
                                        "a ratio from 0.001 to 1000"};

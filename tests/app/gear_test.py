@@ -85,6 +85,44 @@ class Gears(unittest.TestCase):
                 self.assertEqual(analysed["designs"], solved["designs"])
         self.assertIn("253.671", self.document_of(LIBRARY / "gear-pair" / "too-far-apart.toml")["notes"][0])
 
+    def problem(self, text):
+        file = self.folder / "asked.toml"
+        file.write_text(text)
+        return file
+
+    def test_a_worm_wheel_that_cannot_be_is_told_as_such(self):
+        worm = 'kind = "gear-pair"\nmechanism = {gearing = "worm", wheel_teeth = 3, module = 2, wheel_shift = -10}\n'
+        document = self.document_of(self.problem(worm))  # by the schema
+        self.assertEqual(document["status"], "infeasible")
+        self.assertNotIn("centre_distance", document["designs"][0]["mechanism"])
+        self.assertIn("greater wheel_shift", document["notes"][0])
+
+    def test_a_rack_of_the_standard(self):
+        rack = "rack = {clearance = 0.4, tip_radius = 0.39}\n"
+        gear = 'kind = "gear"\nmechanism = {teeth = 30, module = 2}\n' + rack
+        document = self.document_of(self.problem(gear))
+        self.assertEqual(document["designs"][0]["mechanism"]["rack"]["tip_radius"], 0.39)
+        # Where the rack's straight flank ends, its tangent to the base circle does.
+        sine = math.sin(math.radians(20))
+        tangent = 15 * sine - (1.4 - 0.39 * (1 - sine)) / sine
+        form = 4 * math.hypot(15 * math.cos(math.radians(20)), tangent)
+        self.assertAlmostEqual(document["designs"][0]["metrics"]["form_diameter"], form, places=10)
+        done = self.run_it("analyze", self.problem(gear.replace("0.39", "0.4")))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("at most 0.39394", done.stderr)
+
+    def test_a_pair_far_out_of_reach_can_be_read_again(self):
+        pair = 'kind = "gear-pair"\nmechanism = {teeth = [20, 40], module = 2, centre_distance = 300}\n'
+        self.run_it("solve", self.problem(pair))
+        done = self.run_it("export", "asked.result.json", "--format", "svg")
+        self.assertEqual((done.returncode, done.stderr), (0, done.stderr))
+        self.assertTrue((self.folder / "asked.svg").exists(), done.stdout + done.stderr)
+
+    def test_solve_sends_a_gear_to_analyze(self):
+        done = self.run_it("solve", LIBRARY / "gear" / "standard-35.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("'cognate analyze' evaluates this gear; a design problem is wanted", done.stderr)
+
     def sweep(self, **study):
         (self.folder / "study.toml").write_text(STUDY.format(**study))
         done = self.run_it("sweep", "study.toml", "--json")

@@ -74,6 +74,23 @@ TEST(GearProblemTest, TeethAndModulesWithinBounds) {
   EXPECT_EQ(read->solve.designs, 9);
 }
 
+TEST(GearProblemTest, RacksThatWorkshopsHave) {
+  const std::string gear20 = "teeth = 20\nmodule = 1\n[rack]\n";
+  const auto profile = parse_gear(gear(gear20 + "clearance = 0.4\ntip_radius = 0.39"));
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->gear.normal.rack.corner_radius, 0.39);
+  for (const char* rack : {"clearance = 0.4", "clearance = 0.3", "addendum = 1.2",
+                           "pressure_angle_deg = 25", "tip_radius = 0"}) {
+    EXPECT_TRUE(parse_gear(gear(gear20 + rack))) << rack;
+  }
+}
+
+TEST(GearProblemTest, WholeNumbersMayBeWrittenWithAPoint) {
+  const auto read = parse_gear(gear("teeth = 35.0\nmodule = 5"));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->gear.normal.teeth, 35);
+}
+
 TEST(GearProblemTest, AWorm) {
   const auto read = parse_gear_pair(
       pair("gearing = \"worm\"\nstarts = 2\nwheel_teeth = 40\nmodule = 4\nfriction = 0.05"));
@@ -100,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                   gear("gearing = \"bevel\"\nteeth = 20\nmodule = 2"),
                   {{3, 11, "made in pairs alone"}}},
         FaultCase{"FewTeeth", gear("teeth = 2\nmodule = 1"), {{3, 9, "from 3 to 2000"}}},
-        FaultCase{"HalfATooth", gear("teeth = 20.5\nmodule = 1"), {{3, 9, "an integer"}}},
+        FaultCase{"HalfATooth", gear("teeth = 20.5\nmodule = 1"), {{3, 9, "a whole number"}}},
         FaultCase{"NoModule", gear("teeth = 20\nmodule = 0"), {{4, 10, "from 1e-30 to 1e30"}}},
         FaultCase{"HugeShift",
                   gear("teeth = 20\nmodule = 1\nprofile_shift = 11"),
@@ -119,7 +136,13 @@ INSTANTIATE_TEST_SUITE_P(
                   {{5, 17, "leaves no tooth"}}},
         FaultCase{"PointedRack",
                   gear("teeth = 20\nmodule = 1\n[rack]\naddendum = 3"),
-                  {{5, 1, "corners overlap"}}},
+                  {{5, 1, "flanks that meet before its tip"}}},
+        FaultCase{"LargeTipRadius",
+                  gear("teeth = 20\nmodule = 1\n[rack]\nclearance = 0.4\ntip_radius = 0.4"),
+                  {{7, 14, "at most 0.39394"}}},
+        FaultCase{"SmallHelix",
+                  gear("gearing = \"helical\"\nteeth = 20\nmodule = 1\nhelix_deg = 1e-4"),
+                  {{6, 13, "from 0.001 to 80"}}},
         FaultCase{"Unknown",
                   gear("teeth = 20\nmodule = 1\nmodul = 2"),
                   {{5, 1, "unknown key \"modul\""}}},
@@ -170,7 +193,16 @@ INSTANTIATE_TEST_SUITE_P(
                   {{2, 1, "mechanism.teeth is missing"}, {5, 1, "not searched for"}}},
         FaultCase{"WormWithTeeth",
                   pair("gearing = \"worm\"\nwheel_teeth = 40\n" + kWhole),
-                  {{5, 9, "a worm and its wheel have none"}}},
+                  {{5, 9, "wheel_teeth"}}},
+        FaultCase{"WormWithADistance",
+                  pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\ncentre_distance = 60"),
+                  {{6, 19, "follows from module, diameter_quotient, wheel_teeth"}}},
+        FaultCase{"WormWithShifts",
+                  pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\nprofile_shift = [0, 0]"),
+                  {{6, 17, "by wheel_shift"}}},
+        FaultCase{"UnknownOfSpur",
+                  pair(kWhole + "helix = 1"),
+                  {{5, 1, "\"gearing\", \"face_width\", \"teeth\""}}},
         FaultCase{"WormWithContactRatio",
                   pair("gearing = \"worm\"\nwheel_teeth = 40\nmodule = 2\n[constraints]\n"
                        "contact_ratio_min = 1.2"),

@@ -1,6 +1,7 @@
 /// One gear: its table against the textbook, its measurements against handbooks and geometry.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -74,8 +75,47 @@ TEST(GearAnalysis, SpansAreThoseOfTheHandbook) {
   };
   for (const Span& wanted : {Span{20, 3, 7.6604}, Span{35, 4, 10.8226}, Span{80, 9, 26.2137}}) {
     const auto span = span_measurement(spur(wanted.teeth, 1).gear);
-    EXPECT_EQ(span.teeth, wanted.over);
-    EXPECT_NEAR(span.length, wanted.length, 1.5e-4);
+    ASSERT_TRUE(span);
+    EXPECT_EQ(span->teeth, wanted.over);
+    EXPECT_NEAR(span->length, wanted.length, 1.5e-4);
+  }
+}
+
+bool has(const std::vector<Fact>& facts, const std::string& name) {
+  return std::ranges::find(facts, name, &Fact::name) != facts.end();
+}
+
+TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
+  // Both anvils need b ≥ W sin β_b, here 27.5.
+  GearProblem narrow = spur(60, 2);
+  narrow.gear.helix = std::numbers::pi / 6;
+  const double length = span_measurement(narrow.gear).value().length;
+  EXPECT_NEAR(length, 58.62, 5e-3);
+  narrow.gear.face_width = 27.7;
+  EXPECT_EQ(span_measurement(narrow.gear).value().teeth, 10);
+  narrow.gear.face_width = 27.4;
+  EXPECT_EQ(span_measurement(narrow.gear).value().teeth, 9);
+  narrow.gear.face_width = 5;
+  EXPECT_FALSE(span_measurement(narrow.gear));
+  EXPECT_FALSE(has(gear_facts(narrow.gear, ""), "span_measurement"));
+  // A plane on the pin of a gear of 20 teeth cuts the tips beside it when x = 1.2.
+  EXPECT_FALSE(pins_can_be_measured(spur(20, 1, 1.2).gear, 1.728));
+  EXPECT_FALSE(has(gear_facts(spur(20, 1, 1.2).gear, ""), "measurement_over_pins"));
+  EXPECT_FALSE(pins_can_be_measured(spur(28, 1, 1.5).gear, 1.728));
+  EXPECT_TRUE(pins_can_be_measured(spur(20, 1).gear, 1.728));
+  // Where a span is told its anvils touch the involute of the table.
+  for (double shift = -1.2; shift < 1.3; shift += 0.01) {
+    for (const double teeth : {9.0, 17.0, 26.0, 40.0}) {
+      const auto span = span_measurement(spur(teeth, 1, shift).gear);
+      if (!span) continue;
+      const auto result = analyse(spur(teeth, 1, shift), {});
+      const auto &radius = column(result, "radius"), &involute = column(result, "is_involute");
+      const double base = 0.5 * teeth * std::cos(std::numbers::pi / 9);
+      const double touched = std::hypot(base, 0.5 * span->length);
+      const auto first = std::ranges::find(involute, 1.0) - involute.begin();
+      EXPECT_GE(touched, radius[static_cast<std::size_t>(first)] - 1e-9) << teeth << ' ' << shift;
+      EXPECT_LE(touched, radius.back() + 1e-9) << teeth << ' ' << shift;
+    }
   }
 }
 

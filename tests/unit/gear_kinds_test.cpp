@@ -66,6 +66,22 @@ TEST(HelicalGear, TransverseSectionOfTheRack) {
   }
 }
 
+// A corner of its own is in the transverse section one that is as deep, and has room there too.
+TEST(HelicalGear, TransverseSectionOfTheRacksCorner) {
+  for (const double radius : {0.0, 0.25, 0.39}) {
+    HelicalGear g = helical(25, 30);
+    g.normal.rack = {20 * kDegree, 1, 0.4, radius};
+    const SpurGear section = transverse(g);
+    const auto flank = [](const SpurGear& gear) {
+      const double sine = std::sin(gear.rack.pressure_angle);
+      return gear.module *
+             (gear.rack.addendum + gear.rack.clearance - *gear.rack.corner_radius * (1 - sine));
+    };
+    EXPECT_NEAR(flank(section), flank(g.normal), 1e-13);
+    EXPECT_GE(tip_half_width(section.rack), 0);
+  }
+}
+
 TEST(HelicalGear, BaseHelixAndLead) {
   for (const double helix : {-30.0, 12.0, 45.0}) {
     const HelicalGear g = helical(25, helix);

@@ -27,6 +27,10 @@ std::vector<SpurGear> gears() {
       {.teeth = 24, .rack = {14.5 * kDegree, 1, 0.157}},
       {.teeth = 30, .profile_shift = 0.2, .rack = {25 * kDegree, 1, 0.15}, .tip_reduction = 0.1},
       {.teeth = 12, .profile_shift = 0.9},
+      {.teeth = 31, .rack = {20 * kDegree, 1, 0.4, 0.39}},  // ISO 53, D
+      {.teeth = 14, .rack = {20 * kDegree, 1, 0.25, 0.25}},
+      {.teeth = 20, .rack = {20 * kDegree, 1, 0.25, 0.45}},
+      {.teeth = 40, .profile_shift = 0.3, .rack = {25 * kDegree, 1, 0.25, 0.0}},
       {.teeth = 200, .module = 0.5}};
 }
 

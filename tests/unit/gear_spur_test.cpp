@@ -21,6 +21,30 @@ TEST(SpurGear, Radii) {
   EXPECT_NEAR(tip_radius(BasicRack{}), 0.38, 1e-4);  // as ISO 53 rounds it
 }
 
+// ISO 53: clearance, dedendum and tip radius of profiles A to D; D is a full round but for little.
+TEST(SpurGear, RacksOfTheStandard) {
+  struct Profile {
+    double dedendum, radius;
+  };
+  const double alpha = 20 * kDegree;
+  for (const auto& [dedendum, radius] :
+       {Profile{1.25, 0.38}, Profile{1.25, 0.3}, Profile{1.25, 0.25}, Profile{1.4, 0.39}}) {
+    const BasicRack rack{alpha, 1, dedendum - 1, radius};
+    // ISO 53, 4.4: the greatest radius is that of a full round.
+    const double greatest = (std::numbers::pi / 4 - dedendum * std::tan(alpha)) /
+                            std::tan((std::numbers::pi / 2 - alpha) / 2);
+    EXPECT_NEAR(gear::greatest_tip_radius(rack), greatest, 1e-15);
+    EXPECT_EQ(gear::tip_radius(rack), radius);
+    EXPECT_GE(gear::tip_half_width(rack), 0) << dedendum;
+    EXPECT_NEAR(gear::flank_depth(rack), dedendum - radius * (1 - std::sin(alpha)), 1e-15);
+    EXPECT_EQ(gear::tooth_fault({.teeth = 30, .rack = rack}), ToothFault::none);
+  }
+  EXPECT_EQ(gear::flank_depth(BasicRack{}), 1);
+  EXPECT_NEAR(gear::greatest_tip_radius({alpha, 1, 0.4}), 0.3939, 5e-5);
+  EXPECT_EQ(gear::tip_radius(BasicRack{alpha, 1, 0.4}), gear::greatest_tip_radius({alpha, 1, 0.4}));
+  EXPECT_EQ(gear::tip_half_width({25 * kDegree, 1, 0.25}), 0);
+}
+
 TEST(SpurGear, UndercutBeginsWhereTheLeastShiftAndTheLeastTeethSay) {
   for (int teeth = 5; teeth < 30; ++teeth) {
     SpurGear g{.teeth = static_cast<double>(teeth)};
@@ -123,8 +147,10 @@ TEST(SpurGear, WhatCannotBeMade) {
   EXPECT_EQ(gear::tooth_fault({.teeth = 2}), ToothFault::no_root);
   EXPECT_EQ(gear::tooth_fault({.teeth = 4, .profile_shift = -0.6, .rack = {20 * kDegree, 1, 0.1}}),
             ToothFault::cut_through);
-  EXPECT_EQ(gear::tooth_fault({.teeth = 20, .rack = {25 * kDegree, 1, 0.25}}),
+  EXPECT_EQ(gear::tooth_fault({.teeth = 20, .rack = {25 * kDegree, 1, 0.25, 0.4}}),
             ToothFault::rack_overlaps);
+  EXPECT_EQ(gear::tooth_fault({.teeth = 20, .rack = {35 * kDegree, 1, 0.25}}),
+            ToothFault::rack_overlaps);  // flanks that meet
   EXPECT_EQ(gear::tooth_fault({.teeth = 20, .tip_reduction = 1.9}), ToothFault::no_flank);
   EXPECT_EQ(gear::tooth_fault({.teeth = 6, .profile_shift = 3}), ToothFault::no_flank);  // pointed
 }

@@ -143,7 +143,8 @@ TEST(ProblemJson, GearPairsReadBack) {
         "[50, inf]",
         "profile_shift = [\"free\", -0.9]\nbacklash = 0.1\n[constraints]\nhunting = true\n"
         "sliding_max = 3\ntip_clearance_min = 0.1\nno_undercut = false",
-        "profile_shift = [0.1, -0.9]\n[rack]\npressure_angle_deg = 25\nclearance = 0.2\n"
+        "profile_shift = [0.1, -0.9]\n[rack]\npressure_angle_deg = 25\nclearance = 0.2\ntip_radius "
+        "= 0.3\n"
         "[target]\nratio = 3.6\nratio_tolerance = 0.1\nobjective = \"size\""}) {
     const auto problem = problems::parse_gear_pair(opening + rest);
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());

@@ -16,11 +16,12 @@ namespace cognate::test {
 /// trapezoid grown by the radius of the tip's corners.
 inline double distance_from_tooth(const gear::SpurGear& g, const Vec2d& point) {
   const double alpha = g.rack.pressure_angle;
-  const double rounding = g.rack.clearance / (1 - std::sin(alpha));
+  const double rounding = g.rack.corner_radius.value_or(g.rack.clearance / (1 - std::sin(alpha)));
   const double half_width = std::numbers::pi / 4 + g.thinning / (2 * g.module);
-  const Vec2d flank_end{half_width - g.rack.addendum * std::tan(alpha), -g.rack.addendum};
   const Vec2d normal{std::cos(alpha), -std::sin(alpha)};
-  const Vec2d corner = flank_end - rounding * normal;
+  // The corner's centre is its radius from the tip line and from the flank.
+  const double height = rounding - g.rack.addendum - g.rack.clearance;
+  const Vec2d corner{half_width + (height * std::sin(alpha) - rounding) / std::cos(alpha), height};
   const Vec2d to_point = Vec2d{std::abs(point.x), point.y} - corner;
   const double from_flank = dot(to_point, normal);
   const bool beyond_tip = to_point.x > 0 && dot(to_point, {std::sin(alpha), std::cos(alpha)}) < 0;
