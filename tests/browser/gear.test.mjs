@@ -152,6 +152,15 @@ for (const name of ["gear", "undercut"]) {
   }));
 }
 
+for (const name of ["gear", "undercut"]) {
+  test(`the tooth of ${name} is as thick over the radius as its facts say of the tip`, { skip: !hasCurves }, () => visit(name, still, async (page) => {
+    const facts = await page.locator("#facts-list").textContent();
+    const tip = Number(/Tip thickness\s*([\d.]+)/.exec(facts)[1]);
+    const [, least] = /From ([\d.]+) to/.exec(await page.locator(".plot").first().textContent());
+    assert.ok(Math.abs(Number(least) - tip) < 1e-3 * tip, `${least} for ${tip}`);
+  }));
+}
+
 test("a gear is cut while the rack rolls", () => visit("gear", still, async (page) => {
   const left = () => page.locator(".rack-cut[hidden]").count();
   assert.ok(await left() > 100);

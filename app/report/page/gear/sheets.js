@@ -59,7 +59,7 @@ function thicknessSheets({ body, range, angleAt, radius }, generation) {
   const rows = [];
   for (const [x, y] of body.points) {
     const r = Math.hypot(x, y);
-    if (!rows.length || r > rows.at(-1).r * (1 + 1e-9)) rows.push({ r, thickness: 2 * r * Math.atan2(-x, y) });
+    if (!rows.length || r > rows.at(-1).r * (1 + 1e-6)) rows.push({ r, thickness: 2 * r * Math.atan2(-x, y) });
   }
   const x = rows.map(({ r }) => r);
   const [tooth, space] = [rows.map(({ thickness }) => thickness), rows.map(({ r, thickness }) => r * body.pitch - thickness)];
