@@ -9,6 +9,7 @@
 #include "app/messages.hpp"
 #include "app/metric_unit.hpp"
 #include "app/paint.hpp"
+#include "app/table_text.hpp"
 #include "app/text_table.hpp"
 #include "problems/analysis/output_travel.hpp"
 #include "problems/degrees.hpp"
@@ -118,7 +119,7 @@ std::string analysis_table(const AnalysisProblem& problem, const AnalysisResult&
   append_facts(text, result, screen);
   append_landmarks(text, problem, result, screen);
   text += '\n';
-  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
+  text += notes_text(result.notes);
   text +=
       fmt::format("{:.3g} s on {} thread{}, {} positions\n", result.work.seconds,
                   result.work.threads, result.work.threads == 1 ? "" : "s", result.work.positions);

@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "app/analysis_json.hpp"
 #include "app/analysis_table.hpp"
@@ -18,11 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kInterrupted = "interrupted; what was computed until then is reported";
-
-ExitStatus status_of(problems::Status status) {
-  return status == problems::Status::solved ? exit_done : exit_no_design;
-}
+/// How a kind of problem is analysed, and told of.
+template <class Problem, class Result>
+struct Analysis {
+  Result (*analyse)(const Problem&, const problems::Run&);
+  std::string (*table)(const Problem&, const Result&, const Screen&);
+  std::string (*csv)(const Result&) = nullptr;  ///< none where there is no table of numbers
+  const char* when_interrupted = "interrupted; what was computed until then is reported";
+  ExitStatus (*exit_status)(const Result&) = [](const Result& result) {
+    return result.status == problems::Status::solved ? exit_done : exit_no_design;
+  };
+};
 
 /// Analyses what the file holds, by its kind.
 struct Analyze {
@@ -30,39 +38,21 @@ struct Analyze {
   const Options& options;
 
   ExitStatus operator()(const problems::AnalysisProblem& problem) const {
-    problems::AnalysisResult result;
-    const auto analyse = [&](const problems::Run& run) {
-      result = problems::analyse(problem, run);
-      return result.status;
-    };
-    return compute(
-        file, options,
-        {.run = analyse,
-         .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }},
-                   {".report.html",
-                    [&](const auto& document) { return report_html(document, problem, result); }}},
-         .when_interrupted = kInterrupted,
-         .table = [&](const Screen& screen) { return analysis_table(problem, result, screen); },
-         .exit_status = [&] { return result.closed_rows > 0 ? exit_done : exit_no_design; }});
+    return run<problems::AnalysisResult>(
+        problem, {.analyse = problems::analyse,
+                  .table = analysis_table,
+                  .csv = [](const auto& result) { return csv_text(result.columns); },
+                  .exit_status =
+                      [](const auto& result) {
+                        return result.closed_rows > 0 ? exit_done : exit_no_design;
+                      }});
   }
 
   ExitStatus operator()(const problems::GearProblem& problem) const {
-    problems::GearResult result;
-    const auto analyse = [&](const problems::Run& run) {
-      result = problems::analyse(problem, run);
-      return result.status;
-    };
-    return compute(
-        file, options,
-        {.run = analyse,
-         .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {{".csv", [&](const auto&) { return csv_text(result.columns); }},
-                   {".report.html",
-                    [&](const auto& document) { return report_html(document, problem, result); }}},
-         .when_interrupted = kInterrupted,
-         .table = [&](const Screen& screen) { return gear_table(problem, result, screen); },
-         .exit_status = [&] { return status_of(result.status); }});
+    return run<problems::GearResult>(
+        problem, {.analyse = problems::analyse, .table = gear_table, .csv = [](const auto& result) {
+                    return csv_text(result.columns);
+                  }});
   }
 
   ExitStatus operator()(const problems::GearPairProblem& problem) const {
@@ -71,44 +61,46 @@ struct Analyze {
                             "the gear pair is not whole; teeth, module and both values of "
                             "profile_shift are wanted, or 'cognate solve', which finds them"}});
     }
-    problems::GearPairResult result;
-    const auto solve = [&](const problems::Run& run) {
-      result = problems::solve(problem, run);
-      return result.status;
-    };
-    return compute(
-        file, options,
-        {.run = solve,
-         .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {{".report.html",
-                    [&](const auto& document) { return report_html(document, problem, result); }}},
-         .when_interrupted = kInterrupted,
-         .table = [&](const Screen& screen) { return gear_pair_table(problem, result, screen); },
-         .exit_status = [&] { return status_of(result.status); }});
+    return run<problems::GearPairResult>(problem,
+                                         {.analyse = problems::solve, .table = gear_pair_table});
   }
 
   ExitStatus operator()(const problems::MachineProblem& problem) const {
-    problems::MachineResult result;
-    const auto run_it = [&](const problems::Run& run) {
-      result = problems::run_machine(problem, run);
-      return result.status;
-    };
-    return compute(
-        file, options,
-        {.run = run_it,
-         .document = [&] { return result_document(problem, result, options.seed); },
-         .files = {{".csv", [&](const auto&) { return machine_csv(result); }},
-                   {".report.html",
-                    [&](const auto& document) { return report_html(document, problem, result); }}},
-         .when_interrupted = "interrupted; the motions found until then are reported",
-         .table = [&](const Screen& screen) { return machine_table(problem, result, screen); },
-         .exit_status = [&] { return status_of(result.status); }});
+    return run<problems::MachineResult>(
+        problem, {.analyse = problems::run_machine,
+                  .table = machine_table,
+                  .csv = machine_csv,
+                  .when_interrupted = "interrupted; the motions found until then are reported"});
   }
 
   /// Of a design: it is to be solved.
   template <class Design>
   ExitStatus operator()(const Design&) const {
     return refuse(file, problems::read_analysis(file).error());
+  }
+
+ private:
+  template <class Result, class Problem>
+  ExitStatus run(const Problem& problem, const Analysis<Problem, Result>& analysis) const {
+    Result result;
+    std::vector<OutputFile> files;
+    if (analysis.csv) {
+      files.push_back({".csv", [&](const auto&) { return analysis.csv(result); }});
+    }
+    files.push_back({".report.html",
+                     [&](const auto& document) { return report_html(document, problem, result); }});
+    return compute(
+        file, options,
+        {.run =
+             [&](const problems::Run& run) {
+               result = analysis.analyse(problem, run);
+               return result.status;
+             },
+         .document = [&] { return result_document(problem, result, options.seed); },
+         .files = std::move(files),
+         .when_interrupted = analysis.when_interrupted,
+         .table = [&](const Screen& screen) { return analysis.table(problem, result, screen); },
+         .exit_status = [&] { return analysis.exit_status(result); }});
   }
 };
 

@@ -123,32 +123,14 @@ std::string proof_line(const CamResult& result) {
 
 }  // namespace
 
-int feasible_count(const CamResult& result) {
-  return static_cast<int>(std::ranges::count_if(result.designs, [](const CamDesign& design) {
-    return problems::all_satisfied(design.constraints);
-  }));
-}
-
 std::string cam_table(const CamProblem& problem, const CamResult& result, const Screen& screen) {
   std::string text = describe(problem) + '\n';
-  const int feasible = feasible_count(result);
-  text += paint(status_line(result.status, result.designs.size(), feasible),
-                status_colour(result.status, feasible), screen.colour) +
-          '\n';
-  const auto shown =
-      std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
+  text += status_text(result, screen.colour);
+  const auto shown = shown_designs(result);
   if (!shown.empty()) append_designs(text, problem, shown, screen);
-  if (shown.size() < result.designs.size()) {
-    text += fmt::format("and {} more, which the result file and the report hold\n",
-                        result.designs.size() - shown.size());
-  }
-  text += '\n';
-  Violations violations;
-  for (std::size_t i = 0; i < shown.size(); ++i) violations.add(i + 1, shown[i].constraints);
-  text += violations.text(screen.colour);
-  text += proof_line(result);
-  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
-  return text + work_line(result.work);
+  return text + left_out_line(result.designs.size()) + '\n' +
+         violations_text(result, screen.colour) + proof_line(result) + notes_text(result.notes) +
+         work_line(result.work);
 }
 
 }  // namespace cognate::app

@@ -8,9 +8,6 @@
 
 namespace cognate::app {
 
-/// The number of designs that meet every constraint.
-int feasible_count(const problems::CamResult& result);
-
 /// A heading, the status in words, one row for each of the first 20 designs (number, lengths,
 /// greatest pressure angles of rise and return and least convex radius of curvature, each with the
 /// cam angle of its place, constraints, origin), then what a design violates, what proves the size

@@ -93,19 +93,7 @@ std::string tests_line(const GearPairResult& result) {
   return text.empty() ? text : text + '\n';
 }
 
-std::string notes_text(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const auto& note : notes) text += "note: " + printable(note) + '\n';
-  return text;
-}
-
 }  // namespace
-
-int feasible_count(const GearPairResult& result) {
-  return static_cast<int>(std::ranges::count_if(result.designs, [](const GearPairDesign& design) {
-    return problems::all_satisfied(design.constraints);
-  }));
-}
 
 std::string gear_table(const problems::GearProblem& problem, const problems::GearResult& result,
                        const Screen& screen) {
@@ -121,25 +109,16 @@ std::string gear_table(const problems::GearProblem& problem, const problems::Gea
 std::string gear_pair_table(const GearPairProblem& problem, const GearPairResult& result,
                             const Screen& screen) {
   std::string text = describe(problem) + '\n';
-  const int feasible = feasible_count(result);
-  text += paint(status_line(result.status, result.designs.size(), feasible),
-                status_colour(result.status, feasible), screen.colour) +
-          '\n';
-  const auto shown =
-      std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
+  text += status_text(result, screen.colour);
+  const auto shown = shown_designs(result);
   const bool given = is_whole(problem);
   if (!shown.empty() && !given) text += designs_text(shown, screen);
   if (!shown.empty() && (given || shown.size() == 1)) {
     text += facts_text(shown.front().metrics, screen);
   }
-  if (shown.size() < result.designs.size()) {
-    text += fmt::format("and {} more, which the result file and the report hold\n",
-                        result.designs.size() - shown.size());
-  }
-  Violations violations;
-  for (std::size_t i = 0; i < shown.size(); ++i) violations.add(i + 1, shown[i].constraints);
-  return text + '\n' + violations.text(screen.colour) + tests_line(result) +
-         notes_text(result.notes) + work_line(result.work);
+  return text + left_out_line(result.designs.size()) + '\n' +
+         violations_text(result, screen.colour) + tests_line(result) + notes_text(result.notes) +
+         work_line(result.work);
 }
 
 }  // namespace cognate::app

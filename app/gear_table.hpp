@@ -16,7 +16,4 @@ std::string gear_table(const problems::GearProblem& problem, const problems::Gea
 std::string gear_pair_table(const problems::GearPairProblem& problem,
                             const problems::GearPairResult& result, const Screen& screen);
 
-/// How many designs keep every limit.
-int feasible_count(const problems::GearPairResult& result);
-
 }  // namespace cognate::app

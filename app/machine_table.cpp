@@ -93,7 +93,7 @@ std::string machine_table(const MachineProblem& problem, const MachineResult& re
   text += paint(status_words(result), colour_of(result), screen.colour) + '\n';
   append_facts(text, result, screen);
   text += '\n';
-  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
+  text += notes_text(result.notes);
   return text + work_line(result.work);
 }
 

@@ -13,6 +13,7 @@
 #include "app/result_json.hpp"
 #include "app/study/problem_atlas.hpp"
 #include "app/table.hpp"
+#include "app/table_text.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

@@ -131,31 +131,15 @@ std::string certificate_line(const Result& result) {
       proof.upper_bound, proof.lower_bound, proof.gap_relative, among);
 }
 
-std::span<const Design> shown_designs(const Result& result) {
-  return std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
-}
-
 void append_designs(std::string& text, const Problem& problem, const Result& result,
                     const Screen& screen) {
   const auto designs = shown_designs(result);
   if (designs.empty()) return;
   text += table_text(design_columns(designs, std::visit(Choice{}, problem)), screen);
-  const std::size_t left_out = result.designs.size() - designs.size();
-  if (left_out > 0) {
-    text += fmt::format("and {} more, which the result file and the report hold\n", left_out);
-  }
-  text += '\n';
+  text += left_out_line(result.designs.size()) + '\n';
 }
 
 }  // namespace
-
-bool is_feasible(const Design& design) {
-  return std::ranges::all_of(design.constraints, &problems::ConstraintCheck::satisfied);
-}
-
-int feasible_count(const Result& result) {
-  return static_cast<int>(std::ranges::count_if(result.designs, is_feasible));
-}
 
 std::string describe(const Problem& problem) {
   return std::visit(
@@ -168,19 +152,11 @@ std::string describe(const Problem& problem) {
 
 std::string design_table(const Problem& problem, const Result& result, const Screen& screen) {
   std::string text = describe(problem) + '\n';
-  const int feasible = feasible_count(result);
-  text += paint(status_line(result.status, result.designs.size(), feasible),
-                status_colour(result.status, feasible), screen.colour) +
-          '\n';
+  text += status_text(result, screen.colour);
   text += facts_line(result);
   append_designs(text, problem, result, screen);
-  const auto shown = shown_designs(result);
-  Violations violations;
-  for (std::size_t i = 0; i < shown.size(); ++i) violations.add(i + 1, shown[i].constraints);
-  text += violations.text(screen.colour);
-  text += certificate_line(result);
-  for (const auto& note : result.notes) text += "note: " + printable(note) + '\n';
-  return text + work_line(result.work);
+  return text + violations_text(result, screen.colour) + certificate_line(result) +
+         notes_text(result.notes) + work_line(result.work);
 }
 
 }  // namespace cognate::app

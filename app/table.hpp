@@ -9,12 +9,6 @@
 
 namespace cognate::app {
 
-/// Whether a design meets every constraint of the file.
-bool is_feasible(const problems::Design& design);
-
-/// The number of `result`'s designs that meet every constraint.
-int feasible_count(const problems::Result& result);
-
 /// One line: the title or the kind, the number of targets, and how they are given.
 std::string describe(const problems::Problem& problem);
 

@@ -60,6 +60,18 @@ std::string status_line(Status status, std::size_t designs, int feasible) {
   return met;
 }
 
+std::string left_out_line(std::size_t designs) {
+  if (designs <= kShownDesigns) return {};
+  return fmt::format("and {} more, which the result file and the report hold\n",
+                     designs - kShownDesigns);
+}
+
+std::string notes_text(std::span<const std::string> notes) {
+  std::string text;
+  for (const auto& note : notes) text += "note: " + printable(note) + '\n';
+  return text;
+}
+
 Colour status_colour(Status status, int feasible) {
   if (status == Status::solved) return Colour::green;
   return feasible > 0 ? Colour::yellow : Colour::red;

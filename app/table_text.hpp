@@ -1,6 +1,7 @@
 /// @file What the tables of all kinds of designs have in common.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "app/paint.hpp"
 #include "problems/result.hpp"
+#include "problems/verify.hpp"
 
 namespace cognate::app {
 
@@ -19,6 +21,21 @@ std::string counted(std::size_t count, std::string_view noun);
 
 /// The status in words with what was found: `feasible` of `designs` meet every constraint.
 std::string status_line(problems::Status status, std::size_t designs, int feasible);
+
+/// The number of `result`'s designs, of whatever kind, that meet every constraint.
+template <class AnyResult>
+int feasible_count(const AnyResult& result) {
+  return static_cast<int>(std::ranges::count_if(result.designs, [](const auto& design) {
+    return problems::all_satisfied(design.constraints);
+  }));
+}
+
+/// Those of `result`'s designs that are printed, and a line for the others if there are any.
+template <class AnyResult>
+auto shown_designs(const AnyResult& result) {
+  return std::span(result.designs).first(std::min(kShownDesigns, result.designs.size()));
+}
+std::string left_out_line(std::size_t designs);
 
 /// Green where all is well, yellow where a stopped run has found something, red without a design.
 Colour status_colour(problems::Status status, int feasible);
@@ -47,6 +64,27 @@ class Violations {
   };
   std::vector<Line> lines_;  ///< in the order in which the first design of each came
 };
+
+/// The status of `result` in words, coloured, with the end of the line.
+template <class AnyResult>
+std::string status_text(const AnyResult& result, bool colour) {
+  const int feasible = feasible_count(result);
+  return paint(status_line(result.status, result.designs.size(), feasible),
+               status_colour(result.status, feasible), colour) +
+         '\n';
+}
+
+/// What those of `result`'s designs that are printed violate.
+template <class AnyResult>
+std::string violations_text(const AnyResult& result, bool colour) {
+  Violations violations;
+  std::size_t number = 0;
+  for (const auto& design : shown_designs(result)) violations.add(++number, design.constraints);
+  return violations.text(colour);
+}
+
+/// A line for each note.
+std::string notes_text(std::span<const std::string> notes);
 
 /// "0.5 s on 2 threads, 12 candidates screened", with the end of the line.
 std::string work_line(const problems::Work& work);

@@ -84,36 +84,31 @@ Problem read_design_problem(std::string_view kind, TableReader& document, const 
   return read_function_problem(document);
 }
 
+Task read_of_kind(std::string_view kind, TableReader& document, const Folder& folder) {
+  if (kind == "analysis") return read_analysis_problem(document);
+  if (kind == "cam") return read_cam_problem(document);
+  if (kind == "gear") return read_gear_problem(document);
+  if (kind == "gear-pair") return read_gear_pair_problem(document);
+  if (kind == "machine") return read_machine_problem(document);
+  return read_design_problem(kind, document, folder);
+}
+
+struct GiveTitle {
+  const std::string& title;
+
+  void operator()(Problem& problem) const { std::visit(*this, problem); }
+  template <class Other>
+  void operator()(Other& problem) const {
+    problem.title = title;
+  }
+};
+
 std::optional<PlacedTask> read_document(TableReader& document, const Folder& folder) {
   const auto kind = read_kind(document);
   const std::string title = document.text("title").value_or("");
   if (!kind) return std::nullopt;
-  PlacedTask read{{}, document.where(kKind)};
-  if (*kind == "analysis") {
-    AnalysisProblem problem = read_analysis_problem(document);
-    problem.title = title;
-    read.task = std::move(problem);
-  } else if (*kind == "cam") {
-    CamProblem problem = read_cam_problem(document);
-    problem.title = title;
-    read.task = std::move(problem);
-  } else if (*kind == "gear") {
-    GearProblem problem = read_gear_problem(document);
-    problem.title = title;
-    read.task = std::move(problem);
-  } else if (*kind == "gear-pair") {
-    GearPairProblem problem = read_gear_pair_problem(document);
-    problem.title = title;
-    read.task = std::move(problem);
-  } else if (*kind == "machine") {
-    MachineProblem problem = read_machine_problem(document);
-    problem.title = title;
-    read.task = std::move(problem);
-  } else {
-    Problem problem = read_design_problem(*kind, document, folder);
-    std::visit([&](auto& any) { any.title = title; }, problem);
-    read.task = std::move(problem);
-  }
+  PlacedTask read{read_of_kind(*kind, document, folder), document.where(kKind)};
+  std::visit(GiveTitle{title}, read.task);
   document.finish();
   return read;
 }
