@@ -17,7 +17,6 @@
 namespace cognate::app {
 namespace {
 
-using problems::Design;
 using problems::FunctionProblem;
 using problems::PathProblem;
 using problems::Problem;
