@@ -43,6 +43,7 @@ std::atomic<bool>& unfinished_line() {
 const std::atomic<bool>& catch_interrupts() {
   catch_once(SIGINT);
   catch_once(SIGTERM);
+  catch_once(SIGHUP);
   return interrupted;
 }
 

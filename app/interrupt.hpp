@@ -8,8 +8,9 @@ namespace cognate::app {
 /// Whether a line on the terminal is to be wiped before the second Ctrl-C ends the program.
 std::atomic<bool>& unfinished_line();
 
-/// From now on SIGINT and SIGTERM set the flag that is returned, and nothing else; the second one
-/// ends the program as if it had never been caught. A signal that the caller ignores stays ignored.
+/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned, and nothing else; the
+/// second one ends the program as if it had never been caught. A signal that the caller ignores
+/// stays ignored.
 const std::atomic<bool>& catch_interrupts();
 
 }  // namespace cognate::app

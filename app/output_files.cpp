@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 
 namespace cognate::app {
@@ -21,13 +22,34 @@ tl::unexpected<std::string> cannot_write(const fs::path& file, int error) {
   return tl::unexpected(fmt::format("cannot write '{}': {}", file.string(), reason(error)));
 }
 
+/// The permissions of a new file, as the user's mask leaves them. Read once: the mask can only be
+/// read by setting it.
+mode_t new_file_mode() {
+  static const mode_t mode = [] {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return static_cast<mode_t>(0666U & ~mask);
+  }();
+  return mode;
+}
+
+/// Has the system write what it keeps of a folder's entries; 0, or the errno. A file system that
+/// cannot do that for folders has nothing to write.
+int sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor == -1) return errno == EACCES ? 0 : errno;
+  const int error = ::fsync(descriptor) == -1 ? errno : 0;
+  ::close(descriptor);
+  return error == EINVAL || error == ENOTSUP ? 0 : error;
+}
+
 /// A new file of its own in a folder, removed again unless it has been given its final name.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& folder)
-      : path_(folder / fmt::format(".cognate-{}.tmp", getpid())),
-        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
-                           S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH)),
+      : folder_(folder),
+        path_((folder / ".cognate-XXXXXX").string()),
+        descriptor_(::mkostemp(path_.data(), O_CLOEXEC)),
         open_error_(descriptor_ == -1 ? errno : 0) {}
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -49,18 +71,24 @@ class TemporaryFile {
     return 0;
   }
 
-  /// Closes the file and gives it its name; 0, or the errno of what failed.
+  /// Closes the file and gives it its name, in its folder; 0, or the errno of what failed. What it
+  /// holds is on the disk before it has the name, and the name before this returns: whatever ends
+  /// the machine, there is the old file or the new one.
   int rename_to(const fs::path& file) {
     const int descriptor = descriptor_;
     descriptor_ = -1;
+    const bool stored = ::fchmod(descriptor, new_file_mode()) == 0 && ::fsync(descriptor) == 0;
+    const int error = stored ? 0 : errno;
     if (::close(descriptor) == -1) return errno;
+    if (!stored) return error;
     if (::rename(path_.c_str(), file.c_str()) == -1) return errno;
     renamed_ = true;
-    return 0;
+    return sync_folder(folder_);
   }
 
  private:
-  fs::path path_;
+  fs::path folder_;
+  std::string path_;
   int descriptor_ = -1;
   int open_error_ = 0;
   bool renamed_ = false;

@@ -78,6 +78,7 @@ Colour status_colour(Status status, int feasible) {
 }
 
 std::string WrittenValue::operator()(double value) const {
+  if (!std::isfinite(value)) return std::isnan(value) ? "not defined" : "unbounded";
   return fmt::format("{:.6g}", value);
 }
 

@@ -31,6 +31,10 @@ tl::expected<std::string, std::string> text_in(const fs::path& file) {
   if (fs::is_directory(status)) {
     return refusal(file.string(), "this is a directory; the path of a result file is wanted");
   }
+  if (fs::is_block_file(status) || fs::is_socket(status)) {
+    return refusal(file.string(),
+                   "this is a device or a socket; a regular file or a pipe is wanted");
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
     return refusal(file.string(), "the file cannot be opened; a file that can be read is wanted");

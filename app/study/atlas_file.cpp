@@ -12,6 +12,7 @@
 #include "analysis/mobility.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/sqlite.hpp"
+#include "app/study/study_checksum.hpp"
 #include "app/study/study_schema.hpp"
 #include "problems/read.hpp"
 #include "problems/reading/key_path.hpp"
@@ -132,6 +133,7 @@ tl::expected<std::vector<AtlasCurve>, std::string> read_atlas(const std::filesys
     if (database.integer("PRAGMA application_id") != kStudyApplicationId) {
       return refused("it is no study file");
     }
+    check_rows(database);
     auto curves = AtlasRows(database).read();
     if (curves.empty()) return refused("it has no curve of a crank that turns fully");
     return curves;

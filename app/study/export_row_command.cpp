@@ -10,6 +10,7 @@
 #include "app/output_files.hpp"
 #include "app/result_json.hpp"
 #include "app/study/read_rows.hpp"
+#include "app/study/study_checksum.hpp"
 #include "app/study/study_schema.hpp"
 #include "problems/reading/key_path.hpp"
 #include "problems/study/design_text.hpp"
@@ -52,6 +53,7 @@ tl::expected<std::string, std::string> text_of(const fs::path& file, std::int64_
       return tl::unexpected(fmt::format(
           "'{}' has no row {}; the ids of its rows are those of SELECT id FROM runs", name, id));
     }
+    check_rows(database, id);
     std::vector<double> values;
     for (std::size_t i = 0; i < study.variables.size(); ++i) {
       values.push_back(std::get<double>(row->cells[i]));

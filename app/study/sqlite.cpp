@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <variant>
 
 namespace cognate::app {
@@ -38,7 +39,8 @@ void SqliteStatement::bind(int parameter, std::string_view text) {
 }
 
 void SqliteStatement::bind(int parameter, const problems::Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) {
+  const auto* number = std::get_if<double>(&cell);
+  if (number != nullptr && std::isfinite(*number)) {
     bind(parameter, *number);
   } else if (const auto* word = std::get_if<std::string>(&cell)) {
     bind(parameter, std::string_view(*word));
@@ -61,6 +63,14 @@ void SqliteStatement::run() {
 
 void SqliteStatement::reset() {
   sqlite3_reset(statement_.get());
+}
+
+int SqliteStatement::columns() const {
+  return sqlite3_column_count(statement_.get());
+}
+
+bool SqliteStatement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
 std::int64_t SqliteStatement::integer(int column) const {
@@ -92,6 +102,12 @@ problems::Cell SqliteStatement::cell(int column) const {
 SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Access access) {
   // A name that begins with "file:" is a name like any other, and so is an empty one.
   const std::string name = std::filesystem::absolute(file).string();
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  // SQLite would wait for the other end of a pipe.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw SqliteError(SQLITE_NOTADB, "it is no regular file");
+  }
   const int flags =
       access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   sqlite3* connection = nullptr;

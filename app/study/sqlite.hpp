@@ -33,7 +33,7 @@ class SqliteStatement {
   void bind(int parameter, double value);
   /// `text` stays as it is until the statement has been stepped.
   void bind(int parameter, std::string_view text);
-  /// A cell with nothing in it is null.
+  /// A cell with nothing in it is null, and so is a number that is not finite.
   void bind(int parameter, const problems::Cell& cell);
 
   /// True with the next row; false at the end, and the statement can be used again.
@@ -43,6 +43,8 @@ class SqliteStatement {
   /// Begins again, whatever has been read.
   void reset();
 
+  int columns() const;
+  bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;

@@ -7,12 +7,14 @@
 #include <array>
 #include <variant>
 
+#include "app/study/study_checksum.hpp"
 #include "app/study/study_schema.hpp"
 #include "problems/study/study_names.hpp"
 
 namespace cognate::app {
 namespace {
 
+using problems::Cell;
 using problems::RunStatus;
 using problems::StudyBlock;
 using Identity = std::vector<std::pair<std::string, std::string>>;
@@ -28,8 +30,6 @@ std::string explained(const SqliteError& error, const std::filesystem::path& fil
       return fmt::format("'{}' is no study file; move it away, or give another folder by --out",
                          name);
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR:       // a table that is not there
-    case SQLITE_CONSTRAINT:  // rows that no block knows of
       return fmt::format(
           "'{}' is damaged ({}); move it away to begin anew ('sqlite3 FILE .recover' may save "
           "rows)",
@@ -44,6 +44,11 @@ std::string explained(const SqliteError& error, const std::filesystem::path& fil
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
       return fmt::format("cannot write '{}': {}; give another folder by --out", name, error.what());
+    case SQLITE_CONSTRAINT:  // rows that were not there when it was opened
+      return fmt::format(
+          "'{}' was changed by another program while the study ran ({}); run the command again "
+          "once that has ended",
+          name, error.what());
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return fmt::format(
@@ -96,6 +101,20 @@ StudyCounts counts_of(const StudyBlock& block) {
 std::array<std::int64_t*, 7> fields(StudyCounts& counts) {
   return {&counts.evaluated,  &counts.kept,        &counts.filtered, &counts.solved,
           &counts.infeasible, &counts.no_solution, &counts.invalid};
+}
+
+/// As check_rows() finds it again in the file.
+std::int64_t checksum_of(const StudyBlock& block, std::size_t width) {
+  Checksum sum;
+  sum.add(static_cast<std::uint64_t>(block.first));
+  auto counts = counts_of(block);
+  for (const auto* count : fields(counts)) sum.add(static_cast<std::uint64_t>(*count));
+  for (std::size_t row = 0; row < block.ids.size(); ++row) {
+    sum.add(static_cast<std::uint64_t>(block.ids[row]));
+    for (std::size_t i = 0; i < width; ++i) sum.add(block.cells[row * width + i]);
+    sum.add(Cell(std::string(problems::to_string(block.statuses[row]))));
+  }
+  return sum.value();
 }
 
 }  // namespace
@@ -155,6 +174,7 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
     }
     connection_.execute("PRAGMA synchronous = NORMAL");
     if (is_new) create(study, identity);
+    check_whole();
     const auto difference = study_difference(stored_identity(connection_), identity);
     if (!difference.empty()) {
       throw StudyFileError(
@@ -162,11 +182,25 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
                       "give another folder by --out",
                       file_.string(), difference));
     }
+    connection_.execute(kChecksumTable);
     check_blocks();
     load_counts();
+    unchecked_blocks_ = check_rows(connection_);
     load_front();
     prepare();
   });
+}
+
+/// Finds damage of the file as a database, and tables that are not there.
+void StudyDatabase::check_whole() {
+  const auto found = connection_.text("PRAGMA quick_check(1)");
+  if (found != "ok") throw SqliteError(SQLITE_CORRUPT, found);
+  for (const char* table : {"study", "runs", "blocks", "front", "best"}) {
+    const auto count = fmt::format("SELECT count(*) FROM sqlite_master WHERE name = '{}'", table);
+    if (connection_.integer(count) == 0) {
+      throw SqliteError(SQLITE_CORRUPT, fmt::format("it has no table {}", table));
+    }
+  }
 }
 
 void StudyDatabase::create(const problems::Study& study, const Identity& identity) {
@@ -186,6 +220,7 @@ void StudyDatabase::prepare() {
   for (std::size_t i = 0; i < width_; ++i) places += ", ?";
   insert_row_ = connection_.prepare("INSERT INTO runs VALUES (" + places + ")");
   insert_block_ = connection_.prepare("INSERT INTO blocks VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  insert_sum_ = connection_.prepare("INSERT INTO checksums VALUES (?, ?)");
   insert_front_ = connection_.prepare("INSERT INTO front VALUES (?)");
   delete_front_ = connection_.prepare("DELETE FROM front WHERE id = ?");
 }
@@ -219,7 +254,13 @@ void StudyDatabase::load_front() {
     for (const auto& [column, sign] : objectives_) {
       point.objectives.push_back(sign * rows.real(static_cast<int>(column) + 1));
     }
-    front_.add(point, left);
+    if (!front_.add(point, left) || !left.empty()) {
+      throw SqliteError(SQLITE_CORRUPT, "its front has rows that others surpass");
+    }
+  }
+  const auto stored = connection_.integer("SELECT count(*) FROM front");
+  if (stored != static_cast<std::int64_t>(front_.points().size())) {
+    throw SqliteError(SQLITE_CORRUPT, "its front has rows that are not there");
   }
 }
 
@@ -278,6 +319,9 @@ void StudyDatabase::insert_block(const StudyBlock& block) {
     *total[i] += *part[i];
   }
   insert_block_->run();
+  insert_sum_->bind(1, block.first);
+  insert_sum_->bind(2, checksum_of(block, width_));
+  insert_sum_->run();
 }
 
 void StudyDatabase::update_front(const StudyBlock& block) {

@@ -1,9 +1,10 @@
 /// @file The study file: an SQLite database with the definition of a study and its rows.
 ///
 /// Tables: `study` (name, value: the definition), `runs` (`id`, a column for each varied key and
-/// metric, `status`), `blocks` (which designs have been evaluated, and how they came out), `front`
-/// (the ids on the Pareto front); view `best`. Columns of numbers have no declared type, because
-/// SQLite then stores every double as it is, −0 included.
+/// metric, `status`), `blocks` (which designs have been evaluated, and how they came out),
+/// `checksums` (of each block with its rows), `front` (the ids on the Pareto front); view `best`.
+/// Columns of numbers have no declared type, because SQLite then stores every double as it is, −0
+/// included.
 #pragma once
 
 #include <chrono>
@@ -69,6 +70,8 @@ class StudyDatabase {
   void commit();
 
   const StudyCounts& counts() const { return counts_; }
+  /// How many of the blocks that were there at the opening have no checksum.
+  std::int64_t unchecked_blocks() const { return unchecked_blocks_; }
   const std::filesystem::path& file() const { return file_; }
   SqliteDatabase& connection() { return connection_; }
 
@@ -81,6 +84,7 @@ class StudyDatabase {
   void insert_rows(const problems::StudyBlock& block);
   void insert_block(const problems::StudyBlock& block);
   void update_front(const problems::StudyBlock& block);
+  void check_whole();
   void check_blocks();
   void load_counts();
   void load_front();
@@ -90,9 +94,11 @@ class StudyDatabase {
   std::size_t width_;                                       ///< of a row, in cells
   std::vector<std::pair<std::size_t, double>> objectives_;  ///< column, and −1 for the greatest
   SqliteDatabase connection_;
-  std::optional<SqliteStatement> insert_row_, insert_block_, insert_front_, delete_front_;
+  std::optional<SqliteStatement> insert_row_, insert_block_, insert_sum_, insert_front_,
+      delete_front_;
   StudyFront front_;
   StudyCounts counts_;
+  std::int64_t unchecked_blocks_ = 0;
   std::int64_t uncommitted_rows_ = 0;
   std::chrono::steady_clock::time_point begun_;
 };

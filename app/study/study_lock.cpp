@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -49,6 +50,25 @@ bool is_there(const fs::path& file, int descriptor) {
 }
 
 }  // namespace
+
+fs::path final_target(const fs::path& file) {
+  constexpr int kMostLinks = 40;  // as the system: beyond, they lead in a circle
+  fs::path target = file;
+  std::error_code error;
+  for (int link = 0; link < kMostLinks && fs::is_symlink(target, error); ++link) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) break;
+    target = target.parent_path() / next;  // `next` alone where it begins at the root
+  }
+  return target;
+}
+
+fs::path lock_file(const fs::path& database) {
+  constexpr std::string_view kEnding = ".study.db";
+  const std::string name = database.string();
+  return (name.ends_with(kEnding) ? name.substr(0, name.size() - kEnding.size()) : name) +
+         ".study.lock";
+}
 
 StudyLock::StudyLock(fs::path file, int descriptor)
     : file_(std::move(file)), descriptor_(descriptor) {}

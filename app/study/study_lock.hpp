@@ -7,6 +7,13 @@
 
 namespace cognate::app {
 
+/// What `file` names in the end, through all symbolic links, whether or not it is there.
+std::filesystem::path final_target(const std::filesystem::path& file);
+
+/// The file of the lock of the study in `database`, which is no symbolic link: beside it, so that
+/// whoever comes to the database by another name finds the same lock.
+std::filesystem::path lock_file(const std::filesystem::path& database);
+
 /// A lock that ends with the process however that ends. It lies in a file of its own, so that
 /// reading the database needs none.
 class StudyLock {

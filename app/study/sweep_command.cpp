@@ -82,6 +82,12 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
         before == total ? "every design had been evaluated before; nothing was left to do"
                         : fmt::format("went on from {} designs evaluated before", grouped(before)));
   }
+  if (database.unchecked_blocks() > 0) {
+    summary.notes.push_back(
+        fmt::format("{} blocks of rows have no checksums, having been stored without; whether "
+                    "they changed since is not known",
+                    grouped(database.unchecked_blocks())));
+  }
   return summary;
 }
 
@@ -126,13 +132,13 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
   const auto ready =
       prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".report.html"});
-  const auto lock =
-      ready ? StudyLock::take(sweep.path(".study.lock")) : tl::unexpected(ready.error());
+  const auto file = final_target(sweep.path(".study.db"));
+  const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());
   std::optional<StudyDatabase> database;
   std::string fault = lock ? "" : lock.error();
   if (lock) {
     try {
-      database.emplace(sweep.path(".study.db"), sweep.study, sweep.origin);
+      database.emplace(file, sweep.study, sweep.origin);
     } catch (const StudyFileError& error) {
       fault = error.what();
     }
@@ -151,24 +157,35 @@ ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_vie
   }
 }
 
+fs::path folder_of(const fs::path& file) {
+  std::error_code error;
+  return fs::absolute(file, error).parent_path();
+}
+
+tl::expected<problems::Study, std::vector<problems::Fault>> unreadable(const std::string& why) {
+  return tl::unexpected(std::vector<problems::Fault>{{1, 1, why}});
+}
+
 }  // namespace
 
 ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProcesses& processes) {
   // A file that may not grow is then an error of writing like any other.
   std::signal(SIGXFSZ, SIG_IGN);
-  catch_interrupts();
-  const auto study = read_study(file);
+  // Once: a pipe gives its text no second time. Ctrl-C ends the program while it waits for one.
+  const auto text = problems::reading::text_of(file);
+  const auto study = text ? problems::parse_study(*text, folder_of(file), study_metrics)
+                          : unreadable(text.error());
   if (!study) {
     processes.agree(false, "");
     return refuse(file, study.error());
   }
-  const Sweep sweep{.study = *study,
-                    .origin = {.text = problems::reading::text_of(file).value_or(""),
-                               .version = std::string(version()),
-                               .seed = options.seed},
-                    .options = options,
-                    .folder = options.out.value_or("."),
-                    .stem = file.stem().string()};
+  catch_interrupts();
+  const Sweep sweep{
+      .study = *study,
+      .origin = {.text = *text, .version = std::string(version()), .seed = options.seed},
+      .options = options,
+      .folder = options.out.value_or("."),
+      .stem = file.stem().string()};
   const auto input = fmt::format("{}\n{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,
                                  sweep.origin.text, study->base_text, study->drawing);
   if (processes.is_first()) return direct(sweep, processes, input);

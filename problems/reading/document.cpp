@@ -4,6 +4,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace cognate::problems::reading {
 namespace {
@@ -56,6 +58,38 @@ Table convert_table(const toml::table& table) {
   }
   std::ranges::stable_sort(entries, {}, &Entry::where);
   return entries;
+}
+
+/// A NUL, which only an escape can bring in, ends a string for whoever takes it as a C string: a
+/// path would be another one than was checked.
+constexpr std::string_view kNul("\0", 1);
+
+Fault nul_fault(Where where, std::string_view what) {
+  return {where.line, where.column,
+          fmt::format("{} holds the character U+0000; any other one is allowed", what)};
+}
+
+std::optional<Fault> find_nul(const Table& table);
+
+std::optional<Fault> find_nul(const Node& node) {
+  if (const auto* text = std::get_if<std::string>(&node.value)) {
+    if (text->find(kNul) != std::string::npos) return nul_fault(node.where, "this string");
+  }
+  if (const auto* table = std::get_if<Table>(&node.value)) return find_nul(*table);
+  if (const auto* array = std::get_if<Array>(&node.value)) {
+    for (const Node& element : *array) {
+      if (auto fault = find_nul(element)) return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> find_nul(const Table& table) {
+  for (const Entry& entry : table) {
+    if (entry.key.find(kNul) != std::string::npos) return nul_fault(entry.where, "this key");
+    if (auto fault = find_nul(entry.node)) return fault;
+  }
+  return std::nullopt;
 }
 
 /// What a file is that was never meant to be TOML, and what to do; empty where it may be TOML.
@@ -112,7 +146,9 @@ std::string_view type_name(const Node& node) {
 
 tl::expected<Table, Fault> parse_document(std::string_view text) {
   try {
-    return convert_table(toml::parse(text));
+    Table document = convert_table(toml::parse(text));
+    if (auto fault = find_nul(document)) return tl::unexpected(*std::move(fault));
+    return document;
   } catch (const toml::parse_error& error) {
     const auto other = other_format(text);
     if (!other.empty()) return tl::unexpected(Fault{1, 1, std::string(other)});

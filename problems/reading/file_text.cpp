@@ -4,7 +4,17 @@
 
 namespace cognate::problems::reading {
 
-tl::expected<std::string, std::string> text_of(const std::filesystem::path& file) {
+namespace {
+
+/// Whether what is neither a file nor a directory can be read to an end.
+bool is_stream(const std::filesystem::file_status& status) {
+  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> text_of(const std::filesystem::path& file,
+                                               NamedBy named_by) {
   const auto refusal = [](const char* message) { return tl::unexpected(std::string(message)); };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -20,6 +30,10 @@ tl::expected<std::string, std::string> text_of(const std::filesystem::path& file
   }
   if (std::filesystem::is_directory(status)) {
     return refusal("this is a directory; the path of a problem file is wanted");
+  }
+  const bool may_stream = named_by == NamedBy::command_line && is_stream(status);
+  if (!std::filesystem::is_regular_file(status) && !may_stream) {
+    return refusal("this is a pipe, a device or a socket; a regular file is wanted");
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return refusal("the file cannot be opened; a file that can be read is wanted");

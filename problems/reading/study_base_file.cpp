@@ -39,8 +39,8 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   const auto base = study_file.text(kBase);
   if (!base) return std::nullopt;
   const auto file = folder / *base;
-  auto text =
-      base->empty() ? tl::unexpected(fmt::format("the name is empty; {}", kWanted)) : text_of(file);
+  auto text = base->empty() ? tl::unexpected(fmt::format("the name is empty; {}", kWanted))
+                            : text_of(file, NamedBy::other_file);
   if (!text) {
     study_file.fault(kBase, fmt::format("is {}: {}", in_quotes(*base), text.error()));
     return std::nullopt;

@@ -6,10 +6,12 @@ Run as: command_line_test.py PROGRAM LIBRARY, the built program and the folder o
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import tomllib
 import unittest
 
@@ -98,6 +100,56 @@ class CommandLine(unittest.TestCase):
                     done = run(command, file, cwd=self.folder)
                     self.expect_one_line_refusal(done, f"{file}:1:1: ")
         self.assertEqual(list(self.folder.iterdir()), [empty])
+
+    def test_a_file_may_be_a_pipe(self):
+        pipe = self.folder / "pipe.toml"
+        os.mkfifo(pipe)
+        running = subprocess.Popen([PROGRAM, "check", pipe], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        pipe.write_bytes(self.problem.read_bytes())
+        output, errors = running.communicate(timeout=60)
+        self.assertEqual((running.returncode, errors), (0, b""))
+        self.assertIn(b"no fault found", output)
+        given = subprocess.run(
+            [PROGRAM, "check", "/dev/stdin"], input=self.problem.read_bytes(), capture_output=True, timeout=60
+        )
+        self.assertEqual(given.returncode, 0, given.stderr)
+
+    def test_waiting_for_a_pipe_ends_at_the_first_signal(self):
+        pipe = self.folder / "pipe.toml"
+        os.mkfifo(pipe)
+        tested = 0
+        for command in (["check"], ["solve"], ["analyze"], ["sweep"], ["export", "--format", "svg"]):
+            for sent in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                with self.subTest(command=command, sent=sent):
+                    running = subprocess.Popen(
+                        [PROGRAM, *command, pipe],
+                        cwd=self.folder,
+                        stdout=subprocess.DEVNULL,
+                        stderr=subprocess.DEVNULL,
+                    )
+                    time.sleep(0.3)
+                    self.assertIsNone(running.poll())
+                    running.send_signal(sent)
+                    try:
+                        self.assertEqual(running.wait(timeout=20), -sent)
+                    finally:
+                        running.kill()
+                        running.wait()
+                    tested += 1
+        self.assertEqual(tested, 15)
+
+    def test_a_nul_is_a_fault_with_its_place(self):
+        file = self.folder / "nul.toml"
+        for text, place in (
+            ('title = "a\\u0000b"\n', "1:9: this string"),
+            ('kind = "path-generation"\n[target]\nsvg = "a.svg\\u0000b"\n', "3:7: this string"),
+            ('kind = "path-generation"\n[target]\nlist = [["x"], ["\\U00000000"]]\n', "3:17: this string"),
+            ('kind = "path-generation"\n"a\\u0000" = 1\n', "2:1: this key"),
+            ('kind = "study"\nbase = "base.toml\\u0000"\n', "2:8: this string"),
+        ):
+            with self.subTest(text):
+                file.write_text(text)
+                self.expect_one_line_refusal(run("check", file), f"{file}:{place} holds the character U+0000")
 
     def test_every_fault_of_a_file_has_its_place(self):
         file = self.folder / "faults.toml"

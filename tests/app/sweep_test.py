@@ -14,6 +14,7 @@ import resource
 import shutil
 import signal
 import sqlite3
+import struct
 import subprocess
 import sys
 import tempfile
@@ -353,6 +354,85 @@ class SweepTest(Sweeps):
                 database.commit()
                 database.close()
                 self.expect_refusal(self.run_program("sweep", "small.toml"), "is damaged", "move it away")
+
+    def test_changed_bits_of_rows_are_found(self):
+        (self.folder / "bits.toml").write_text(SMALL)
+        self.run_program("sweep", "bits.toml", "--json")
+        file = self.folder / "bits.study.db"
+        whole = file.read_bytes()
+        strokes = [row[4] for row in self.rows("bits.study.db")]
+        self.assertGreater(len(strokes), 10)
+        found = 0
+        for number, stroke in enumerate(strokes):
+            at = whole.find(struct.pack(">d", stroke))
+            self.assertGreater(at, 0)
+            bit = 7 * number % 64
+            changed = bytearray(whole)
+            changed[at + bit // 8] ^= 1 << bit % 8
+            file.write_bytes(changed)
+            done = self.run_program("sweep", "bits.toml")
+            self.expect_refusal(done, "is damaged (the rows of the designs ", "are not those that were stored")
+            self.assertEqual(file.read_bytes(), changed)
+            found += 1
+        self.assertEqual(found, len(strokes))
+        first = self.rows("bits.study.db")[0][0]
+        self.expect_refusal(
+            self.run_program("export", "bits.study.db", "--row", first), "are not those that were stored"
+        )
+        file.write_bytes(whole)
+        self.assertEqual(self.run_program("sweep", "bits.toml").returncode, 0)
+
+    def test_file_of_before_checksums_is_gone_on_with(self):
+        self.run_program("sweep", "small.toml", "--json")
+        rows = self.rows("small.study.db")
+        with sqlite3.connect(self.folder / "small.study.db") as database:
+            database.execute("DROP TABLE checksums")
+        again = self.run_program("sweep", "small.toml")
+        self.assertEqual((again.returncode, again.stderr), (0, ""))
+        self.assertIn("blocks of rows have no checksums", again.stdout)
+        self.assertEqual(self.rows("small.study.db"), rows)
+
+    def test_one_study_by_two_names_has_one_lock(self):
+        (self.folder / "other").mkdir()
+        (self.folder / "third").mkdir()
+        (self.folder / "other/long.study.db").symlink_to("../long.study.db")
+        (self.folder / "third/long.study.db").symlink_to(self.folder / "other/long.study.db")
+        running = self.start("sweep", "long.toml", "--quiet")
+        self.wait_for_rows("long.study.db")
+        for folder in ("other", "third"):
+            second = self.run_program("sweep", "long.toml", "--out", folder)
+            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
+        running.send_signal(signal.SIGHUP)
+        _, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 0)
+        self.assertIn("interrupted after", errors)
+        before = len(self.rows("long.study.db"))
+        done = self.run_program("sweep", "long.toml", "--time-limit", "0.5", "--out", "third")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "third/long.study.db").is_symlink())
+        self.assertGreater(len(self.rows("long.study.db")), before)
+
+    def test_pipes(self):
+        os.mkfifo(self.folder / "pipe")
+        for base in ("pipe", "/dev/zero", "/dev/tty"):
+            (self.folder / "piped.toml").write_text(SMALL.replace("slider.toml", base))
+            for command in ("check", "sweep"):
+                with self.subTest(base=base, command=command):
+                    self.expect_refusal(
+                        self.run_program(command, "piped.toml"), "piped.toml:", "a regular file is wanted"
+                    )
+        os.mkfifo(self.folder / "small.study.db")
+        self.expect_refusal(self.run_program("sweep", "small.toml"), "is no study file")
+        self.expect_refusal(self.run_program("export", "small.study.db", "--row", "1"), "no regular file")
+        os.unlink(self.folder / "small.study.db")
+        # The text of a study that comes by a pipe is stored like that of a file.
+        text = SMALL.replace("slider.toml", str(self.folder / "slider.toml"))
+        read = self.run_program("sweep", "/dev/stdin", input=text)
+        self.assertEqual(read.returncode, 0, read.stderr)
+        with sqlite3.connect(self.folder / "stdin.study.db") as database:
+            self.assertEqual(
+                database.execute("SELECT value FROM study WHERE name = 'study'").fetchone()[0], text
+            )
 
     def test_interrupted_and_gone_on_with(self):
         (self.folder / "some.toml").write_text(LONG.replace("4000000", "20000"))

@@ -69,6 +69,7 @@ bool sorted(const Result& result) {
 }
 
 TEST(ExactFunction, FivePairsGiveAllLinkagesThePlantedOneAmongThem) {
+  int tested = 0;
   const FunctionProblem problem = from_library("five-angle-pairs.toml");
   const Result result = solve(problem, {});
   EXPECT_EQ(result.status, Status::solved);
@@ -84,11 +85,13 @@ TEST(ExactFunction, FivePairsGiveAllLinkagesThePlantedOneAmongThem) {
                                  std::abs(links.frame - 3) <
                              1e-6;  // the pairs have nine decimals
     if (!design.metrics.defects.empty()) continue;
+    ++tested;
     for (const auto& [input, output] : std::get<AnglePairs>(problem.target)) {
       EXPECT_NEAR(output_of(design, input), output, 1e-12);
     }
   }
   EXPECT_TRUE(planted);
+  EXPECT_GE(tested, 2);
 }
 
 // One start given leaves the other to be found: the planted linkage again.
@@ -109,6 +112,7 @@ TEST(ExactFunction, FourPairsWithOneStart) {
 }
 
 TEST(ExactFunction, FourPointsAreAFamily) {
+  int tested = 0;
   FunctionProblem problem = from_library("sine-four-points.toml");
   const Result by_error = solve(problem, {});
   ASSERT_EQ(by_error.status, Status::solved);
@@ -130,6 +134,7 @@ TEST(ExactFunction, FourPointsAreAFamily) {
     const auto& transmission = column("transmission_angle_deg_acute_min");
     for (std::size_t i = 0; i < error.size(); ++i) {
       if (transmission[i] < 30 || !(error[i] > 1e-9)) continue;
+      ++tested;
       EXPECT_GE(error[i] * kDegree, best.error.max * (1 - 1e-9)) << i;
     }
   }
@@ -139,6 +144,7 @@ TEST(ExactFunction, FourPointsAreAFamily) {
   EXPECT_GE(by_angle.designs.front().metrics.transmission_acute_min,
             best.metrics.transmission_acute_min);
   EXPECT_GE(by_angle.designs.front().error.max, best.error.max * (1 - 1e-9));
+  EXPECT_GE(tested, 110);
 }
 
 // The precision points are inside the domain: its ends count too.
@@ -212,11 +218,13 @@ TEST(ExactFunction, DerivativesAreMet) {
 }
 
 TEST(ExactFunction, DerivativesOfPairs) {
+  int tested = 0;
   const std::string file = pairs_file("[[0, 0], [40, 30]]\n",
                                       "derivatives = [[0.5], [0.9, 0.1]]\nobjective = \"exact\"\n");
   const Result result = solve(parsed(file), {});
   for (const Design& design : result.designs) {
     if (!design.metrics.defects.empty()) continue;
+    ++tested;
     const double h = 1e-5, at = 40 * kDegree;
     EXPECT_NEAR((output_of(design, h) - output_of(design, -h)) / (2 * h), 0.5, 1e-8);
     EXPECT_NEAR((output_of(design, at + h) - output_of(design, at - h)) / (2 * h), 0.9, 1e-8);
@@ -226,6 +234,7 @@ TEST(ExactFunction, DerivativesOfPairs) {
     EXPECT_NEAR(second, 0.1, 1e-5);
   }
   EXPECT_FALSE(result.designs.empty());
+  EXPECT_GE(tested, 1);
 }
 
 TEST(ExactFunction, SliderCrankOfThreePlaces) {

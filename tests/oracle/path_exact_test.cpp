@@ -13,6 +13,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "problems/path_exact_designs.hpp"
 #include "problems/read.hpp"
@@ -72,6 +73,21 @@ TEST(NinePoints, OfProblemThreeGiveTheCrankRockerThatIsPublished) {
   expect_lengths(four_bar(other), 0.541068, 0.639764, 0.739792, 0.716815, 1e-6);
   EXPECT_EQ(result.designs[1].cognate_of, 0);
   EXPECT_TRUE(is_cognate(four_bar(result.designs[0]), four_bar(result.designs[1]), 1e-8));
+}
+
+// Two roots of the first and one of the second lie 1e5 times as far out as the points: their
+// Jacobians, rounded to double, are singular.
+TEST(NinePoints, OfAllPublishedProblemsAreCertifiedWithoutException) {
+  int certified = 0;
+  for (const auto& [name, real] :
+       {std::pair("nine-points-1", 21), {"nine-points-2", 45}, {"nine-points-3", 64}}) {
+    const Result result = solve(library(name), {});
+    EXPECT_EQ(fact(result, "complex_solutions"), 1442) << name;
+    EXPECT_EQ(fact(result, "certified_solutions"), 1442) << name;
+    EXPECT_EQ(fact(result, "certified_real_solutions"), real) << name;
+    certified += static_cast<int>(fact(result, "certified_solutions"));
+  }
+  EXPECT_EQ(certified, 3 * 1442);
 }
 
 TEST(FivePoints, WithGivenPivotsHaveTheFifteenRealSolutionsThatArePublished) {

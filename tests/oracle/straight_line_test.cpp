@@ -255,6 +255,7 @@ constexpr std::array<HoekenRow, 18> kHoeken{{
 }};
 
 TEST(Hoeken, TableIsReproduced) {
+  int tested = 0;
   for (const HoekenRow& row : kHoeken) {
     const Path path = path_of(hoeken(row.frame, row.link));
     const double half = 0.5 * row.range_deg * kDegree;
@@ -264,10 +265,12 @@ TEST(Hoeken, TableIsReproduced) {
                 5e-3 * row.straightness_percent)
         << row.range_deg;
     if (row.variation_percent == 0) continue;
+    ++tested;
     EXPECT_NEAR(100 * speed_variation(path, stretch).value(), row.variation_percent,
                 2e-3 * row.variation_percent)
         << row.range_deg;
   }
+  EXPECT_GE(tested, 9);
 }
 
 }  // namespace

@@ -149,14 +149,17 @@ TEST(StraightLineLibrary, SliderCrankHasTheSamePoint) {
 }
 
 TEST(StraightLine, AllPositionsOfACrankRockerComeBack) {
+  int tested = 0;
   const Result result = solve_file("crank-rocker");
   ASSERT_EQ(result.designs.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_GE(fact(result.designs[i], "contact_points"), 5);
     if (i == 0) continue;
+    ++tested;
     EXPECT_LE(fact(result.designs[i], "straight_length_at_0_001"),
               fact(result.designs[i - 1], "straight_length_at_0_001"));
   }
+  EXPECT_GE(tested, 3);
 }
 
 void expect_none(const std::string& mechanism, int contact, const std::string& reason) {

@@ -29,6 +29,7 @@ double nearest(const Few<Vec2d, 3>& roots, double angle) {
 }
 
 TEST(BinaryForm, CubicRootsComeBack) {
+  int tested = 0;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(0, 3.14159);
   for (int trial = 0; trial < 20'000; ++trial) {
@@ -37,10 +38,12 @@ TEST(BinaryForm, CubicRootsComeBack) {
     const double apart =
         std::min({std::sin(a[1] - a[0]), std::sin(a[2] - a[1]), std::abs(std::sin(a[2] - a[0]))});
     if (apart < 1e-3) continue;
+    ++tested;
     const auto roots = real_roots(form_of(a[0], a[1], a[2]));
     ASSERT_EQ(roots.size(), 3U) << trial;
     for (const double wanted : a) EXPECT_LT(nearest(roots, wanted), 1e-14 / (apart * apart));
   }
+  EXPECT_GE(tested, 17000);
 }
 
 TEST(BinaryForm, RootsAtInfinityAndAtZero) {

@@ -238,6 +238,7 @@ TEST(CamConstraints, CornersOfThePitchCurve) {
 
 // Free shares never exceed 1 together, and no fixed ones of a scan have a smaller greatest force.
 TEST(CamConstraints, FreeSharesAreLeastInAScan) {
+  int tested = 0;
   using problems::MotionParameter;
   CamProblem problem = translating_roller(45, 0, 6);
   problem.motion = {segment(MotionLaw::universal, 60, 25), segment(MotionLaw::dwell, 20),
@@ -265,12 +266,14 @@ TEST(CamConstraints, FreeSharesAreLeastInAScan) {
     for (const double constant : {0.2, 0.3, 0.4, 0.5, 0.6}) {
       for (const double cosine : {0.2, 0.3, 0.4, 0.5, 0.6}) {
         if (sine + constant + cosine > 1) continue;
+        ++tested;
         problem.motion[0].shape = {sine, constant, cosine};
         EXPECT_LE(force(found), force(solve(problem, {.threads = 1})) * (1 + 1e-6))
             << sine << ' ' << constant << ' ' << cosine;
       }
     }
   }
+  EXPECT_GE(tested, 31);
 }
 
 // Bounds larger than what the limits need: the cam is as large as its bound, in the same direction.

@@ -59,16 +59,19 @@ TEST(Closure, AgreesWithTheLawOfCosinesIn113Bits) {
 }
 
 TEST(Closure, IsTheSameCodeIn113Bits) {
+  int tested = 0;
   std::mt19937_64 random(2);
   for (int i = 0; i < 2000; ++i) {
     const auto [links, theta, assembly] = random_sample(random);
     const Lengths<Quad> exact{links.crank, links.coupler, links.rocker, links.frame};
     const auto at = Closure<Quad>(exact).at(crank_direction(Quad(theta)), Quad(assembly));
     if (!(at.discriminant > 1e-6)) continue;
+    ++tested;
     const Vec2<Quad> joint = textbook_joint(links, theta, assembly);
     EXPECT_LT(abs(exact.frame + exact.rocker * at.rocker.x - joint.x), Quad(1e-28));
     EXPECT_LT(abs(exact.rocker * at.rocker.y - joint.y), Quad(1e-28));
   }
+  EXPECT_GE(tested, 1000);
 }
 
 TEST(Closure, LosesNoDigitsNearALimitPosition) {
@@ -112,12 +115,14 @@ TEST(Closure, HasTheAssemblyOnTheNamedSide) {
 }
 
 TEST(Closure, GradientAgreesWithDualNumbers) {
+  int tested = 0;
   using Jet = ceres::Jet<double, 5>;
   std::mt19937_64 random(5);
   for (int i = 0; i < 2000; ++i) {
     const auto [links, theta, assembly] = random_sample(random);
     const auto at = Closure<double>(links).at(crank_direction(theta), assembly);
     if (!(at.discriminant > 1e-3)) continue;
+    ++tested;
     const Lengths<Jet> dual{Jet(links.crank, 0), Jet(links.coupler, 1), Jet(links.rocker, 2),
                             Jet(links.frame, 3)};
     const auto dual_at = Closure<Jet>(dual).at(crank_direction(Jet(theta, 4)), Jet(assembly));
@@ -132,6 +137,7 @@ TEST(Closure, GradientAgreesWithDualNumbers) {
     check(gradient.coupler, dual_at.coupler);
     check(gradient.rocker, dual_at.rocker);
   }
+  EXPECT_GE(tested, 1000);
 }
 
 TEST(Closure, RunsOnSimdPacks) {

@@ -77,6 +77,7 @@ bool is_gentle(const StraightPoint& point, double size) {
 }
 
 TEST(StraightPoints, OfRandomPositionsTouchAsTheySay) {
+  int tested = 0;
   std::mt19937_64 random(31);
   std::uniform_real_distribution<double> angle(-3, 3), length(0.3, 1.3);
   int checked[5] = {};
@@ -92,12 +93,14 @@ TEST(StraightPoints, OfRandomPositionsTouchAsTheySay) {
     for (const StraightPoint& point : straight_points(linkage, at, 3).points) {
       EXPECT_LT(point.contact.residual, 1e-13);
       if (!is_gentle(point, position->size)) continue;
+      ++tested;
       expect_contact(linkage, at, point, position->size);
       ++checked[point.contact.points];
     }
   }
   EXPECT_GT(checked[3], 200);
   EXPECT_GT(checked[4], 50);
+  EXPECT_GE(tested, 440);
 }
 
 TEST(StraightPoints, FivePointPositionsTouchAsTheySay) {
@@ -150,12 +153,14 @@ ParallelCranks random_parallel(std::mt19937_64& random) {
 }
 
 TEST(ParallelCranks, ClosedFormsAreTheLocalTheory) {
+  int tested = 0;
   std::mt19937_64 random(34);
   for (int i = 0; i < 200; ++i) {
     const ParallelCranks cranks = random_parallel(random);
     const auto x = inflection_line_x(cranks);
     ASSERT_TRUE(x);
     if (std::abs(*x) > 20) continue;
+    ++tested;
     const auto position = coupler_position(*four_bar(cranks), 0.5 * pi);
     ASSERT_TRUE(position) << i;
     const CircleOrLine locus = contact_locus(position->series, 2);
@@ -179,15 +184,18 @@ TEST(ParallelCranks, ClosedFormsAreTheLocalTheory) {
     EXPECT_NEAR(rate, curvature_rate(cranks), 1e-11 * (1 + std::abs(rate)));
     EXPECT_EQ(straight_points(*position, 4).why, NoStraightPoint::at_infinity) << i;
   }
+  EXPECT_GE(tested, 170);
 }
 
 TEST(ParallelCranks, AcrossOnePointHasFivePointContact) {
+  int tested = 0;
   std::mt19937_64 random(35);
   for (int i = 0; i < 100; ++i) {
     ParallelCranks cranks = random_parallel(random);
     cranks.coupler_angle = 0;
     const Vec2d expected = *five_point_contact(cranks);
     if (norm(expected) > 50) continue;
+    ++tested;
     const auto found = straight_points(*four_bar(cranks), 0.5 * pi, 5);
     ASSERT_EQ(found.points.size(), 1U) << i;
     EXPECT_LT(norm(found.points[0].coupler_point - expected), 1e-12 * (1 + norm(expected)));
@@ -202,15 +210,18 @@ TEST(ParallelCranks, AcrossOnePointHasFivePointContact) {
     ASSERT_TRUE(ball);
     EXPECT_LT(norm(*ball - expected), 0.1 * (1 + squared_norm(expected)));
   }
+  EXPECT_GE(tested, 77);
 }
 
 TEST(ParallelCranks, InflectionLocusPassesSmoothlyIntoALine) {
+  int tested = 0;
   std::mt19937_64 random(36);
   for (int i = 0; i < 50; ++i) {
     const ParallelCranks cranks = random_parallel(random);
     const FourBar linkage = *four_bar(cranks);
     const double expected = norm(*coupler_line_point(cranks));
     if (expected > 5) continue;
+    ++tested;
     const double direction = *inflection_line_x(cranks) > 0 ? 1 : -1;
     double before = 0;
     for (const double turn : {1e-3, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -228,6 +239,7 @@ TEST(ParallelCranks, InflectionLocusPassesSmoothlyIntoALine) {
       before = error;
     }
   }
+  EXPECT_GE(tested, 40);
 }
 
 TEST(StraightPoints, DoNotDependOnUnitOrPlace) {

@@ -91,6 +91,7 @@ std::array<double, 5> five_of(double start, double way) {
 
 /// Answer first: a four-bar, five poses of its coupler, and the four-bar again.
 TEST(FivePoses, RecoverPlantedFourBars) {
+  int tested = 0;
   Random random{std::mt19937_64(1)};
   int tried = 0;
   std::array<int, 5> counts{};
@@ -101,6 +102,7 @@ TEST(FivePoses, RecoverPlantedFourBars) {
     const auto chain = as_mechanism(linkage);
     const auto poses = poses_of(chain, 2, drive, random.vector(2), random(0, 6));
     if (!poses) continue;
+    ++tested;
     MechanismMotion<0> motion(chain);
     motion.move_to(drive[0]);
     const Vec2d b = motion.bodies()[2].origin[0], c = motion.point({2, {linkage.coupler, 0}})[0];
@@ -115,9 +117,11 @@ TEST(FivePoses, RecoverPlantedFourBars) {
   EXPECT_EQ(counts[1] + counts[3], 0);  // complex dyads come in pairs
   EXPECT_GT(counts[2], 400);
   EXPECT_GT(counts[4], 400);
+  EXPECT_GE(tested, 3600);
 }
 
 TEST(FivePoses, RecoverPlantedSliderCranks) {
+  int tested = 0;
   Random random{std::mt19937_64(2)};
   for (int tried = 0; tried < 2000;) {
     const double angle = random(0, 6.28);
@@ -131,6 +135,7 @@ TEST(FivePoses, RecoverPlantedSliderCranks) {
     const auto chain = as_mechanism(linkage);
     const auto poses = poses_of(chain, 2, drive, random.vector(2), random(0, 6));
     if (!poses) continue;
+    ++tested;
     MechanismMotion<0> motion(chain);
     motion.move_to(drive[0]);
     const Vec2d b = motion.bodies()[2].origin[0], c = motion.point({2, {linkage.coupler, 0}})[0];
@@ -140,9 +145,11 @@ TEST(FivePoses, RecoverPlantedSliderCranks) {
     expect_small_residuals(found, *poses);
     ++tried;
   }
+  EXPECT_GE(tested, 1800);
 }
 
 TEST(FivePoses, RecoverPlantedOscillatingBlocks) {
+  int tested = 0;
   Random random{std::mt19937_64(3)};
   for (int tried = 0; tried < 2000;) {
     const OscillatingBlock linkage{random.vector(2), random.vector(2), random(0.3, 3),
@@ -152,6 +159,7 @@ TEST(FivePoses, RecoverPlantedOscillatingBlocks) {
     const double angle = random(0, 6);
     const auto poses = poses_of(chain, 3, drive, random.vector(2), angle);
     if (!poses) continue;
+    ++tested;
     MechanismMotion<0> motion(chain);
     motion.move_to(drive[0]);
     const DyadSolutions found = dyads_of_five_poses(*poses);
@@ -161,6 +169,7 @@ TEST(FivePoses, RecoverPlantedOscillatingBlocks) {
     expect_small_residuals(found, *poses);
     ++tried;
   }
+  EXPECT_GE(tested, 1800);
 }
 
 /// The McCarthy challenge (ASME DETC 2002), eleven poses as used by Hayes et al. 2004.

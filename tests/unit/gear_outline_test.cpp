@@ -88,16 +88,20 @@ TEST(GearOutline, TheRackTouchesEveryPointOfRandomGears) {
 }
 
 TEST(GearOutline, FlankIsTheInvolute) {
+  int tested = 0;
   for (const SpurGear& g : gears()) {
     for (const OutlinePoint& point : tooth_half(g, 1e-3 * g.module)) {
       if (point.part != OutlinePart::involute) continue;
+      ++tested;
       const double radius = norm(point.at);
       EXPECT_NEAR(angle_from_tooth(point.at), half_angle(g, radius), 1e-12) << g.teeth;
     }
   }
+  EXPECT_GE(tested, 230);
 }
 
 TEST(GearOutline, NormalsMeetThePitchPointWhereTheRackTouches) {
+  int tested = 0;
   for (const SpurGear& g : gears()) {
     const auto half = tooth_half(g, 1e-7 * g.module);
     for (std::size_t i = 1; i + 1 < half.size(); i += 7) {
@@ -112,10 +116,12 @@ TEST(GearOutline, NormalsMeetThePitchPointWhereTheRackTouches) {
       const Vec2d tangent = turn * (half[i + 1].at - half[i - 1].at);
       const Vec2d normal = pitch_point - turn * half[i].at;
       if (norm(normal) < 0.05 * g.module) continue;
+      ++tested;
       EXPECT_NEAR(dot(tangent, normal) / (norm(tangent) * norm(normal)), 0, 2e-3)
           << g.teeth << " at " << norm(half[i].at);
     }
   }
+  EXPECT_GE(tested, 3800);
 }
 
 TEST(GearOutline, PartsFollowEachOtherOutwards) {

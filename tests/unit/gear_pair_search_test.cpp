@@ -380,6 +380,7 @@ GearPairProblem free_pair(int z1, int z2, double module) {
 
 // Of undercut pinions the form circles limit the path at first: it grows with the distance.
 TEST(GearPairSearch, TellsTheDistancesAtWhichAPairDrivesContinuously) {
+  int tested = 0;
   for (const int teeth : {8, 10, 11, 14, 20}) {
     const double closest = 2.0 * teeth;
     double greatest = 0;
@@ -395,9 +396,11 @@ TEST(GearPairSearch, TellsTheDistancesAtWhichAPairDrivesContinuously) {
       if (fact(metrics, "contact_ratio") >= 1) continue;
       EXPECT_EQ(has_note(result, "at every centre distance"), greatest == 0) << teeth;
       if (greatest == 0) continue;
+      ++tested;
       EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), greatest, 3e-3) << teeth;
     }
   }
+  EXPECT_GE(tested, 7);
 }
 
 TEST(GearPairSearch, RefusesTeethWhoseBaseCirclesOverlap) {
@@ -475,6 +478,7 @@ TEST(GearPairSearch, ScaledCopiesAreSearchedOnce) {
 }
 
 TEST(GearPairSearch, OfManyCombinationsNoneThatIsSearchedAloneIsBetter) {
+  int tested = 0;
   GearPairProblem problem = spur_problem(GearObjective::balanced_sliding);
   problem.teeth_bounds = {{{12, 40}, {20, 110}}};
   problem.modules = {2};
@@ -489,9 +493,11 @@ TEST(GearPairSearch, OfManyCombinationsNoneThatIsSearchedAloneIsBetter) {
       alone.teeth = {z1, z2};
       const auto single = solve(alone, {});
       if (single.status != Status::solved) continue;
+      ++tested;
       EXPECT_GE(fact(single.designs[0].metrics, "sliding_max"), best - 1e-9) << z1 << ' ' << z2;
     }
   }
+  EXPECT_GE(tested, 31);
 }
 
 TEST(GearPairSearch, ARunThatIsCutSaysSoAndHasSeenSomeOfAllSizes) {

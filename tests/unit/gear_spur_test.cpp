@@ -96,17 +96,20 @@ TEST(SpurGear, FormCircleOfAnUndercutGearRisesAsTheShiftFalls) {
 }
 
 TEST(SpurGear, ThicknessIsThatOfTheOutline) {
+  int tested = 0;
   for (const double shift : {-0.4, 0.0, 0.6}) {
     const SpurGear g{.teeth = 23, .module = 2, .profile_shift = shift, .thinning = 0.1};
     EXPECT_NEAR(tooth_thickness(g, reference_radius(g)),
                 std::numbers::pi + 4 * shift * std::tan(20 * kDegree) - 0.1, 1e-13);
     for (const gear::OutlinePoint& point : tooth_half(g, 0.01)) {
       if (point.part != gear::OutlinePart::involute) continue;
+      ++tested;
       const double radius = norm(point.at);
       EXPECT_NEAR(tooth_thickness(g, radius), 2 * radius * std::atan2(-point.at.x, point.at.y),
                   1e-12);
     }
   }
+  EXPECT_GE(tested, 21);
 }
 
 TEST(SpurGear, FlanksMeetAtThePointedRadius) {

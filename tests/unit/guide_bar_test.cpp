@@ -79,6 +79,7 @@ TEST(GuideBar, HasThePublishedSwingAndTimeRatio) {
 }
 
 TEST(GuideBar, ClosesWhereTheRangesSay) {
+  int tested = 0;
   std::mt19937_64 random(51);
   std::array<int, 3> classes{};
   for (int i = 0; i < 150; ++i) {
@@ -94,6 +95,7 @@ TEST(GuideBar, ClosesWhereTheRangesSay) {
       const auto bar = bar_angle(m, angle);
       ASSERT_EQ(bar.has_value(), expected.has_value());
       if (!expected) continue;
+      ++tested;
       EXPECT_NEAR(test::turn(*bar, expected->angle), 0, 1e-13) << PrintToString(m) << angle;
       // The pressure angle is that between B–C and the guide.
       const Vec2d frame = m.pivot_c - m.pivot_a;
@@ -104,6 +106,7 @@ TEST(GuideBar, ClosesWhereTheRangesSay) {
     }
   }
   EXPECT_GT(std::ranges::min(classes), 20);
+  EXPECT_GE(tested, 5200);
 }
 
 TEST(GuideBar, TheBarTurnsBackAtItsLimits) {

@@ -78,6 +78,7 @@ TEST(Mobility, ChangePointsAreRecognisedThroughRounding) {
 }
 
 TEST(Mobility, RangesOfTheCrankAreWhereTheKernelCloses) {
+  int tested = 0;
   std::mt19937_64 random(12);
   std::array<int, 3> count{};
   for (int i = 0; i < 3000; ++i) {
@@ -100,18 +101,22 @@ TEST(Mobility, RangesOfTheCrankAreWhereTheKernelCloses) {
     }
     for (const auto& [from, to] : ranges) {
       if (to - from > 6.28 || to - from < 1e-3) continue;
+      ++tested;
       EXPECT_TRUE(motion.at(from + 1e-9) && motion.at(to - 1e-9)) << testing::PrintToString(links);
       EXPECT_FALSE(motion.at(from - 1e-9) || motion.at(to + 1e-9)) << testing::PrintToString(links);
     }
   }
   EXPECT_GT(std::ranges::min(count), 50);
+  EXPECT_GE(tested, 2500);
 }
 
 TEST(Mobility, TransmissionAnglesBoundTheSampledOnes) {
+  int tested = 0;
   std::mt19937_64 random(13);
   for (int i = 0; i < 40; ++i) {
     const auto links = random_lengths(random);
     if (!can_assemble(links)) continue;
+    ++tested;
     const auto [min, max, acute] = transmission_angles(links);
     const Motion motion(linkage_of(links));
     double least = pi, greatest = 0;
@@ -133,6 +138,7 @@ TEST(Mobility, TransmissionAnglesBoundTheSampledOnes) {
     }
     EXPECT_NEAR(acute, std::min(min, pi - max), 1e-14);
   }
+  EXPECT_GE(tested, 35);
 }
 
 TEST(Mobility, TransmissionAnglesOverARangeBoundTheSampledOnes) {
@@ -171,6 +177,7 @@ TEST(Mobility, TransmissionAnglesOverARangeBoundTheSampledOnes) {
 }
 
 TEST(Mobility, TransmissionAnglesKeepTheirDigitsAtAnyScale) {
+  int tested = 0;
   // Nearly stretched and nearly folded, against acos in 113 bits.
   std::mt19937_64 random(14);
   std::uniform_real_distribution<double> unit(0.2, 1.0);
@@ -179,6 +186,7 @@ TEST(Mobility, TransmissionAnglesKeepTheirDigitsAtAnyScale) {
     const double l1 = 0.1 * unit(random), l2 = unit(random), l3 = 1.5 + unit(random);
     const Lengths<double> links{l1, l2, l3, (l3 - l2) * (1 + gap) + l1};
     if (!crank_rotates(links)) continue;
+    ++tested;
     const Quad a = links.coupler, b = links.rocker, d = Quad(links.frame) - Quad(links.crank);
     const Quad expected = acos((a * a + b * b - d * d) / (2 * a * b));
     for (const double scale : {1e-100, 1.0, 1e100}) {
@@ -188,6 +196,7 @@ TEST(Mobility, TransmissionAnglesKeepTheirDigitsAtAnyScale) {
       EXPECT_NEAR(min / double(expected), 1, tolerance) << testing::PrintToString(links);
     }
   }
+  EXPECT_GE(tested, 1800);
 }
 
 TEST(Mobility, HasThePublishedTransmissionAndDeadCentreAngles) {

@@ -253,6 +253,7 @@ TEST(MotionLaw, InWideTypesLawsAreAsWide) {
 }
 
 TEST(MotionLaw, EndsAreExact) {
+  int tested = 0;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> length(-50, 50), angle(0.1, 3);
   for (int trial = 0; trial < 500; ++trial) {
@@ -265,10 +266,12 @@ TEST(MotionLaw, EndsAreExact) {
       EXPECT_EQ(first.displacement, start);
       EXPECT_EQ(last.displacement, start + segment.rise);
       if (segment.law == MotionLaw::constant_velocity) continue;
+      ++tested;
       EXPECT_EQ(first.velocity, 0);
       EXPECT_EQ(last.velocity, 0);
     }
   }
+  EXPECT_GE(tested, 4000);
 }
 
 /// `value` with as many decimals as `printed` has.
@@ -282,6 +285,7 @@ std::string like(const std::string& printed, double value) {
 }
 
 TEST(MotionLaw, PeakFactorsAreThoseOfHandbooks) {
+  int tested = 0;
   const std::vector<std::pair<MotionLaw, std::array<std::string, 3>>> all{
       {MotionLaw::dwell, {"0", "0", "0"}},
       {MotionLaw::constant_velocity, {"1", "0", "0"}},  // infinite at its ends alone
@@ -303,6 +307,7 @@ TEST(MotionLaw, PeakFactorsAreThoseOfHandbooks) {
       EXPECT_EQ(like(printed[2], found.jerk), printed[2]);
     }
     if (law == MotionLaw::constant_velocity) continue;
+    ++tested;
     const auto handbook = handbook_factors(law);
     ASSERT_TRUE(handbook);
     EXPECT_EQ(handbook->velocity, std::stod(printed[0]));
@@ -311,6 +316,7 @@ TEST(MotionLaw, PeakFactorsAreThoseOfHandbooks) {
   }
   EXPECT_TRUE(std::isinf(handbook_factors(MotionLaw::constant_velocity)->acceleration));
   EXPECT_FALSE(handbook_factors(MotionLaw::spline));
+  EXPECT_GE(tested, 10);
 }
 
 /// In closed form, to rounding.

@@ -143,6 +143,7 @@ TEST(NinePointSolve, FindsTheLinkageOfAShortArc) {
 }
 
 TEST(NinePointSolve, HasConjugateRootsInPairs) {
+  int tested = 0;
   std::mt19937_64 random(5);
   const ExactPathSolutions found = solve_exact_path(plant(random, 3, 4).positions);
   const auto trace = [](const PathRoot& root, bool bar) {
@@ -159,9 +160,11 @@ TEST(NinePointSolve, HasConjugateRootsInPairs) {
     };
     EXPECT_TRUE(std::any_of(found.roots.begin(), found.roots.end(), is_partner));
     if (!root.real) continue;
+    ++tested;
     EXPECT_EQ(root.first.moving_bar, std::conj(root.first.moving));
     EXPECT_EQ(root.second.fixed_bar, std::conj(root.second.fixed));
   }
+  EXPECT_GE(tested, 18);
 }
 
 TEST(NinePointSolve, IsTheSameWhateverTheThreads) {
@@ -197,11 +200,13 @@ TEST(NinePointSolve, DoesNotDependOnUnitsOrPlace) {
 }
 
 TEST(NinePointSolve, GivesCognatesThatAreSolutions) {
+  int tested = 0;
   if (is_slow()) GTEST_SKIP();
   std::mt19937_64 random(8);
   const auto found = solve_exact_path(plant(random, 1, 8).positions);
   for (const PathRoot& root : found.roots) {
     if (!root.real) continue;
+    ++tested;
     for (const PathRoot& one : cognates(found.system, root)) {
       for (std::size_t j = 0; j < 8; ++j) {
         const Complex turn = one.rotations[j];
@@ -213,6 +218,7 @@ TEST(NinePointSolve, GivesCognatesThatAreSolutions) {
       }
     }
   }
+  EXPECT_GE(tested, 82);
 }
 
 TEST(NinePointSolve, SaysWhyThereIsNoAnswer) {

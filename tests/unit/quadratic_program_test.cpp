@@ -51,6 +51,7 @@ TEST(QuadraticProgram, MeetsTheOptimalityConditions) {
 }
 
 TEST(QuadraticProgram, KeepsEqualities) {
+  int tested = 0;
   std::mt19937_64 random(2);
   QuadraticProgram program;
   for (int i = 0; i < 500; ++i) {
@@ -75,9 +76,11 @@ TEST(QuadraticProgram, KeepsEqualities) {
     EXPECT_LT(slack.head(equalities).norm(), 1e-8) << "case " << i;
     EXPECT_GT(slack.minCoeff(), -1e-8) << "case " << i;
     if (m == equalities) continue;
+    ++tested;
     EXPECT_GE(multipliers.tail(m - equalities).minCoeff(), 0) << "case " << i;
     EXPECT_LT(slack.cwiseProduct(multipliers).cwiseAbs().maxCoeff(), 1e-7) << "case " << i;
   }
+  EXPECT_GE(tested, 400);
 }
 
 /// One that follows from another is left out; one that contradicts it is infeasible.

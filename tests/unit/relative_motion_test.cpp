@@ -101,11 +101,13 @@ TEST(RelativeMotion, AgreesWithFreudenstein) {
 }
 
 TEST(RelativeMotion, RecoversFivePlantedPairs) {
+  int tested = 0;
   Random random{std::mt19937_64(2)};
   std::array<int, 5> counts{};
   for (int tried = 0; tried < 2000;) {
     const auto plant = planted(random);
     if (!plant) continue;
+    ++tested;
     ++tried;
     const Lengths<double> links = lengths(plant->linkage);
     const auto poses = crank_seen_from_rocker(plant->pairs, links.frame);
@@ -125,14 +127,17 @@ TEST(RelativeMotion, RecoversFivePlantedPairs) {
   EXPECT_EQ(counts[0] + counts[2] + counts[4], 0);  // the frame is the fourth
   EXPECT_GT(counts[1], 100);
   EXPECT_GT(counts[3], 100);
+  EXPECT_GE(tested, 1800);
 }
 
 /// With two pairs B decides the bisector, with four a curve of couplers, of which the frame is one.
 TEST(RelativeMotion, HasFewerPairsAsWell) {
+  int tested = 0;
   Random random{std::mt19937_64(3)};
   for (int tried = 0; tried < 50;) {
     const auto plant = planted(random);
     if (!plant) continue;
+    ++tested;
     ++tried;
     const Lengths<double> links = lengths(plant->linkage);
     const Vec2d b = polar(links.crank, plant->input_start);
@@ -148,6 +153,7 @@ TEST(RelativeMotion, HasFewerPairsAsWell) {
     for (const GuidingDyad& dyad : found.dyads()) best = std::min(best, norm(dyad.in_body - b));
     EXPECT_LT(best, 1e-7);
   }
+  EXPECT_GE(tested, 45);
 }
 
 TEST(RelativeMotion, NamesWhatIsNoFourBar) {

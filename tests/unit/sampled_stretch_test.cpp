@@ -197,6 +197,7 @@ TEST(ClosedStretchFinder, AgreesWithTheCurveItself) {
 /// Against all pairs of many more samples, of random crank-rockers and double-cranks; theirs end at
 /// a sample, as much as a step short at either end.
 TEST(ClosedStretchFinder, FindsTheLongestOfRandomCurves) {
+  int tested = 0;
   std::mt19937_64 random(3);
   const auto draw = [&](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
@@ -212,6 +213,7 @@ TEST(ClosedStretchFinder, FindsTheLongestOfRandomCurves) {
                           Assembly::open,
                           Vec2d{draw(-2, 5), draw(-3, 3)}};
     if (!can_assemble(lengths(linkage)) || !crank_rotates(lengths(linkage))) continue;
+    ++tested;
     ++drawn;
     CurveRoom dense, curve;
     sample_circuit(linkage, {}, TurnTable(2048), dense);
@@ -229,6 +231,7 @@ TEST(ClosedStretchFinder, FindsTheLongestOfRandomCurves) {
       EXPECT_LT(found, 1.02 * longest + 2 * step) << drawn;
     }
   }
+  EXPECT_GE(tested, 22);
 }
 
 }  // namespace

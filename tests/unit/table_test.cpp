@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <regex>
 #include <string>
 
+#include "app/table_text.hpp"
 #include "app/text_table.hpp"
 #include "tests/unit/planted_result.hpp"
 
@@ -21,6 +23,14 @@ using testing::AssertionSuccess;
 [[nodiscard]] AssertionResult contains(const std::string& text, const std::string& part) {
   if (text.find(part) != std::string::npos) return AssertionSuccess();
   return AssertionFailure() << '\'' << part << "' is not in:\n" << text;
+}
+
+TEST(WrittenValue, NeverPrintsInfOrNan) {
+  const WrittenValue written;
+  EXPECT_EQ(written(std::numeric_limits<double>::infinity()), "unbounded");
+  EXPECT_EQ(written(-std::numeric_limits<double>::infinity()), "unbounded");
+  EXPECT_EQ(written(std::numeric_limits<double>::quiet_NaN()), "not defined");
+  EXPECT_EQ(written(0.25), "0.25");
 }
 
 TEST(TextTable, AlignsColumnsByWhatIsSeen) {

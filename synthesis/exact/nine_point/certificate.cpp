@@ -5,6 +5,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "synthesis/exact/nine_point/ball.hpp"
 #include "synthesis/exact/nine_point/position_miss.hpp"
@@ -59,13 +61,13 @@ class Equations {
   }
 
   /// Calls `set(row, column, ball)` for what is not zero throughout.
-  template <class Set>
-  void jacobian(const std::vector<DoubleBall>& z, Set&& set) const {
+  template <class B, class Set>
+  void jacobian(const std::vector<B>& z, Set&& set) const {
     for (int j = 0; j < int(system_.d.size()); ++j) {
-      const CouplerMove<DoubleBall> to = displacement(z, j);
+      const CouplerMove<B> to = displacement(z, j);
       for (int dyad = 0; dyad < 2; ++dyad) {
         const auto f = dyad_equation(dyad == 0 ? first(z) : second(z), to);
-        const DoubleBall partials[] = {f.moving, f.moving_bar, f.fixed, f.fixed_bar};
+        const B partials[] = {f.moving, f.moving_bar, f.fixed, f.fixed_bar};
         for (int k = 0; k < 4; ++k) set(2 * j + dyad, 4 * dyad + k, partials[k]);
         if (j < given_rotations()) continue;
         set(2 * j + dyad, kPivotUnknowns + j - given_rotations(), f.log_t * to.inverse_t);
@@ -122,6 +124,54 @@ PathRoot root_of(const PathSystem& system, PathRoot root, const std::vector<Long
   return root;
 }
 
+/// A square matrix of numbers of 113 bits, row by row.
+class LongMatrix {
+ public:
+  explicit LongMatrix(int size) : size_(size), entries_(std::size_t(size) * std::size_t(size)) {}
+  int size() const { return size_; }
+  LongBall& operator()(int i, int k) { return entries_[std::size_t(i * size_ + k)]; }
+  const LongBall& operator()(int i, int k) const { return entries_[std::size_t(i * size_ + k)]; }
+
+ private:
+  int size_;
+  std::vector<LongBall> entries_;
+};
+
+LongBall middle_of(LongBall ball) {
+  ball.radius = 0;
+  return ball;
+}
+
+/// The approximate inverse by Gauss and Jordan's elimination with row pivots; any matrix where
+/// there is none.
+LongMatrix inverse_of(LongMatrix a) {
+  const int n = a.size();
+  LongMatrix result(n);
+  for (int i = 0; i < n; ++i) result(i, i) = LongBall(Complex(1));
+  for (int column = 0; column < n; ++column) {
+    int pivot = column;
+    for (int i = column + 1; i < n; ++i) {
+      if (magnitude(a(i, column)) > magnitude(a(pivot, column))) pivot = i;
+    }
+    const LongBall reciprocal = middle_of(inverse(a(pivot, column)));
+    for (int k = 0; k < n; ++k) {
+      std::swap(a(pivot, k), a(column, k));
+      std::swap(result(pivot, k), result(column, k));
+      a(column, k) = middle_of(a(column, k) * reciprocal);
+      result(column, k) = middle_of(result(column, k) * reciprocal);
+    }
+    for (int i = 0; i < n; ++i) {
+      const LongBall factor = a(i, column);
+      if (i == column) continue;
+      for (int k = 0; k < n; ++k) {
+        a(i, k) = middle_of(a(i, k) - factor * a(column, k));
+        result(i, k) = middle_of(result(i, k) - factor * result(column, k));
+      }
+    }
+  }
+  return result;
+}
+
 class Prover {
  public:
   Prover(const Equations& equations, const std::vector<Complex>& start) : equations_(equations) {
@@ -166,7 +216,19 @@ class Prover {
     }
   }
 
-  void invert_jacobian() { inverse_ = middle_jacobian().inverse(); }
+  void invert_jacobian() {
+    inverse_ = middle_jacobian().inverse();
+    long_inverse_.reset();
+  }
+
+  /// From now on inverts and bounds the Jacobian with 113 bits: for roots so far out, or so near to
+  /// singular, that its rounding in double times its condition leaves nothing to prove.
+  void invert_jacobian_long() {
+    LongMatrix jacobian(size());
+    equations_.jacobian(
+        z_, [&](int row, int column, const LongBall& ball) { jacobian(row, column) = ball; });
+    long_inverse_ = inverse_of(std::move(jacobian));
+  }
 
   /// An upper bound of ‖Y F(z)‖.
   double correction_bound() const {
@@ -175,7 +237,8 @@ class Prover {
     for (int i = 0; i < size(); ++i) {
       LongBall total;
       for (int k = 0; k < size(); ++k) {
-        total = total + LongBall(inverse_(i, k)) * values[std::size_t(k)];
+        const LongBall entry = long_inverse_ ? (*long_inverse_)(i, k) : LongBall(inverse_(i, k));
+        total = total + entry * values[std::size_t(k)];
       }
       bound = larger(bound, (magnitude(total) + total.radius) / weight(i));
     }
@@ -184,6 +247,11 @@ class Prover {
 
   /// An upper bound of ‖I − Y F′‖ over the polydisc of radius r.
   double contraction_bound(double r) const {
+    return long_inverse_ ? long_contraction_bound(r) : double_contraction_bound(r);
+  }
+
+ private:
+  double double_contraction_bound(double r) const {
     std::vector<DoubleBall> z;
     for (int i = 0; i < size(); ++i) {
       z.push_back(wider(z_[std::size_t(i)]));
@@ -210,7 +278,29 @@ class Prover {
     return bound * (1 + 0x1p-44) + 1e-15;
   }
 
- private:
+  double long_contraction_bound(double r) const {
+    std::vector<LongBall> z = z_;
+    for (int i = 0; i < size(); ++i) {
+      z[std::size_t(i)].radius = DoubleBall::enlarged(r * weight(i));
+    }
+    LongMatrix jacobian(size());
+    equations_.jacobian(
+        z, [&](int row, int column, const LongBall& ball) { jacobian(row, column) = ball; });
+    double bound = 0;
+    for (int i = 0; i < size(); ++i) {
+      double sum = 0;
+      for (int k = 0; k < size(); ++k) {
+        LongBall defect(Complex(i == k ? 1 : 0));
+        for (int j = 0; j < size(); ++j) {
+          defect = defect - (*long_inverse_)(i, j) * jacobian(j, k);
+        }
+        sum += DoubleBall::enlarged(magnitude(defect) + defect.radius) * weight(k);
+      }
+      bound = larger(bound, sum / weight(i));
+    }
+    return bound * (1 + 0x1p-44);
+  }
+
   int size() const { return int(z_.size()); }
   double norm(const Vector& v) const {
     double largest = 0;
@@ -237,6 +327,7 @@ class Prover {
   std::vector<LongBall> z_;  // of radius 0
   std::vector<double> weight_;
   Matrix inverse_;
+  std::optional<LongMatrix> long_inverse_;  // instead of the one above, where it is there
 };
 
 /// The largest radius tried on which T halves distances at least; 0 where none does.
@@ -306,7 +397,11 @@ RootCertificate certify(const PathSystem& system, const PathRoot& root,
   if (!prover.refine()) return certificate;
   if (is_conjugate_of_itself(start)) prover.symmetrise(kPivotUnknowns);
   prover.invert_jacobian();
-  const double unique = halving_radius(prover);
+  double unique = halving_radius(prover);
+  if (unique == 0) {
+    prover.invert_jacobian_long();
+    unique = halving_radius(prover);
+  }
   // T halves distances within `unique`, so that twice the first step is a radius that holds.
   const double radius = 2.1 * prover.correction_bound();
   const double moved = distance(prover, start);

@@ -8,8 +8,8 @@
 /// in the maximum norm weighted by 1/σᵢ: it then holds exactly one zero of F, a simple one (R.
 /// Krawczyk, Computing 4, 1969; S. M. Rump, Acta Numerica 19, 2010, § 13; for what certificates are
 /// good for J. D. Hauenstein & F. Sottile, "alphaCertified", ACM TOMS 38, 2012, who use Smale's α
-/// instead). F(z) is evaluated with 113 bits and the Jacobian over the whole polydisc in double,
-/// both by balls that contain every rounding error, so that what is certified is a theorem on the
+/// instead). F(z) is evaluated with 113 bits and the Jacobian over the whole polydisc in double, or
+/// with 113 bits as well where that does not suffice, all by balls that contain every rounding error, so that what is certified is a theorem on the
 /// PathSystem as it stands: its displacements as the doubles they are, their bars the conjugates.
 ///
 /// Conjugation carries zeros of real data into zeros. Where it carries the zero into the polydisc

@@ -44,6 +44,9 @@ Header header_of(const FileKey& key, const std::vector<double>& numbers) {
 
 std::optional<std::vector<double>> read_numbers(const std::filesystem::path& file,
                                                 const FileKey& key, std::size_t most) {
+  std::error_code error;
+  // What is no regular file might never end.
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   Header header{};
   in.read(reinterpret_cast<char*>(&header), sizeof header);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 #include <random>
+#include <string_view>
 
 #include "analysis/batch/four_bar_batch.hpp"
 #include "tests/bench/kernel/measure.hpp"
@@ -254,6 +255,10 @@ std::string processor() {
 int main(int argc, char** argv) {
   using namespace cognate::bench;
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 200;
+  if (argc > 2 || rounds < 1) {
+    fmt::print("Usage: kernel_bench [ROUNDS]; a whole number from 1 on, 200 by default\n");
+    return argc == 2 && std::string_view(argv[1]) == "--help" ? 0 : 2;
+  }
   fmt::print("{}, {}, least of {} rounds\n\n", processor(), COGNATE_COMPILER, rounds);
   fmt::print("Nanoseconds for one position (coupler point with validity):\n\n");
   fmt::print(
