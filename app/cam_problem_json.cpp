@@ -141,6 +141,8 @@ ordered_json constraints(const CamProblem& problem) {
   set_deg(table, "pressure_angle_deg_max", given.pressure_angle_max);
   set_deg(table, "pressure_angle_deg_max_rise", given.pressure_angle_max_rise);
   set_deg(table, "pressure_angle_deg_max_return", given.pressure_angle_max_return);
+  set_deg(table, "pressure_angle_deg_max_rise_working", given.pressure_angle_max_rise_working);
+  set_deg(table, "pressure_angle_deg_max_return_working", given.pressure_angle_max_return_working);
   set(table, "curvature_radius_min", given.curvature_radius_min);
   table["no_undercut"] = given.curvature_radius_min.has_value();
   set(table, "concave_radius_min", given.concave_radius_min);

@@ -187,9 +187,14 @@ constexpr Metric kAnalysisMetrics[] = {
     {"torque_N_m.max", "N m", "greatest driving torque, with the crank angle as max_at_deg"},
     {"drive_force_N.min", "N", "least driving force, with the displacement as min_at"},
     {"drive_force_N.max", "N", "greatest driving force, with the displacement as max_at"},
+    {"torque_N_m.max_unbounded_at_deg", "deg",
+     "instead of max: the dead point near which it grows without bound; min and drive_force_N "
+     "alike"},
     {"reaction_max_N.P_on_LINK", "N", "greatest force at the joint P on LINK"},
     {"reaction_max_at_deg.P_on_LINK", "deg",
      "the crank angle there; reaction_max_at: displacement"},
+    {"reaction_max_unbounded_at_deg.P_on_LINK", "deg",
+     "instead of both: the dead or change point near which it grows without bound"},
     {"closure_residual", "1", "greatest gap at a joint over the size of the mechanism"},
     {"power_residual", "1", "torque of the reactions less that of virtual work, over its greatest"},
     {"defects", "", "always empty: nothing was asked of the motion"}};

@@ -69,7 +69,10 @@ constexpr Metric kMetrics[] = {
     {"motor_work_J", "J", "of the motor in a period"},
     {"motor_power_mean_W", "W", "of the motor over a period"},
     {"motor_power_max_W", "W", "its greatest"},
-    {"start_time_s", "s", "of the start"},
+    {"start_time_s", "s",
+     "of the start: until speed_end is reached, else until the speed is within 1 % of the steady "
+     "one "
+     "at the same angle"},
     {"start_turns", "1", "turns of the drive meanwhile"},
     {"start_end_speed_rad_s", "rad/s", "speed at its end"},
     {"stop_time_s", "s", "of the stop"},

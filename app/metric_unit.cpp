@@ -23,6 +23,14 @@ constexpr std::array<std::string_view, 12> kLengths = {
     "crank",       "coupler",       "rocker",          "frame", "offset",      "length",
     "base_radius", "roller_radius", "centre_distance", "arm",   "face_offset", "stroke"};
 
+/// Whether `part` ends `name` or stands before the part it belongs to.
+bool ends_part(std::string_view name, std::string_view part) {
+  const auto at = name.find(part);
+  if (at == std::string_view::npos) return false;
+  const auto behind = name.substr(at + part.size());
+  return behind.empty() || behind.front() == '.';
+}
+
 std::string unit_in(std::string_view name) {
   for (const auto& [part, unit] : kNamed) {
     const auto at = name.find(part);
@@ -44,7 +52,8 @@ std::string_view of_gear(std::string_view name) {
 }  // namespace
 
 std::string metric_unit(std::string_view name) {
-  if (name.ends_with("_at_deg")) return "deg";
+  if (ends_part(name, "_at_deg")) return "deg";
+  if (ends_part(name, "_at")) return "length";
   name = of_gear(name);
   for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras(),
                             gear_metrics(), gear_pair_metrics(), machine_metrics()}) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/golden_section.hpp"
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/pieces.hpp"
 #include "analysis/machine/steady_state.hpp"
@@ -15,8 +16,9 @@
 namespace cognate::machine {
 namespace {
 
-/// What the components of the state are: φ in its period, and scaled √J ω and works.
-enum Component : std::size_t { phi, momentum, motor, load };
+/// What the components of the state are: φ in its period, and scaled √J ω and works; and √J ω of
+/// the steady motion at the same φ, where the run approaches one.
+enum Component : std::size_t { phi, momentum, motor, load, steady };
 
 using State = AdaptiveSteps::State;
 
@@ -44,7 +46,7 @@ double usual_speed(const Machine& machine, const MachineState& from, const RunEn
 }
 
 /// What may end a step, in the order in which they count where they coincide.
-enum class Event { none, rest, speed, travel, border };
+enum class Event { none, rest, speed, approach, travel, border };
 
 class Runner {
  public:
@@ -54,7 +56,7 @@ class Runner {
         terrain_(terrain),
         end_(end),
         accuracy_(accuracy),
-        pieces_(machine, end.approach ? end.approach->phi : 0),
+        pieces_(machine, 0),
         from_(from),
         stepper_([this](const State& y, State& dy, double x) { slope(y, dy, x); },
                  accuracy.relative) {
@@ -66,6 +68,7 @@ class Runner {
     momentum_ = std::sqrt(2 * std::max(work_, 0.5 * inertia * size * size));
     time_ = machine.period * std::sqrt(inertia) / momentum_;
     root_ = std::sqrt(inertia);
+    if (end.approach) steady_speed_ = end.approach->omega;
     if (machine.depends_on_time && end.time) {
       limits_in_time_ = limits_in_time(machine, from, *end.time - from.time);
     }
@@ -77,6 +80,7 @@ class Runner {
     run_ = {.states = {from_}};
     next_ = taken_ = 0;
     now_ = from_;
+    if (end_.approach && is_near(now_.omega, steady_speed_)) return finish(RunStop::approached);
     if (!std::isfinite(time_) || !(time_ > 0)) return finish(RunStop::open);
     int rests = 0;
     while (true) {
@@ -107,18 +111,30 @@ class Runner {
     return work;
   }
 
-  double speed(double inertia, double scaled) const {
-    const double speed = scaled * momentum_ / std::sqrt(inertia);
+  double speed(double root, double scaled) const {
+    const double speed = scaled * momentum_ / root;
     return direction_ * std::max(direction_ * speed, kBarely);
   }
 
   void slope(const State& y, State& slope, double x) {
-    const double inertia = machine_.move_to(pieces_.inside(place_.piece, y[phi])).value;
-    const double root = std::sqrt(inertia);
+    const double root = root_at(y[phi]);
     const double omega = y[momentum] * momentum_ / root;
-    const Torques acting = machine_.torques(speed(inertia, y[momentum]), x * time_);
+    const Torques acting = machine_.torques(speed(root, y[momentum]), x * time_);
     slope = {omega * time_, acting.sum() / root * (time_ / momentum_),
-             acting.motor * omega * (time_ / work_), acting.load * omega * (time_ / work_), 0};
+             acting.motor * omega * (time_ / work_), acting.load * omega * (time_ / work_),
+             steady_slope(y, root, omega, x * time_)};
+  }
+
+  /// Of the steady motion at the φ of a machine that moves at `omega`.
+  double steady_slope(const State& y, double root, double omega, double time) {
+    if (!end_.approach) return 0;
+    const double steady_omega = y[steady] * momentum_ / root;
+    const double acting = machine_.torques(steady_omega, time).sum();
+    return omega * acting / (root * steady_omega) * (time_ / momentum_);
+  }
+
+  bool is_near(double omega, double steady_omega) const {
+    return std::abs(omega - steady_omega) <= end_.approach->within * std::abs(steady_omega);
   }
 
   /// Whether a machine at rest starts to move now, and where to.
@@ -147,19 +163,23 @@ class Runner {
     return false;
   }
 
+  /// √J in the piece that the machine is in.
+  double root_at(double angle) {
+    return std::sqrt(machine_.move_to(pieces_.inside(place_.piece, angle)).value);
+  }
+
   MachineState state(double x, const State& y) {
-    const double inertia = machine_.move_to(pieces_.inside(place_.piece, y[phi])).value;
     return {.time = x * time_,
             .phi = pieces_.counted({place_.turn, place_.piece, y[phi]}),
-            .omega = y[momentum] * momentum_ / std::sqrt(inertia),
+            .omega = y[momentum] * momentum_ / root_at(y[phi]),
             .motor_work = y[motor] * work_,
             .load_work = y[load] * work_};
   }
 
   State state_vector() {
-    const double inertia = machine_.move_to(pieces_.inside(place_.piece, place_.phi)).value;
-    return {place_.phi, now_.omega * std::sqrt(inertia) / momentum_, now_.motor_work / work_,
-            now_.load_work / work_, 0};
+    const double scale = root_at(place_.phi) / momentum_;
+    return {place_.phi, now_.omega * scale, now_.motor_work / work_, now_.load_work / work_,
+            steady_speed_ * scale};
   }
 
   /// What changes its sign where an event happens, positive before it.
@@ -169,27 +189,54 @@ class Runner {
         return direction_ * y[momentum];
       case Event::speed:
         return speed_side_ * (*end_.speed - state(x, y).omega);
+      case Event::approach:
+        return std::abs(y[momentum] - y[steady]) - end_.approach->within * std::abs(y[steady]);
       default:
         return direction_ * (limit_ - y[phi]);
     }
   }
 
+  bool is_asked(Event event) const {
+    return (event != Event::speed || end_.speed) && (event != Event::approach || end_.approach);
+  }
+
+  /// Where in the last step an event happens; nothing where it does not.
+  std::optional<double> place_of(Event event) {
+    const auto f = [&](double x) { return until(event, x, stepper_.at(x)); };
+    const double from = stepper_.x_before();
+    const double before = until(event, from, stepper_.y_before());
+    double to = stepper_.x(), after = until(event, to, stepper_.y());
+    if (after > 0) {
+      const auto lowest = lowest_within(event, f, before, after);
+      if (!lowest) return std::nullopt;
+      to = *lowest;
+      after = f(to);
+      if (after > 0) return std::nullopt;
+    }
+    if (after == 0) return to;
+    if (!(before > 0)) return from;
+    return better_end(f, bracket_zero(f, from, before, to, after));
+  }
+
+  /// Within the last step where the speed comes nearest to what ends the run, if that is nearer
+  /// than at both ends of the step.
+  template <class Function>
+  std::optional<double> lowest_within(Event event, const Function& f, double before, double after) {
+    if (event != Event::speed && event != Event::approach) return std::nullopt;
+    constexpr double kNext = 1e-3;
+    constexpr int kSteps = 40;
+    const double from = stepper_.x_before(), to = stepper_.x(), next = kNext * (to - from);
+    if (!(f(from + next) < before && f(to - next) < after)) return std::nullopt;
+    return golden_section(f, from, to, kSteps).middle();
+  }
+
   /// The first event of the last step and where in it that is.
   std::pair<Event, double> first_event() {
     std::pair<Event, double> first{Event::none, stepper_.x()};
-    for (const Event event : {Event::rest, Event::speed, limit_event_}) {
-      if (event == Event::speed && !end_.speed) continue;
-      const double after = until(event, stepper_.x(), stepper_.y());
-      if (after > 0) continue;
-      const double before = until(event, stepper_.x_before(), stepper_.y_before());
-      double at = stepper_.x_before();
-      if (after == 0) {
-        at = stepper_.x();
-      } else if (before > 0) {
-        const auto f = [&](double x) { return until(event, x, stepper_.at(x)); };
-        at = better_end(f, bracket_zero(f, at, before, stepper_.x(), after));
-      }
-      if (first.first == Event::none || at < first.second) first = {event, at};
+    for (const Event event : {Event::rest, Event::speed, Event::approach, limit_event_}) {
+      if (!is_asked(event)) continue;
+      const auto at = place_of(event);
+      if (at && (first.first == Event::none || *at < first.second)) first = {event, *at};
     }
     return first;
   }
@@ -291,19 +338,12 @@ class Runner {
     if (event == limit_event_) y[phi] = limit_;
     now_ = state(at, y);
     at_border_ = event == Event::border;
-    if (event == limit_event_ && has_approached()) return RunStop::approached;
+    if (end_.approach) steady_speed_ = y[steady] * momentum_ / root_at(y[phi]);
+    if (event == Event::approach) return RunStop::approached;
     if (event == Event::travel) return RunStop::travel;
     if (event != Event::speed) return std::nullopt;
     now_.omega = *end_.speed;
     return RunStop::speed;
-  }
-
-  bool has_approached() const {
-    if (!end_.approach) return false;
-    const auto& [phi, omega, within] = *end_.approach;
-    const double turns = (now_.phi - phi) / machine_.period;
-    return std::abs(turns - std::round(turns)) <= 1e-9 &&
-           std::abs(now_.omega - omega) <= within * std::abs(omega);
   }
 
   MachineRun finish(RunStop stop) {
@@ -321,6 +361,7 @@ class Runner {
   MachineState from_, now_;
   AdaptiveSteps stepper_;
   double work_ = 1, momentum_ = 1, time_ = 1, root_ = 1;
+  double steady_speed_ = 0;  ///< of the motion that the run approaches, where the machine stands
   Place place_;
   int direction_ = 1;
   double limit_ = 0, speed_side_ = 1;

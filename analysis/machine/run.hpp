@@ -9,11 +9,11 @@
 
 namespace cognate::machine {
 
-/// The speed that a motion is to come close to, where φ is `phi` (in [0, period)).
+/// A steady motion that a run is to come close to: it ends as soon as its speed is that of the
+/// steady motion at the same φ, to within `within` of it.
 struct Approach {
-  double phi = 0;
-  double omega = 0;
-  double within = 0.01;  ///< relative to ω
+  double omega = 0;      ///< of the steady motion at the φ where the run begins
+  double within = 0.01;  ///< relative to that speed
 };
 
 /// When a run ends, whichever comes first; or with the most steps: those of `Accuracy`, and some
@@ -37,7 +37,9 @@ struct MachineRun {
 
 /// Integrates in time, with √J ω for the speed: its derivative M/√J needs no slope of J and is
 /// smooth at rest. Begins anew at every break that φ passes and wherever the motion turns round,
-/// with the torques of the side to which it goes. States are recorded at equal steps of time,
+/// with the torques of the side to which it goes. The moment of an end is located within its step;
+/// the steady motion that a run approaches is integrated along with it, by its own
+/// dω/dφ. States are recorded at equal steps of time,
 /// `records` of them besides the ends, for which the motion is integrated a second time; none where
 /// it was given up.
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,

@@ -32,6 +32,8 @@ ordered_json limits_json(const problems::CamConstraints& limits) {
   return {{"pressure_deg", optional_json(limits.pressure_angle_max, kDegrees)},
           {"rise_deg", optional_json(limits.pressure_angle_max_rise, kDegrees)},
           {"return_deg", optional_json(limits.pressure_angle_max_return, kDegrees)},
+          {"rise_working_deg", optional_json(limits.pressure_angle_max_rise_working, kDegrees)},
+          {"return_working_deg", optional_json(limits.pressure_angle_max_return_working, kDegrees)},
           {"convex_radius", optional_json(limits.curvature_radius_min)},
           {"concave_radius", optional_json(limits.concave_radius_min)},
           {"force", optional_json(limits.contact_force_max)},

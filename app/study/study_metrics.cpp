@@ -120,7 +120,8 @@ void add_reactions(MetricNames& names, AnalysisProblem base) {
   for (const auto& column : result.columns) {
     const auto joint = joint_of_force(column.name);
     if (!joint) continue;
-    for (const char* of : {"reaction_max_N", "reaction_max_at_deg", "reaction_max_at"}) {
+    for (const char* of : {"reaction_max_N", "reaction_max_at_deg", "reaction_max_at",
+                           "reaction_max_unbounded_at_deg", "reaction_max_unbounded_at"}) {
       names.names.push_back({fmt::format("{}.{}", of, *joint)});
     }
   }
@@ -185,7 +186,8 @@ struct NamesOf {
     std::erase_if(names.names,
                   [](const auto& name) { return name.name.starts_with("reaction_max"); });
     for (const char* of : {"torque_N_m", "drive_force_N"}) {
-      for (const char* at : {"min_at", "max_at", "min_at_deg", "max_at_deg"}) {
+      for (const char* at : {"min_at", "max_at", "min_at_deg", "max_at_deg", "min_unbounded_at",
+                             "max_unbounded_at", "min_unbounded_at_deg", "max_unbounded_at_deg"}) {
         names.names.push_back({fmt::format("{}.{}", of, at)});
       }
     }

@@ -11,7 +11,9 @@
 #include "problems/analysis/curve_landmarks.hpp"
 #include "problems/analysis/curve_metrics.hpp"
 #include "problems/analysis/drive_rows.hpp"
+#include "problems/analysis/force_extremes.hpp"
 #include "problems/analysis/instant_geometry.hpp"
+#include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/motion_facts.hpp"
 #include "problems/analysis/motion_summary.hpp"
 #include "problems/analysis/open_rows.hpp"
@@ -132,6 +134,21 @@ std::vector<Cognate> cognates(const AnalysisProblem& problem) {
   return all;
 }
 
+/// Adds the extremes of forces: over the whole motion, or of the rows alone where the time does not
+/// suffice.
+void add_forces(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
+                const Deadline& deadline) {
+  std::optional<ForceExtremes> refined;
+  const bool asked = problem.output.torque || problem.output.reactions;
+  if (asked && !deadline.reached()) {
+    const Course course = summarised_course(problem, rows, deadline);
+    refined = force_extremes(problem, course, load_strokes(problem, deadline), deadline);
+  }
+  auto [facts, notes] = force_facts(problem, rows, refined);
+  append(result.facts, std::move(facts));
+  std::ranges::move(notes, std::back_inserter(result.notes));
+}
+
 /// Adds what holds of the motion as a whole; nothing, and false, if the time does not suffice.
 bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
                     const Deadline& deadline) {
@@ -160,7 +177,7 @@ AnalysisResult analyse(const AnalysisProblem& problem, const Run& run) {
   append(result.facts, type_facts(problem.mechanism, problem.drive.start));
   const bool whole = summarise_into(result, problem, rows, deadline);
   result.status = status_of(rows, deadline, whole);
-  append(result.facts, force_facts(problem, rows));
+  add_forces(result, problem, rows, deadline);
   append(result.facts, check_facts(rows));
   result.work = work_of(problem, rows, run, deadline);
   result.columns = std::move(rows.plan.columns);

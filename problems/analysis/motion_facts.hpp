@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/analysis/force_extremes.hpp"
 #include "problems/analysis/sweep.hpp"
 
 namespace cognate::problems {
@@ -26,9 +27,18 @@ std::optional<Extremes> extremes(std::span<const double> values, std::span<const
 /// virtual work, relative to the greatest torque.
 std::vector<Fact> check_facts(const Sweep& sweep);
 
+/// What is reported of forces over a motion.
+struct ForceSummary {
+  std::vector<Fact> facts;
+  std::vector<std::string> notes;
+};
+
 /// Extremes of the driving torque and of each reaction, with the drive's value where they occur.
 /// For a reaction of a turning joint the greatest magnitude, for a slide the greatest normal force
-/// of either sign.
-std::vector<Fact> force_facts(const AnalysisProblem& problem, const Sweep& sweep);
+/// of either sign. Those between and at rows (`refined`; empty: of the rows alone). An extreme that
+/// does not exist is left out: "…_unbounded_at_deg" is the first place near which the quantity goes
+/// beyond every bound, and a note has them all.
+ForceSummary force_facts(const AnalysisProblem& problem, const Sweep& sweep,
+                         const std::optional<ForceExtremes>& refined);
 
 }  // namespace cognate::problems

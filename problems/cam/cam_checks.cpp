@@ -87,6 +87,14 @@ class Checks {
       check("pressure_angle_deg_max_return", extremes_.pressure_angle(Stretch::falls),
             *c.pressure_angle_max_return);
     }
+    if (c.pressure_angle_max_rise_working) {
+      check("pressure_angle_deg_max_rise_working", extremes_.working_pressure_angle(Stretch::rises),
+            *c.pressure_angle_max_rise_working);
+    }
+    if (c.pressure_angle_max_return_working) {
+      check("pressure_angle_deg_max_return_working",
+            extremes_.working_pressure_angle(Stretch::falls), *c.pressure_angle_max_return_working);
+    }
   }
 
   void add_shape() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/cam/turn_extremes.hpp"
 #include "problems/degrees.hpp"
@@ -26,7 +27,8 @@ double given(const CamProblem& problem, CamDimension dimension) {
 
 synthesis::PressureLimits limits_of(const CamProblem& problem) {
   const CamConstraints& c = problem.constraints;
-  return {c.pressure_angle_max, c.pressure_angle_max_rise, c.pressure_angle_max_return};
+  return {c.pressure_angle_max, c.pressure_angle_max_rise, c.pressure_angle_max_return,
+          c.pressure_angle_max_rise_working, c.pressure_angle_max_return_working};
 }
 
 /// What a proof takes for granted besides its positions.
@@ -40,24 +42,29 @@ std::string granted(const CamProblem& problem, const synthesis::SmallestCam& sma
   return fmt::format("offset from {:.10g} to {:.10g}", offset.bounds.min, offset.bounds.max);
 }
 
+/// A limit's key in the file, and its value there.
+std::pair<const char*, double> limit_of(const CamConstraints& c, PressureLimit limit) {
+  switch (limit) {
+    case PressureLimit::whole:
+      return {"pressure_angle_deg_max", degrees(*c.pressure_angle_max)};
+    case PressureLimit::rise:
+      return {"pressure_angle_deg_max_rise", degrees(*c.pressure_angle_max_rise)};
+    case PressureLimit::fall:
+      return {"pressure_angle_deg_max_return", degrees(*c.pressure_angle_max_return)};
+    case PressureLimit::rise_working:
+      return {"pressure_angle_deg_max_rise_working", degrees(*c.pressure_angle_max_rise_working)};
+    case PressureLimit::fall_working:
+      return {"pressure_angle_deg_max_return_working",
+              degrees(*c.pressure_angle_max_return_working)};
+  }
+  return {"", 0};
+}
+
 SizeProof proof_of(const CamProblem& problem, const synthesis::SmallestCam& smallest) {
-  const CamConstraints& c = problem.constraints;
   SizeProof proof{smallest.dimensions.base_radius, {}, granted(problem, smallest)};
   for (const auto& binding : smallest.binding) {
-    switch (binding.limit) {
-      case PressureLimit::whole:
-        proof.positions.push_back(
-            {binding.angle, "pressure_angle_deg_max", degrees(*c.pressure_angle_max)});
-        break;
-      case PressureLimit::rise:
-        proof.positions.push_back(
-            {binding.angle, "pressure_angle_deg_max_rise", degrees(*c.pressure_angle_max_rise)});
-        break;
-      case PressureLimit::fall:
-        proof.positions.push_back({binding.angle, "pressure_angle_deg_max_return",
-                                   degrees(*c.pressure_angle_max_return)});
-        break;
-    }
+    const auto [key, bound] = limit_of(problem.constraints, binding.limit);
+    proof.positions.push_back({binding.angle, key, bound});
   }
   return proof;
 }

@@ -61,6 +61,13 @@ FoundAt CamExtremes::pressure_angle() const {
 
 std::optional<FoundAt> CamExtremes::pressure_angle(Stretch stretch) const {
   const auto& [rises, falls, dwells] = pressure_of_strokes();
+  if (stretch == Stretch::rises && rises) return with_size(larger(*rises));
+  if (stretch == Stretch::falls && falls) return with_size(larger(*falls));
+  return std::nullopt;
+}
+
+std::optional<FoundAt> CamExtremes::working_pressure_angle(Stretch stretch) const {
+  const auto& [rises, falls, dwells] = pressure_of_strokes();
   if (stretch == Stretch::rises && rises) return found(rises->greatest);
   if (stretch == Stretch::falls && falls) {
     return FoundAt{-falls->least.value, falls->least.place.angle};

@@ -27,9 +27,12 @@ class CamExtremes {
 
   /// The greatest pressure angle of either sign.
   FoundAt pressure_angle() const;
-  /// The greatest over the rises, on the side to which the cam pushes in them; over the falls, on
-  /// the other. Nothing where the motion has none.
+  /// The greatest of either sign over the rises, or over the falls, their ends included. Nothing
+  /// where the motion has none.
   std::optional<FoundAt> pressure_angle(cam::Stretch stretch) const;
+  /// The same only on the side to which the cam pushes in the rises; over the falls, only on the
+  /// other.
+  std::optional<FoundAt> working_pressure_angle(cam::Stretch stretch) const;
 
   /// Radii of curvature of the profile: the least where it is convex (negative: undercut, the
   /// profile would turn back on itself), and where it is concave. Nothing where it is nowhere so.

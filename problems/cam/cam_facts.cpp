@@ -63,6 +63,10 @@ class Facts {
     const auto fall = extremes_.pressure_angle(Stretch::falls);
     if (rise) add_at("pressure_angle_deg_max_rise", *rise, degrees(1));
     if (fall) add_at("pressure_angle_deg_max_return", *fall, degrees(1));
+    const auto pushes = extremes_.working_pressure_angle(Stretch::rises);
+    const auto follows = extremes_.working_pressure_angle(Stretch::falls);
+    if (pushes) add_at("pressure_angle_deg_max_rise_working", *pushes, degrees(1));
+    if (follows) add_at("pressure_angle_deg_max_return_working", *follows, degrees(1));
   }
 
   void add_shape() {

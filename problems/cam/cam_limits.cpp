@@ -1,20 +1,24 @@
 #include "problems/cam/cam_limits.hpp"
 
+#include <initializer_list>
+
 namespace cognate::problems {
 namespace {
 
 void add_pressure(const CamConstraints& c, std::vector<CamLimit>& limits) {
   using cam::Stretch;
-  if (c.pressure_angle_max) {
-    limits.push_back({CamLimitKind::pressure, Stretch::whole, *c.pressure_angle_max, 1});
-    limits.push_back({CamLimitKind::pressure, Stretch::whole, *c.pressure_angle_max, -1});
-  }
-  if (c.pressure_angle_max_rise) {
-    limits.push_back({CamLimitKind::pressure, Stretch::rises, *c.pressure_angle_max_rise, 1});
-  }
-  if (c.pressure_angle_max_return) {
-    limits.push_back({CamLimitKind::pressure, Stretch::falls, *c.pressure_angle_max_return, -1});
-  }
+  const auto add = [&](Stretch stretch, const std::optional<double>& most,
+                       std::initializer_list<double> signs) {
+    if (!most) return;
+    for (const double sign : signs) {
+      limits.push_back({CamLimitKind::pressure, stretch, *most, sign});
+    }
+  };
+  add(Stretch::whole, c.pressure_angle_max, {1, -1});
+  add(Stretch::rises, c.pressure_angle_max_rise, {1, -1});
+  add(Stretch::falls, c.pressure_angle_max_return, {1, -1});
+  add(Stretch::rises, c.pressure_angle_max_rise_working, {1});
+  add(Stretch::falls, c.pressure_angle_max_return_working, {-1});
 }
 
 /// The limit of the file; where stress counts no undercut at least, which has no stress.

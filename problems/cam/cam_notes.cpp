@@ -37,15 +37,30 @@ void add_jumps(const CamResult& result, std::vector<std::string>& notes) {
   }
 }
 
-/// Where a one-sided limit leaves the other side free, and that side leans more.
+/// Where limits leave a stroke or the other side of one free, and that leans more than a limit of
+/// the same stroke, or than every limit, allows.
 void add_other_side(const CamProblem& problem, const CamDesign& design,
                     std::vector<std::string>& notes) {
   const CamConstraints& c = problem.constraints;
-  if (c.pressure_angle_max || !(c.pressure_angle_max_rise || c.pressure_angle_max_return)) return;
-  const auto greatest = CamExtremes(design.cam).pressure_angle();
-  const double most =
-      std::max(c.pressure_angle_max_rise.value_or(0), c.pressure_angle_max_return.value_or(0));
-  if (greatest.value <= most * (1 + 1e-9)) return;
+  if (c.pressure_angle_max) return;
+  const CamExtremes extremes(design.cam);
+  FoundAt greatest;
+  double strictest = 0;
+  const auto add = [&](cam::Stretch stretch, const std::optional<double>& both,
+                       const std::optional<double>& working, double most) {
+    const auto here = extremes.pressure_angle(stretch);
+    const double limit = both ? *both : working.value_or(most);
+    const bool beyond = !both && here && limit > 0 && here->value > limit * (1 + 1e-9);
+    if (beyond && here->value > greatest.value) greatest = *here, strictest = limit;
+  };
+  const auto most_of = [](const std::optional<double>& a, const std::optional<double>& b) {
+    return std::max(a.value_or(0), b.value_or(0));
+  };
+  const double rise = most_of(c.pressure_angle_max_rise, c.pressure_angle_max_rise_working);
+  const double fall = most_of(c.pressure_angle_max_return, c.pressure_angle_max_return_working);
+  add(cam::Stretch::rises, c.pressure_angle_max_rise, c.pressure_angle_max_rise_working, fall);
+  add(cam::Stretch::falls, c.pressure_angle_max_return, c.pressure_angle_max_return_working, rise);
+  if (strictest == 0) return;
   notes.push_back(fmt::format(
       "At {:.6g}° the pressure angle is {:.4g}°, on the side that the limits of rise and return do "
       "not count, or where they do not reach; pressure_angle_deg_max limits both sides everywhere.",

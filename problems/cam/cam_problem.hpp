@@ -38,12 +38,15 @@ struct FreeMotionParameter {
 /// What of a cam is to be least. `size` is the base radius.
 enum class CamObjective { size, pressure_angle, contact_force, torque, contact_stress };
 
-/// `[constraints]` of a cam.
+/// `[constraints]` of a cam. A rise or a return has its ends, where the follower still stands.
 struct CamConstraints {
   /// Of either sign, at every position.
   std::optional<double> pressure_angle_max;
-  /// On the side to which the cam pushes in a rise, over the rises; on the other, over the returns.
+  /// Of either sign, over the rises; over the returns.
   std::optional<double> pressure_angle_max_rise, pressure_angle_max_return;
+  /// Only on the side to which the cam pushes in a rise, over the rises; on the other, over the
+  /// returns.
+  std::optional<double> pressure_angle_max_rise_working, pressure_angle_max_return_working;
   /// Of the profile where it is convex; 0 (no undercut) unless switched off.
   std::optional<double> curvature_radius_min = 0.0;
   std::optional<double> concave_radius_min;  ///< of the profile where it is concave

@@ -9,11 +9,11 @@
 
 #include "analysis/angle.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
+#include "problems/analysis/load_breaks.hpp"
 #include "problems/analysis/load_strokes.hpp"
 #include "problems/analysis/whole_motion.hpp"
 #include "problems/machine/drive_angle.hpp"
 #include "problems/machine/drive_gaps.hpp"
-#include "problems/machine/load_breaks.hpp"
 #include "problems/machine/reduced_mechanism.hpp"
 #include "problems/machine/vanishing_inertia.hpp"
 

@@ -25,7 +25,8 @@ using machine::RunEnd;
 using machine::RunStop;
 using machine::SteadyState;
 
-/// A start is over where the speed is as close to the steady one, relative to it.
+/// A start is over as soon as the speed is as close to the steady one at the same angle, relative
+/// to it.
 constexpr double kStarted = 0.01;
 /// Turns after which a start or stop ends for which the file gives no limit.
 constexpr double kMostTurns = 1000;
@@ -227,7 +228,7 @@ class MachineTasks {
     const bool beyond = settles && wanted.speed_end && !passes(*wanted.speed_end);
     end.speed = wanted.speed_end;
     if (settles && (!wanted.speed_end || beyond)) {
-      end.approach = {{guess().phi, steady_->states.front().omega, kStarted}};
+      end.approach = {{steady_->states.front().omega, kStarted}};
     }
     const Machine whole = machine();
     const MachineRun run =

@@ -31,7 +31,8 @@ bool stays_finite(const CamProblem& problem, CamDimension dimension) {
 }
 
 bool has_pressure_limit(const CamConstraints& c) {
-  return c.pressure_angle_max || c.pressure_angle_max_rise || c.pressure_angle_max_return;
+  return c.pressure_angle_max || c.pressure_angle_max_rise || c.pressure_angle_max_return ||
+         c.pressure_angle_max_rise_working || c.pressure_angle_max_return_working;
 }
 
 // Limits that are lengths, below which the profile may not go.

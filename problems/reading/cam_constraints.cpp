@@ -26,6 +26,10 @@ void read_pressure_angles(TableReader& table, CamConstraints& constraints) {
   read_angle(table, "pressure_angle_deg_max", constraints.pressure_angle_max);
   read_angle(table, "pressure_angle_deg_max_rise", constraints.pressure_angle_max_rise);
   read_angle(table, "pressure_angle_deg_max_return", constraints.pressure_angle_max_return);
+  read_angle(table, "pressure_angle_deg_max_rise_working",
+             constraints.pressure_angle_max_rise_working);
+  read_angle(table, "pressure_angle_deg_max_return_working",
+             constraints.pressure_angle_max_return_working);
 }
 
 void read_undercut(TableReader& table, CamConstraints& constraints) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <string>
+#include <utility>
 
 #include "analysis/cam/profile.hpp"
 #include "problems/cam/cam_extremes.hpp"
@@ -173,7 +175,7 @@ TEST(CamOracle, SmallestForARise) {
     const MotionLaw law = law_called(*row["law"].value<std::string>());
     const double over = *row["over_deg"].value<double>();
     CamProblem problem = translating_roller(std::nullopt, std::nullopt, 1);
-    problem.constraints.pressure_angle_max_rise = 30 * kDegree;
+    problem.constraints.pressure_angle_max_rise_working = 30 * kDegree;
     problem.constraints.curvature_radius_min.reset();
     problem.motion = {segment(law, over, 25), segment(law, 360 - over, -25)};
     auto design = only_design(problem);
@@ -195,8 +197,8 @@ TEST(CamOracle, SmallestForRiseAndReturn) {
     const auto over = column(row, "over_deg"), limits = column(row, "limits_deg");
     const double stroke = *row["stroke"].value<double>();
     CamProblem problem = translating_roller(std::nullopt, std::nullopt, 1);
-    problem.constraints.pressure_angle_max_rise = limits[0] * kDegree;
-    problem.constraints.pressure_angle_max_return = limits[1] * kDegree;
+    problem.constraints.pressure_angle_max_rise_working = limits[0] * kDegree;
+    problem.constraints.pressure_angle_max_return_working = limits[1] * kDegree;
     problem.constraints.curvature_radius_min.reset();
     problem.motion = {segment(law_called(*row["laws"][0].value<std::string>()), over[0], stroke),
                       segment(law_called(*row["laws"][1].value<std::string>()), over[1], -stroke),
@@ -206,6 +208,77 @@ TEST(CamOracle, SmallestForRiseAndReturn) {
     EXPECT_NEAR(found.base_radius, *row["smallest"].value<double>(), 6e-11);
     EXPECT_NEAR(found.offset, *row["offset"].value<double>(), 6e-11);
   }
+}
+
+/// Cycloidal rise and return with dwells between, and what limits of the pressure angle ask for, by
+/// the law's own formula.
+struct CycloidalCam {
+  double stroke, rise, high, fall;  ///< angles in degrees
+
+  /// The greatest |tan α| over the rise or the return: tan α = (s′ − e)/(s₀ + s).
+  double steepest(bool rises, double offset, double height, int samples) const {
+    const double over = (rises ? rise : fall) * kDegree, turn = 2 * std::numbers::pi;
+    double most = 0;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = static_cast<double>(i) / samples;
+      const double done = stroke * (t - std::sin(turn * t) / turn);
+      const double slope = stroke / over * (1 - std::cos(turn * t));
+      const double tangent =
+          rises ? (slope - offset) / (height + done) : (-slope - offset) / (height + stroke - done);
+      most = std::max(most, std::abs(tangent));
+    }
+    return most;
+  }
+};
+
+TEST(CamOracle, LimitsOfRiseAndReturnHoldOnBothSides) {
+  std::mt19937_64 random(11);
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution(a, b)(random);
+  };
+  int counted = 0, changed = 0;
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    // The first is the file in which the pressure angle was 60° as a rise within 30° began.
+    const CycloidalCam made =
+        i == 0 ? CycloidalCam{40, 60, 60, 180}
+               : CycloidalCam{between(5, 60), between(40, 120), between(0, 60), between(40, 120)};
+    const double up = i == 0 ? 30 : between(15, 55), down = i == 0 ? 70 : between(15, 75);
+    CamProblem problem = translating_roller(std::nullopt, std::nullopt, 1);
+    problem.constraints.pressure_angle_max_rise = up * kDegree;
+    problem.constraints.pressure_angle_max_return = down * kDegree;
+    problem.constraints.curvature_radius_min.reset();
+    problem.motion = {segment(MotionLaw::cycloidal, made.rise, made.stroke),
+                      segment(MotionLaw::dwell, made.high),
+                      segment(MotionLaw::cycloidal, made.fall, -made.stroke),
+                      segment(MotionLaw::dwell, 360 - made.rise - made.high - made.fall)};
+    const auto design = only_design(problem);
+    const auto& d = design.cam.system.follower.dimensions;
+    const auto height = [](double base, double e) { return std::sqrt(base * base - e * e); };
+    const double s0 = height(d.base_radius, d.offset);
+    constexpr int kSamples = 10'000;
+    EXPECT_LE(made.steepest(true, d.offset, s0, kSamples), std::tan(up * kDegree) * (1 + 1e-9));
+    EXPECT_LE(made.steepest(false, d.offset, s0, kSamples), std::tan(down * kDegree) * (1 + 1e-9));
+    // No cam that is smaller by a thousandth keeps both.
+    const double smaller = d.base_radius * 0.999;
+    bool keeps = false;
+    for (int k = -500; k <= 500; ++k) {
+      const double e = smaller * k / 501;
+      keeps |= made.steepest(true, e, height(smaller, e), 100) <= std::tan(up * kDegree) &&
+               made.steepest(false, e, height(smaller, e), 100) <= std::tan(down * kDegree);
+    }
+    EXPECT_FALSE(keeps);
+    problem.constraints.pressure_angle_max_rise_working =
+        std::exchange(problem.constraints.pressure_angle_max_rise, std::nullopt);
+    problem.constraints.pressure_angle_max_return_working =
+        std::exchange(problem.constraints.pressure_angle_max_return, std::nullopt);
+    const double one_sided = only_design(problem).cam.system.follower.dimensions.base_radius;
+    EXPECT_LE(one_sided, d.base_radius * (1 + 1e-12));
+    changed += one_sided < d.base_radius * (1 - 1e-6);
+    ++counted;
+  }
+  EXPECT_EQ(counted, 60);
+  EXPECT_GT(changed, 10);
 }
 
 }  // namespace

@@ -180,13 +180,16 @@ TEST(CamProblem, ClosureSideAndRotation) {
 TEST(CamProblem, LimitsAndObjective) {
   const CamProblem problem = read_or_fail(roller(
       "load = 1\n[constraints]\npressure_angle_deg_max = 30\npressure_angle_deg_max_rise = 25\n"
-      "pressure_angle_deg_max_return = 45\nno_undercut = false\nconcave_radius_min = 12\n"
+      "pressure_angle_deg_max_return = 45\npressure_angle_deg_max_rise_working = 20\n"
+      "pressure_angle_deg_max_return_working = 40\nno_undercut = false\nconcave_radius_min = 12\n"
       "profile_radius_min = 5\nprofile_radius_max = 90\ncontact_force_max = 4\n"
       "torque_max = 6\nno_separation = false\n[target]\nobjective = \"torque\"\n"
       "[solve]\nsolver = \"slsqp\"\nstarts = 4\ndesigns = 2\n"));
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max, 30 * kDegree);
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_rise, 25 * kDegree);
   EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_return, 45 * kDegree);
+  EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_rise_working, 20 * kDegree);
+  EXPECT_DOUBLE_EQ(*problem.constraints.pressure_angle_max_return_working, 40 * kDegree);
   EXPECT_FALSE(problem.constraints.curvature_radius_min);
   EXPECT_EQ(problem.constraints.concave_radius_min, 12);
   EXPECT_EQ(problem.constraints.profile_radius_min, 5);

@@ -65,14 +65,14 @@ TEST(SmallestTranslating, HarmonicStrokesGiveTheirVertex) {
   const double up = std::tan(30 * kDegree), down = std::tan(50 * kDegree);
   const double rise = made.rise_depth(up), fall = made.return_depth(down);
   const double height = (rise + fall) / (up + down);
-  const auto found =
-      smallest_translating(made.programme(), {{}, 30 * kDegree, 50 * kDegree}, -kFree, kFree);
+  const auto found = smallest_translating(made.programme(),
+                                          {{}, {}, {}, 30 * kDegree, 50 * kDegree}, -kFree, kFree);
   ASSERT_TRUE(found);
   expect_cam(*found, rise - up * height, height, 1e-13);
   ASSERT_EQ(found->binding.size(), 2);
   for (const auto& binding : found->binding) {
     ASSERT_NE(binding.limit, PressureLimit::whole);
-    const bool rises = binding.limit == PressureLimit::rise;
+    const bool rises = binding.limit == PressureLimit::rise_working;
     EXPECT_NEAR(binding.angle, rises ? made.rise_place(up) : made.return_place(down), 1e-6);
   }
   // One limit at every position is the same limit on either side.
@@ -90,7 +90,7 @@ TEST(SmallestTranslating, OneHarmonicStrokeGivesItsFoot) {
     const double depth = rises ? made.rise_depth(tangent) : made.return_depth(tangent);
     const double share = depth / (1 + tangent * tangent);
     PressureLimits limits;
-    (rises ? limits.rise : limits.fall) = 35 * kDegree;
+    (rises ? limits.rise_working : limits.fall_working) = 35 * kDegree;
     const auto found = smallest_translating(made.programme(), limits, -kFree, kFree);
     ASSERT_TRUE(found);
     expect_cam(*found, (rises ? 1 : -1) * share, tangent * share, 1e-13);
@@ -104,7 +104,8 @@ TEST(SmallestTranslating, BoundsOfTheOffsetBind) {
   const HarmonicCam made;
   const double up = std::tan(30 * kDegree), down = std::tan(40 * kDegree);
   const double rise = made.rise_depth(up), fall = made.return_depth(down);
-  const PressureLimits both{{}, 30 * kDegree, 40 * kDegree}, rises{{}, 30 * kDegree, {}};
+  const PressureLimits both{{}, {}, {}, 30 * kDegree, 40 * kDegree},
+      rises{{}, {}, {}, 30 * kDegree, {}};
   const auto height = [&](double offset) {
     return std::max((rise - offset) / up, (fall + offset) / down);
   };
@@ -139,7 +140,7 @@ TEST(SmallestTranslating, ExtremeLimitsKeepTheClosedForm) {
     ASSERT_TRUE(given);
     expect_cam(*given, 0, std::max(rise, fall) / tangent, 1e-8);
     const auto foot =
-        smallest_translating(made.programme(), {{}, limit * kDegree, {}}, -kFree, kFree);
+        smallest_translating(made.programme(), {{}, {}, {}, limit * kDegree, {}}, -kFree, kFree);
     ASSERT_TRUE(foot);
     const double share = rise / (1 + tangent * tangent);
     expect_cam(*foot, share, tangent * share, 1e-8);
@@ -161,7 +162,7 @@ TEST(SmallestTranslating, EqualLimitsAreOneLimit) {
 }
 
 TEST(SmallestTranslating, LittleStrokeAsksForLittle) {
-  const PressureLimits limits{{}, 30 * kDegree, 30 * kDegree};
+  const PressureLimits limits{{}, {}, {}, 30 * kDegree, 30 * kDegree};
   const auto still =
       smallest_translating(*programme_of({segment(MotionLaw::dwell, 360)}),
                            {20 * kDegree, 30 * kDegree, 30 * kDegree}, -kFree, kFree);
@@ -205,6 +206,10 @@ PressureLimits random_limits(std::mt19937_64& random) {
   const auto limit = [&] { return draw(random, 15, 60) * kDegree; };
   PressureLimits limits;
   const auto kind = random() % 6;
+  if (random() % 2 == 0) {
+    limits.rise_working = limit();
+    limits.fall_working = limit();
+  }
   if (kind != 1 && kind != 2) limits.rise = limit();
   if (kind != 0 && kind != 2) limits.fall = limit();
   if (kind == 2 || kind == 3) limits.whole = limit();
@@ -220,8 +225,10 @@ double height_for(const std::vector<Position>& positions, const PressureLimits& 
   };
   for (const Position& at : positions) {
     ask(limits.whole, std::abs(at.v - e), at.s);
-    if (at.rises) ask(limits.rise, at.v - e, at.s);
-    if (at.falls) ask(limits.fall, e - at.v, at.s);
+    if (at.rises) ask(limits.rise, std::abs(at.v - e), at.s);
+    if (at.falls) ask(limits.fall, std::abs(at.v - e), at.s);
+    if (at.rises) ask(limits.rise_working, at.v - e, at.s);
+    if (at.falls) ask(limits.fall_working, e - at.v, at.s);
   }
   return height;
 }
@@ -273,8 +280,12 @@ struct Arm {
 /// The tangents of limits.
 struct Tangents {
   explicit Tangents(const PressureLimits& limits)
-      : whole(of(limits.whole)), rise(of(limits.rise)), fall(of(limits.fall)) {}
-  std::optional<double> whole, rise, fall;
+      : whole(of(limits.whole)),
+        rise(of(limits.rise)),
+        fall(of(limits.fall)),
+        rise_working(of(limits.rise_working)),
+        fall_working(of(limits.fall_working)) {}
+  std::optional<double> whole, rise, fall, rise_working, fall_working;
 
  private:
   static std::optional<double> of(const std::optional<double>& limit) {
@@ -294,8 +305,13 @@ double breach(const std::vector<Position>& positions, const Tangents& limits, co
     const double across = arm.length * at.v - arm.sigma * (a * std::cos(psi) - arm.length);
     most = std::max(most, -along);
     if (limits.whole) most = std::max(most, std::abs(across) - *limits.whole * along);
-    if (at.rises && limits.rise) most = std::max(most, across - *limits.rise * along);
-    if (at.falls && limits.fall) most = std::max(most, -across - *limits.fall * along);
+    const auto limit = [&](bool holds, const std::optional<double>& tangent, double side) {
+      if (holds && tangent) most = std::max(most, side - *tangent * along);
+    };
+    limit(at.rises, limits.rise, std::abs(across));
+    limit(at.falls, limits.fall, std::abs(across));
+    limit(at.rises, limits.rise_working, across);
+    limit(at.falls, limits.fall_working, -across);
   }
   return most;
 }

@@ -3,8 +3,8 @@
 // A metric's name in words: "Greatest pressure angle in the return" of "pressure_angle_deg_max_return".
 function metricName(name) {
   const words = (text) => term(text.replace(/_deg(?=_|$)/, "").replaceAll("_", " "));
-  const [, of, side, stroke] = /^(.*)_(min|max)(?:_(rise|return))?$/.exec(name) ?? [];
-  return side ? say(`metric.${side}${stroke ? `_${stroke}` : ""}`, { of: words(of) }) : sentence(words(name));
+  const [, of, side, stroke, working = ""] = /^(.*)_(min|max)(?:_(rise|return)(_working)?)?$/.exec(name) ?? [];
+  return side ? say(`metric.${side}${stroke ? `_${stroke}${working}` : ""}`, { of: words(of) }) : sentence(words(name));
 }
 
 function showMetrics(metrics) {

@@ -6,7 +6,8 @@ const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), acute_mi
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
 
 // A fact's name without its unit, and whether it says where something is reached: "torque_N_m.max"
-// and "torque_N_m.max_at_deg" are of one "torque.max".
+// and "torque_N_m.max_at_deg" are of one "torque.max"; so is "torque_N_m.max_unbounded_at_deg", which
+// says that there is none.
 function factParts(name) {
   const [share = ""] = /_at_0_0*1$/.exec(name) ?? [];
   if (share) {
@@ -16,7 +17,8 @@ function factParts(name) {
   const where = /_at(_deg)?(?=\.|$)/.test(name);
   const bare = name.replace(/_at(_deg)?(?=\.|$)/, "");
   const [, unit = ""] = /_(N_m|N|deg)(?=\.|$)/.exec(bare) ?? [];
-  return { key: bare.replace(/_(N_m|N|deg)(?=\.|$)/, ""), unit: where && name.includes("_at_deg") ? "deg" : unit, where };
+  const placed = name.includes("_at_deg") ? "deg" : "";
+  return { key: bare.replace(/_(N_m|N|deg|unbounded)(?=\.|$)/g, ""), unit: where ? placed : unit, where, unbounded: /_unbounded_at/.test(name) };
 }
 
 // The force of a joint on a body, "A_on_crank"; nothing of other names.
@@ -49,8 +51,8 @@ function factText(value, unit) {
 function factRows(facts) {
   const rows = new Map();
   for (const { name, value } of facts) {
-    const { key, unit, where } = factParts(name);
-    const row = rows.get(key) ?? {};
+    const { key, unit, where, unbounded } = factParts(name);
+    const row = rows.get(key) ?? (unbounded ? { text: say("fact.unbounded") } : {});
     rows.set(key, where ? { ...row, place: factText(value, unit) } : { ...row, text: factText(value, unit), exact: value });
   }
   return rows;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "synthesis/exact/cam/half_planes.hpp"
 
@@ -22,17 +23,16 @@ struct LimitSide {
 
 std::vector<LimitSide> sides_of(const PressureLimits& limits) {
   std::vector<LimitSide> sides;
-  if (limits.whole) {
-    const double t = std::tan(*limits.whole);
-    sides.push_back({PressureLimit::whole, Stretch::whole, 1, t});
-    sides.push_back({PressureLimit::whole, Stretch::whole, -1, t});
-  }
-  if (limits.rise) {
-    sides.push_back({PressureLimit::rise, Stretch::rises, 1, std::tan(*limits.rise)});
-  }
-  if (limits.fall) {
-    sides.push_back({PressureLimit::fall, Stretch::falls, -1, std::tan(*limits.fall)});
-  }
+  const auto add = [&](PressureLimit limit, Stretch stretch, const std::optional<double>& most,
+                       std::initializer_list<double> signs) {
+    if (!most) return;
+    for (const double sign : signs) sides.push_back({limit, stretch, sign, std::tan(*most)});
+  };
+  add(PressureLimit::whole, Stretch::whole, limits.whole, {1, -1});
+  add(PressureLimit::rise, Stretch::rises, limits.rise, {1, -1});
+  add(PressureLimit::fall, Stretch::falls, limits.fall, {1, -1});
+  add(PressureLimit::rise_working, Stretch::rises, limits.rise_working, {1});
+  add(PressureLimit::fall_working, Stretch::falls, limits.fall_working, {-1});
   return sides;
 }
 

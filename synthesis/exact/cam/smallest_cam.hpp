@@ -12,15 +12,18 @@ namespace cognate::synthesis {
 /// Limits of the pressure angle in rad, each in (0, π/2).
 struct PressureLimits {
   std::optional<double> whole;  ///< of either sign at every position
-  std::optional<double> rise;   ///< over the rises, on the side to which the cam pushes in them
-  std::optional<double> fall;   ///< over the returns, on the other side
+  std::optional<double> rise;   ///< of either sign over the rises
+  std::optional<double> fall;   ///< of either sign over the returns
+  /// Over the rises, only on the side to which the cam pushes in them; over the returns, only on
+  /// the other.
+  std::optional<double> rise_working{}, fall_working{};
 
   /// Whether anything is limited.
-  bool any() const { return whole || rise || fall; }
+  bool any() const { return whole || rise || fall || rise_working || fall_working; }
 };
 
 /// Which of the limits.
-enum class PressureLimit { whole, rise, fall };
+enum class PressureLimit { whole, rise, fall, rise_working, fall_working };
 
 /// A position at which one of the limits binds.
 struct BindingLimit {

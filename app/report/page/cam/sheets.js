@@ -87,25 +87,31 @@ function limitsOf({ column, limit, sides }, { drawn, kind: { limits, flat } }) {
   return { shades: [{ axis: "y", from: most, to: 1e300, colour: "--shade" }, ...(sides ? [{ axis: "y", from: -1e300, to: -most, colour: "--shade" }] : [])], most };
 }
 
-// A limit of the rise holds on its side over the rises, that of the return on the other over the
-// returns, one for both everywhere.
-function pressureShades(strokes, { pressure_deg: both, rise_deg: rise, return_deg: fall }) {
+// The greatest pressure angle allowed on either side in a stroke (null in a dwell). A working limit
+// holds on one side alone: of a rise on the positive, of a return on the negative.
+function pressureLimits(stroke, limits) {
+  const least = (...all) => Math.min(...all.map((v) => v ?? Infinity));
+  const both = least(limits.pressure_deg, stroke === "rise" ? limits.rise_deg : null, stroke === "return" ? limits.return_deg : null);
+  return { above: stroke === "rise" ? least(both, limits.rise_working_deg) : both, below: stroke === "return" ? least(both, limits.return_working_deg) : both };
+}
+
+function pressureShades(strokes, limits) {
   const band = (from, to, over) => ({ axis: "y", from, to, over, colour: "--shade" });
+  const both = limits.pressure_deg;
   const shades = both === null ? [] : [band(both, 90), band(-90, -both)];
   for (const { from_deg: from, to_deg: to, stroke } of strokes) {
-    if (stroke === "rise" && rise !== null) shades.push(band(rise, 90, [from, to]));
-    if (stroke === "return" && fall !== null) shades.push(band(-90, -fall, [from, to]));
+    const { above, below } = pressureLimits(stroke, { ...limits, pressure_deg: null });
+    if (above < Infinity) shades.push(band(above, 90, [from, to]));
+    if (below < Infinity) shades.push(band(-90, -below, [from, to]));
   }
   return shades;
 }
 
 // Whether a limit of the pressure angle is missed at `deg`.
 function missesPressure(design, deg) {
-  const { pressure_deg: both, rise_deg: rise, return_deg: fall } = design.kind.limits;
   const angle = design.first.at("pressure_deg", deg);
-  const stroke = design.strokeAt(deg);
-  const over = (most, value) => most !== null && value > most + 1e-6;
-  return over(both, Math.abs(angle)) || (stroke === "rise" && over(rise, angle)) || (stroke === "return" && over(fall, -angle));
+  const { above, below } = pressureLimits(design.strokeAt(deg), design.kind.limits);
+  return angle > above + 1e-6 || -angle > below + 1e-6;
 }
 
 // Least and greatest value in words, powers of ten taken out, and peaks cut that dwarf all else.

@@ -1,16 +1,19 @@
-#include "problems/machine/load_breaks.hpp"
+#include "problems/analysis/load_breaks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <variant>
 
 #include "analysis/angle.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/mechanism/zeros.hpp"
-#include "problems/machine/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Where the travel passes the value `target` in `run`. Between `limits` it goes one way.
 class Passages {
@@ -44,17 +47,26 @@ class Passages {
   Travel travel_;
 };
 
+/// The ends of an interval of the drive, in every turn of a drive that turns.
+void add_interval_ends(const Course& course, bool turns, const std::pair<double, double>& interval,
+                       std::vector<double>& breaks) {
+  const auto [low, high] = std::minmax(course.start, course.end);
+  for (double end : {interval.first, interval.second}) {
+    if (!turns) {
+      breaks.push_back(end);
+      continue;
+    }
+    for (end = low + in_one_turn(end - low); end < high; end += kTurn) breaks.push_back(end);
+  }
+}
+
 }  // namespace
 
 std::vector<double> load_breaks(const Mechanism<double>& mechanism, const Course& course,
                                 const LoadRule& rule, const Stroke& stroke) {
   std::vector<double> breaks;
-  if (rule.between) {
-    for (double angle : {rule.between->first, rule.between->second}) {
-      angle = course.start + in_one_turn(angle - course.start);
-      for (; angle < course.end; angle += kTurn) breaks.push_back(angle);
-    }
-  }
+  const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  if (rule.between) add_interval_ends(course, turns, *rule.between, breaks);
   if (rule.sense == LoadSense::always && !rule.within_stroke) return breaks;
   const Travel travel = travels(mechanism)[static_cast<std::size_t>(rule.at.body)];
   const auto range = output_range(mechanism, course, travel);

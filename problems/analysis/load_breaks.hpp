@@ -8,10 +8,10 @@
 
 namespace cognate::problems {
 
-/// The angles of the drive over `course`, of a crank or a floating link, at which a load with
-/// `rule` may begin or cease to act whichever way the drive turns: the ends of `between`, where the
-/// body that bears it turns back, and where that enters or leaves the part of its stroke. Not
-/// ordered.
+/// The places of the drive over `course` at which a load with `rule` may begin or cease to act
+/// whichever way the drive moves: the ends of `between` (of a drive that turns in every turn of the
+/// course), where the body that bears it turns back, and where that enters or leaves the part of
+/// its stroke. Not ordered.
 std::vector<double> load_breaks(const Mechanism<double>& mechanism, const Course& course,
                                 const LoadRule& rule, const Stroke& stroke);
 
