@@ -12,31 +12,6 @@ namespace {
 
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Which sums of lengths are equal.
-struct EqualSums {
-  bool first = false;   ///< l₃ + l₄ = l₁ + l₂
-  bool second = false;  ///< l₂ + l₄ = l₁ + l₃
-  bool third = false;   ///< l₁ + l₄ = l₂ + l₃
-};
-
-EqualSums equal_sums(const Lengths<double>& links) {
-  const auto& [l1, l2, l3, l4] = links;
-  const double tolerance = kRounding * std::max({l1, l2, l3, l4});
-  const auto is_zero = [&](double a, double b, double c, double d) {
-    return std::abs(compensated_sum(a, b, c, d)) <= tolerance;
-  };
-  return {is_zero(l4, -l1, -l2, l3), is_zero(l4, -l1, l2, -l3), is_zero(l4, l1, -l2, -l3)};
-}
-
-ChangePointClass class_of(const EqualSums& equal) {
-  if (equal.first && equal.second && equal.third) return ChangePointClass::rhombus;
-  if (equal.first && equal.third) return ChangePointClass::parallelogram;
-  if (equal.first && equal.second) return ChangePointClass::kite_b_on_d;
-  if (equal.second && equal.third) return ChangePointClass::kite_c_on_a;
-  const bool any = equal.first || equal.second || equal.third;
-  return any ? ChangePointClass::single : ChangePointClass::none;
-}
-
 /// a + b − c as an unevaluated sum.
 TwoParts<double> long_sum(double a, double b, double c) {
   const TwoParts<double> sum = two_part_sum(a, b);
@@ -75,10 +50,6 @@ double sign_after(double value, double rate) {
 }
 
 }  // namespace
-
-ChangePointClass change_point_class(const Lengths<double>& links) {
-  return class_of(equal_sums(links));
-}
 
 struct ChangePointMotion::Roots {
   double p = 0, p_rate = 0;
@@ -182,6 +153,25 @@ ChangePointPath ChangePointMotion::path() const {
       break;
   }
   return ChangePointPath::single;
+}
+
+std::string_view change_point_kind(const FourBar& linkage, double start) {
+  const auto motion = ChangePointMotion::through(linkage, start);
+  if (!motion) return "";
+  switch (motion->kind()) {
+    case ChangePointClass::parallelogram:
+      return motion->path() == ChangePointPath::parallelogram ? "parallelogram"
+                                                              : "antiparallelogram";
+    case ChangePointClass::kite_b_on_d:
+    case ChangePointClass::kite_c_on_a:
+      return "kite";
+    case ChangePointClass::rhombus:
+      return "rhombus";
+    case ChangePointClass::none:
+    case ChangePointClass::single:
+      break;
+  }
+  return "single";
 }
 
 bool ChangePointMotion::meets_d() const {

@@ -8,27 +8,16 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "analysis/closure.hpp"
 #include "analysis/four_bar.hpp"
 #include "analysis/frame_axes.hpp"
+#include "analysis/mobility.hpp"
 #include "analysis/motion.hpp"
 
 namespace cognate {
-
-/// Four-bars with a change point, by which of their links are equal.
-enum class ChangePointClass {
-  none,           ///< shortest + longest differs from the sum of the other two
-  single,         ///< equal sums alone: one such position
-  parallelogram,  ///< opposite links equal: it moves as parallelogram or as antiparallelogram
-  kite_b_on_d,    ///< crank = frame and coupler = rocker: B can lie on D
-  kite_c_on_a,    ///< crank = coupler and rocker = frame: C can lie on A
-  rhombus         ///< all equal
-};
-
-/// Sums of lengths, and lengths, count as equal within 16 ε of the longest.
-ChangePointClass change_point_class(const Lengths<double>& links);
 
 /// How a linkage with a change point moves.
 enum class ChangePointPath {
@@ -99,5 +88,10 @@ class ChangePointMotion {
   Lengths<double> links_;  ///< scaled as in `axes_`, equal where they should be
   HalfClosure<double> near_, far_;
 };
+
+/// The name of a four-bar with a change point where it stands in its assembly at `start`, a crank
+/// angle from the x axis: "parallelogram" or "antiparallelogram" (the same lengths, in the other
+/// assembly), "kite", "rhombus", and "single" where no lengths are equal. Empty for others.
+std::string_view change_point_kind(const FourBar& linkage, double start);
 
 }  // namespace cognate

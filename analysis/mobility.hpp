@@ -1,6 +1,7 @@
 /// @file What a four-bar can do, from its link lengths alone: nothing here computes a position.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,20 +12,51 @@ namespace cognate {
 /// Grashof's classes by the link that turns fully. The crank is the driven link A–B.
 enum class MobilityClass { crank_rocker, double_crank, rocker_crank, double_rocker, triple_rocker };
 
-/// Grashof's criterion, shortest + longest ≤ sum of the other two, and which link is the shortest:
-/// crank → crank-rocker, frame → double-crank, rocker → rocker-crank, coupler → double-rocker; no
-/// link turns fully: triple rocker. A change point (equality) counts as Grashof. Only there can two
-/// links be the shortest; the first of crank, frame, rocker, coupler then names the class, so that
-/// a parallelogram with a short crank is a crank-rocker.
+/// Sums of lengths that differ by no more than this part of the longest link are equal: lengths
+/// rounded to doubles, and what a file's decimal digits or a few operations make of them, cannot be
+/// told from equal ones.
+inline constexpr double kChangePointTolerance = 16 * std::numeric_limits<double>::epsilon();
+
+/// Grashof's criterion, shortest + longest ≤ sum of the other two, and which of crank and rocker
+/// turns fully: crank alone (it is the shortest) → crank-rocker, both (the frame is) →
+/// double-crank, rocker alone → rocker-crank, neither (the coupler is) → double-rocker; no link
+/// turns fully against another: triple rocker.
+///
+/// A change point (equality within `kChangePointTolerance`) counts as Grashof: it has the class
+/// that it borders. Only there can two links be the shortest, and both of them turn against their
+/// neighbours: parallelograms, rhombi and kites whose frame is one of the two short links are
+/// double-cranks, a kite with short crank and coupler is a crank-rocker, one with short coupler and
+/// rocker a rocker-crank.
 ///
 /// Here and below lengths are positive and finite, and the results do not depend on their unit.
 MobilityClass mobility_class(const Lengths<double>& links);
+
+/// Four-bars with a change point, by which of their links are equal.
+enum class ChangePointClass {
+  none,           ///< shortest + longest differs from the sum of the other two
+  single,         ///< equal sums alone: one such position
+  parallelogram,  ///< opposite links equal: it moves as parallelogram or as antiparallelogram
+  kite_b_on_d,    ///< crank = frame and coupler = rocker: B can lie on D
+  kite_c_on_a,    ///< crank = coupler and rocker = frame: C can lie on A
+  rhombus         ///< all equal
+};
+
+/// Which sums of two lengths are equal within `kChangePointTolerance`.
+struct EqualSums {
+  bool first = false;   ///< l₃ + l₄ = l₁ + l₂
+  bool second = false;  ///< l₂ + l₄ = l₁ + l₃
+  bool third = false;   ///< l₁ + l₄ = l₂ + l₃
+};
+EqualSums equal_sums(const Lengths<double>& links);
+
+/// By `equal_sums`: two of them make lengths equal in pairs.
+ChangePointClass change_point_class(const Lengths<double>& links);
 
 /// Shortest + longest − the other two, relative to the longest: negative for Grashof linkages,
 /// within a few units of rounding of zero at a change point.
 double grashof_excess(const Lengths<double>& links);
 
-/// Whether the linkage is at a change point: |grashof_excess| ≤ 16 ε.
+/// Whether the linkage is at a change point: all its links can lie on one line.
 bool is_change_point(const Lengths<double>& links);
 
 /// Whether the links can form a closed loop at all: longest ≤ sum of the others.
@@ -34,6 +66,9 @@ bool can_assemble(const Lengths<double>& links);
 /// which holds for a Grashof linkage whose crank or frame is the shortest link. True within
 /// rounding of a change point as `is_change_point` has it.
 bool crank_rotates(const Lengths<double>& links);
+
+/// Whether the rocker turns fully, as the crank does in `crank_rotates`.
+bool rocker_rotates(const Lengths<double>& links);
 
 /// A range of the crank angle counted counter-clockwise from A→D, `from` ≤ `to` ≤ `from` + 2π.
 struct CrankRange {

@@ -47,8 +47,13 @@ constexpr Entry kSolveOptions[] = {
     {"certify_gap", "the relative gap at which a certificate is complete (default 1e-3)"}};
 
 constexpr Metric kMetrics[] = {
-    {"class", "", "which link turns fully, by Grashof's criterion"},
+    {"class", "",
+     "which of crank and rocker turns fully, by Grashof's criterion; a change point has the class "
+     "that it borders, parallelogram and rhombus are double-cranks"},
     {"change_point", "", "true where all links can lie on one line"},
+    {"change_point_kind", "",
+     "of a four-bar with one: parallelogram, antiparallelogram, kite, rhombus; single: no equal "
+     "lengths"},
     {"transmission_angle_deg.min", "deg", "least angle between coupler and rocker"},
     {"transmission_angle_deg.max", "deg", "greatest angle between coupler and rocker"},
     {"transmission_angle_deg.acute_min", "deg", "least of the angle and its supplement"},
@@ -70,8 +75,11 @@ constexpr Metric kMetrics[] = {
     {"longest_link", "length", "of crank, coupler, rocker and frame, where size is an objective"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "of mechanisms other than four-bars: the body that is the output"},
-    {"output_swing_deg", "deg", "angle through which that swings"},
-    {"output_stroke", "length", "distance through which it slides"},
+    {"output_swing_deg", "deg", "angle through which that swings in the range driven"},
+    {"output_stroke", "length", "distance through which it slides in the range driven"},
+    {"circuit_swing_deg", "deg",
+     "angle through which it swings on the whole circuit; 360: it turns"},
+    {"circuit_stroke", "length", "distance through which it slides on the whole circuit"},
     {"pressure_angle_max_deg", "deg", "greatest pressure angle of sliders and bars, unsigned"},
     {"swing_deg", "deg", "angle through which the output swings (quick returns)"},
     {"stroke", "length", "distance through which the output slides (quick returns)"},
@@ -145,6 +153,10 @@ constexpr Metric kFacts[] = {
 constexpr Metric kAnalysisMetrics[] = {
     {"class", "", "which link turns fully; of a chain its dyads"},
     {"change_point", "", "true where all links can lie on one line"},
+    {"change_point_kind", "",
+     "of a four-bar with one: parallelogram, antiparallelogram, kite, rhombus; single: no equal "
+     "lengths"},
+    {"rocker_turns_fully", "", "of a four-bar: whether the rocker can turn through a whole turn"},
     {"moves_as", "", "of a four-bar with a change point: parallelogram, antiparallelogram..."},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"mobility", "1", "independent motions, by Gruebler's count of bodies and joints"},
@@ -153,8 +165,11 @@ constexpr Metric kAnalysisMetrics[] = {
     {"transmission_angle_deg.acute_min", "deg", "least of the angle and its supplement"},
     {"pressure_angle_max_deg", "deg", "greatest pressure angle of sliders and bars, unsigned"},
     {"output", "", "the body whose motion is the mechanism's output"},
-    {"output_swing_deg", "deg", "angle through which the output swings"},
-    {"output_stroke", "length", "distance through which the output slides"},
+    {"output_swing_deg", "deg", "angle through which the output swings in the range driven"},
+    {"output_stroke", "length", "distance through which the output slides in the range driven"},
+    {"circuit_swing_deg", "deg",
+     "angle through which it swings on the whole circuit, all branches; 360: it turns"},
+    {"circuit_stroke", "length", "distance through which it slides on the whole circuit"},
     {"time_ratio", "1", "time of the slower over the quicker stroke; null without limits"},
     {"longest_link", "length", "of a four-bar's links (curve)"},
     {"link_ratio", "1", "of that to the shortest (curve)"},

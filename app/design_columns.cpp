@@ -39,7 +39,10 @@ std::string class_text(const Design& design) {
     if (name.empty() && fact.name == "class" && text) name = printable(*text);
   }
   if (name.empty()) return kNone;
-  return metrics.change_point ? name + " (change point)" : name;
+  if (!metrics.change_point) return name;
+  const auto kind = std::ranges::find(metrics.facts, "change_point_kind", &problems::Fact::name);
+  const auto* text = kind == metrics.facts.end() ? nullptr : std::get_if<std::string>(&kind->value);
+  return name + (text && *text != "single" ? " (" + printable(*text) + ")" : " (change point)");
 }
 
 /// A design of a type without transmission angle has zeros there.

@@ -7,6 +7,7 @@
 
 #include "problems/degrees.hpp"
 #include "problems/names.hpp"
+#include "problems/required_class.hpp"
 #include "problems/turn_metrics.hpp"
 #include "problems/verify.hpp"
 
@@ -70,13 +71,13 @@ class Checks {
 
   void check_class(RequiredClass required, const Metrics& metrics) {
     add("class", std::string(to_string(metrics.mobility.value())), std::string(to_string(required)),
-        has_class(required, metrics));
+        is_of_class(metrics.mobility.value(), required));
   }
 
   void check_full_turn(const Metrics& metrics) {
     add("full_turn", std::string(to_string(metrics.mobility.value())), "crank-rocker, double-crank",
-        has_class(RequiredClass::crank_rocker, metrics) ||
-            has_class(RequiredClass::double_crank, metrics));
+        is_of_class(metrics.mobility.value(), RequiredClass::crank_rocker) ||
+            is_of_class(metrics.mobility.value(), RequiredClass::double_crank));
   }
 
   void check_transmission(const Range& limits, const Metrics& metrics) {
@@ -192,28 +193,6 @@ class Checks {
     const double angle = middle + std::remainder(frame_angle(linkage_) - middle, kTurn);
     add("bounds.frame_angle_deg", degrees(angle), in_degrees(range),
         margin(angle, range) >= -kCheckTolerance);
-  }
-
-  bool is_shortest(double link) const { return link <= shortest(links_) * (1 + kCheckTolerance); }
-
-  bool has_class(RequiredClass required, const Metrics& metrics) const {
-    const bool is_grashof = metrics.mobility != MobilityClass::triple_rocker;
-    switch (required) {
-      case RequiredClass::crank_rocker:
-        return is_grashof && is_shortest(links_.crank);
-      case RequiredClass::double_crank:
-        return is_grashof && is_shortest(links_.frame);
-      case RequiredClass::rocker_crank:
-        return is_grashof && is_shortest(links_.rocker);
-      case RequiredClass::double_rocker:
-        return is_grashof && is_shortest(links_.coupler);
-      case RequiredClass::grashof:
-        return is_grashof;
-      case RequiredClass::triple_rocker:
-      case RequiredClass::non_grashof:
-        return !is_grashof || metrics.change_point;
-    }
-    return false;
   }
 
   const FourBar& linkage_;

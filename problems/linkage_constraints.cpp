@@ -80,7 +80,8 @@ void LinkageConstraints::add_shortest(int shortest, double scale) {
 
 void LinkageConstraints::add_class(RequiredClass required, double scale) {
   const auto excess = [&](double sign) {
-    limits_.push_back({LinkLimit::Kind::grashof_excess, {sign / scale}, 0, 0});
+    // No linkage of a class is a change point of another.
+    limits_.push_back({LinkLimit::Kind::grashof_excess, {sign / scale}, 0, kClassMargin});
   };
   switch (required) {
     case RequiredClass::crank_rocker:

@@ -9,6 +9,7 @@
 #include "analysis/mechanism/zeros.hpp"
 #include "analysis/mobility.hpp"
 #include "problems/counter_random.hpp"
+#include "problems/required_class.hpp"
 #include "problems/straight_line_model.hpp"
 #include "synthesis/exact/straight_line/straight_points.hpp"
 
@@ -133,24 +134,6 @@ void draw_slider_crank(Even& even, StretchFamily family, LineStretch& drawn) {
   }
 }
 
-bool is_of_class(const Lengths<double>& links, RequiredClass required) {
-  const MobilityClass found = mobility_class(links);
-  switch (required) {
-    case RequiredClass::crank_rocker:
-      return found == MobilityClass::crank_rocker;
-    case RequiredClass::double_crank:
-      return found == MobilityClass::double_crank;
-    case RequiredClass::rocker_crank:
-      return found == MobilityClass::rocker_crank;
-    case RequiredClass::double_rocker:
-      return found == MobilityClass::double_rocker;
-    case RequiredClass::grashof:
-      return found != MobilityClass::triple_rocker;
-    default:
-      return found == MobilityClass::triple_rocker;
-  }
-}
-
 std::vector<StretchFamily> families(MechanismType type) {
   using enum StretchFamily;
   if (type == MechanismType::slider_crank) return {any, on_coupler_line, isosceles_slider};
@@ -211,7 +194,8 @@ bool StretchStarts::accept(LineStretch& drawn) const {
   const Lengths<double> links = lengths_of(drawn);
   if (!can_assemble(links)) return false;
   const Constraints& constraints = problem_.constraints;
-  if (constraints.required_class && !is_of_class(links, *constraints.required_class)) return false;
+  const auto& required = constraints.required_class;
+  if (required && !is_of_class(mobility_class(links), *required)) return false;
   const auto [least, most] = std::ranges::minmax(drawn.dimensions.links);
   return !constraints.link_ratio_max || most <= 1.2 * *constraints.link_ratio_max * least;
 }

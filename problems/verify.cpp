@@ -4,8 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "analysis/change_point.hpp"
 #include "analysis/mobility.hpp"
 #include "analysis/motion.hpp"
 
@@ -40,6 +42,14 @@ Metrics design_metrics(const FourBar& linkage, std::span<const CrankPosition> po
   Metrics metrics;
   metrics.mobility = mobility_class(links);
   metrics.change_point = is_change_point(links);
+  if (metrics.change_point) {
+    const CrankPosition at =
+        positions.empty() ? CrankPosition{0, linkage.assembly} : positions.front();
+    FourBar standing = linkage;
+    standing.assembly = at.side;
+    metrics.facts.push_back(
+        {"change_point_kind", std::string(change_point_kind(standing, at.crank_angle))});
+  }
   metrics.transmission_min = angles.min;
   metrics.transmission_max = angles.max;
   metrics.transmission_acute_min = angles.acute_min;

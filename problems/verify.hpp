@@ -52,9 +52,8 @@ inline constexpr double kLeastLinkRatio = 1e-6;
 /// key ends in _deg; defects read "none" or their name. A length without bounds is checked against
 /// `kLeastLinkRatio` and named only where it fails.
 ///
-/// A class holds as `metrics` has it, Grashof's criterion with no allowance beyond rounding: a
-/// crank that stops short of a full turn by any amount does not turn. Where lengths tie, either
-/// counts as the shortest.
+/// A class holds as `metrics` has it (`mobility_class`), Grashof's criterion with no allowance
+/// beyond rounding: a crank that stops short of a full turn by any amount does not turn.
 std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, const Bounds& bounds,
                                                const Given& given, const FourBar& linkage,
                                                const Metrics& metrics);

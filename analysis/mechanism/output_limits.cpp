@@ -72,6 +72,8 @@ class Collector {
       const double value = value_near(samples_.empty() ? 0 : samples_.back().value);
       const double rate = output_.rate(motion_);
       include({drive, value});
+      if (samples_.empty()) range_.first = {drive, value};
+      range_.last = {drive, value};
       samples_.push_back({drive, value, rate, &run});
       // Next to a dead point the output is as fast as one likes, and says nothing of the rest.
       if (std::abs(rate) * motion_.course().scale < 1e3) {

@@ -25,6 +25,8 @@ struct OutputRange {
   std::vector<OutputValue> limits;
   OutputValue least;
   OutputValue greatest;
+  OutputValue first;  ///< at the least value of the drive
+  OutputValue last;   ///< at its greatest
 
   /// The stroke (a length) or the swing (radians).
   double stroke() const { return greatest.value - least.value; }

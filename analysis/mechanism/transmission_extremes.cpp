@@ -18,11 +18,18 @@ class Extremes {
   void add(const CourseRun& run, int cells) {
     Dual last;
     double last_drive = run.from;
+    if (run.from_dyad == dyad_) include_dead(closure(run, run.from), run.from);
+    if (run.to_dyad == dyad_) include_dead(closure(run, run.to), run.to);
+    for (const Change& change : run.changes) {
+      if (change.dyad == dyad_ && change.determined) {
+        include_dead(closure(run, change.drive), change.drive);
+      }
+    }
     for (const double drive : crowded(run.from, run.to, cells)) {
       const DyadClosure<Dual>& here = closure(run, drive);
       const Dual cosine = here.cosine;
       if (!std::isfinite(cosine.value)) continue;
-      include(here, drive);
+      if (!is_dead_point(run, drive)) include(here, drive);
       if (last.rate * cosine.rate < 0) {
         const auto rate = [&](double at) { return closure(run, at).cosine.rate; };
         const double extreme =
@@ -41,8 +48,22 @@ class Extremes {
     return probe_.closure(run, drive, dyad_);
   }
 
+  bool is_dead_point(const CourseRun& run, double drive) const {
+    return (drive == run.from && run.from_dyad == dyad_) ||
+           (drive == run.to && run.to_dyad == dyad_);
+  }
+
+  /// Where the links of the dyad are in line, to rounding: μ is 0 or π, which a root of what
+  /// rounding leaves is not.
+  void include_dead(const DyadClosure<Dual>& at, double drive) {
+    include({drive, at.cosine.value < 0 ? std::numbers::pi : 0.0 * at.cosine.value});
+  }
+
   void include(const DyadClosure<Dual>& at, double drive) {
-    const AngleAt here{drive, std::atan2(std::abs(at.sine.value), at.cosine.value)};
+    include({drive, std::atan2(std::abs(at.sine.value), at.cosine.value)});
+  }
+
+  void include(const AngleAt& here) {
     if (!std::isfinite(here.angle)) return;
     if (!result_) result_ = {here, here};
     if (here.angle < result_->least.angle) result_->least = here;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "analysis/guide_bar_mobility.hpp"
+#include "analysis/mechanism/circuit_range.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
@@ -158,15 +159,33 @@ class Summary {
     summary_.facts.push_back({"output", name});
     for (const OutputValue& limit : range->limits)
       add_landmark("limit position", name, limit.drive);
-    if (travel_.slides) {
-      add("output_stroke", range->stroke());
-    } else if (range->stroke() < 2 * kPi * (1 - 1e-12)) {
-      add("output_swing_deg", kDegrees * range->stroke());
-    }
+    add_strokes(*range);
     const auto ratio =
         std::visit(TimeRatio{problem_, travel_, deadline_}, problem_.mechanism.description);
     if (ratio && std::isfinite(*ratio)) add("time_ratio", *ratio);
   }
+
+  /// The output's stroke or swing in the range driven, the first of the course, and on the whole
+  /// circuit; none where the range is a whole turn in which the output turns too.
+  void add_strokes(const OutputRange& all) {
+    const bool is_one = course_.runs.size() == 1;
+    Course driven = course_;
+    driven.runs = {course_.start <= course_.end ? course_.runs.front() : course_.runs.back()};
+    const auto own = is_one ? all : output_range(mechanism_, driven, travel_);
+    const double unit = travel_.slides ? 1 : kDegrees;
+    if (own && (travel_.slides || own->stroke() < kFullTurn)) {
+      add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
+    } else if (own) {
+      return;
+    }
+    const auto stop = [this] { return deadline_.reached(); };
+    const auto circuit = circuit_range(mechanism_, driven.runs.front(), travel_, stop);
+    if (circuit) {
+      add(travel_.slides ? "circuit_stroke" : "circuit_swing_deg", unit * circuit->stroke);
+    }
+  }
+
+  static constexpr double kFullTurn = 2 * kPi * (1 - 1e-12);
 
   void add(const char* name, double value) { summary_.facts.push_back({name, value}); }
 

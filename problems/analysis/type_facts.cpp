@@ -58,7 +58,9 @@ struct FactsOf {
     const auto links = lengths(linkage);
     Facts facts = rotation_facts(to_string(mobility_class(links)), is_change_point(links),
                                  crank_rotates(links));
+    facts.push_back({"rocker_turns_fully", rocker_rotates(links)});
     if (const auto motion = ChangePointMotion::through(linkage, start)) {
+      facts.push_back({"change_point_kind", std::string(change_point_kind(linkage, start))});
       facts.push_back({"moves_as", std::string(name(motion->path()))});
     }
     return facts;

@@ -1,12 +1,15 @@
 #include "problems/reading/class_feasibility.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
+
+#include "analysis/mobility.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kRounding = kChangePointTolerance;
 
 // A lower limit of 0 means more than this share of the largest link.
 constexpr double kLeastShare = 1e-6;
@@ -34,6 +37,23 @@ bool can_be_grashof(const LengthLimits& limits, int shortest) {
     if (i != shortest) surplus += std::min(limits[i].max, longest);
   }
   return surplus >= -kRounding * longest;
+}
+
+// Whether link `shortest` can be shorter than all `others`. A linkage found by `can_be_grashof` in
+// which it is only as short as another has its least length and the greatest of that other.
+bool can_be_shorter(const LengthLimits& limits, int shortest, std::initializer_list<int> others) {
+  return std::ranges::all_of(others, [&](int other) {
+    return limits[shortest].min < limits[other].max * (1 - kRounding);
+  });
+}
+
+bool overlap(const Range& a, const Range& b) {
+  return std::max(a.min, b.min) <= std::min(a.max, b.max) * (1 + kRounding);
+}
+
+// Parallelograms are double-cranks whichever links are the short ones.
+bool can_be_parallelogram(const LengthLimits& limits) {
+  return overlap(limits[kCrank], limits[kRocker]) && overlap(limits[kCoupler], limits[kFrame]);
 }
 
 // Whether links `longest` and `shortest` can be such in a linkage that no link turns fully in. With
@@ -70,13 +90,14 @@ bool can_be_any_triple_rocker(const LengthLimits& limits) {
 bool class_is_possible(const LengthLimits& limits, RequiredClass wanted) {
   switch (wanted) {
     case RequiredClass::crank_rocker:
-      return can_be_grashof(limits, kCrank);
+      return can_be_grashof(limits, kCrank) && can_be_shorter(limits, kCrank, {kRocker, kFrame});
     case RequiredClass::double_crank:
-      return can_be_grashof(limits, kFrame);
+      return can_be_grashof(limits, kFrame) || can_be_parallelogram(limits);
     case RequiredClass::rocker_crank:
-      return can_be_grashof(limits, kRocker);
+      return can_be_grashof(limits, kRocker) && can_be_shorter(limits, kRocker, {kCrank, kFrame});
     case RequiredClass::double_rocker:
-      return can_be_grashof(limits, kCoupler);
+      return can_be_grashof(limits, kCoupler) &&
+             can_be_shorter(limits, kCoupler, {kCrank, kRocker, kFrame});
     case RequiredClass::grashof:
       return can_be_grashof(limits, kCrank) || can_be_grashof(limits, kCoupler) ||
              can_be_grashof(limits, kRocker) || can_be_grashof(limits, kFrame);

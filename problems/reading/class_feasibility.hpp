@@ -12,7 +12,7 @@ namespace cognate::problems::reading {
 using LengthLimits = std::array<Range, 4>;
 
 /// Whether some four lengths within `limits` can be assembled and are of class `wanted`, change
-/// points counting as Grashof linkages (within 16 ε, as in `is_change_point`). Exact: the
+/// points having the class that `mobility_class` gives them. Exact: the
 /// inequalities of Grashof are linear, and their extreme over a box has a closed form.
 bool class_is_possible(const LengthLimits& limits, RequiredClass wanted);
 

@@ -88,7 +88,8 @@ LinkFunction<T> evaluate(const LinkLimit& limit, const T* l, const Operations& w
       const T longest = with.larger(with.larger(l[0], l[1]), with.larger(l[2], l[3]));
       const T shortest = with.smaller(with.smaller(l[0], l[1]), with.smaller(l[2], l[3]));
       at.value =
-          T(limit.weights[0]) * (T(2.0) * (longest + shortest) - (l[0] + l[1] + l[2] + l[3]));
+          T(limit.weights[0]) * (T(2.0) * (longest + shortest) - (l[0] + l[1] + l[2] + l[3])) -
+          T(limit.margin);
       for (int k = 0; k < 4; ++k) {
         const T extreme = with.is_equal(l[k], longest) + with.is_equal(l[k], shortest);
         at.slope[k] = T(limit.weights[0]) * (T(2.0) * extreme - T(1.0));

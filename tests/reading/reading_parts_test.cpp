@@ -116,23 +116,25 @@ TEST(NearestTest, QuotesWithoutControlCharactersOrHalfLetters) {
   EXPECT_LT(in_quotes(letters).size(), 70U);
 }
 
-// Whether `links`, on a grid of eighths, are of class `wanted`. A link as short as the shortest
-// counts as the shortest: the class then holds in the limit, as change points do.
+// Whether `links`, on a grid of eighths, are of class `wanted`: of a Grashof linkage the joints at
+// the ends of a shortest link turn fully.
 bool has_class(const std::array<double, 4>& links, RequiredClass wanted) {
   const double shortest = *std::ranges::min_element(links);
   const double longest = *std::ranges::max_element(links);
   const double sum = links[0] + links[1] + links[2] + links[3];
   if (2 * longest > sum) return false;
   const bool grashof = 2 * (shortest + longest) <= sum;  // exact: all are multiples of 1/8
+  const bool crank = links[0] == shortest || links[3] == shortest;
+  const bool rocker = links[2] == shortest || links[3] == shortest;
   switch (wanted) {
     case RequiredClass::crank_rocker:
-      return grashof && links[0] == shortest;
+      return grashof && crank && !rocker;
     case RequiredClass::double_rocker:
-      return grashof && links[1] == shortest;
+      return grashof && !crank && !rocker;
     case RequiredClass::rocker_crank:
-      return grashof && links[2] == shortest;
+      return grashof && rocker && !crank;
     case RequiredClass::double_crank:
-      return grashof && links[3] == shortest;
+      return grashof && crank && rocker;
     case RequiredClass::grashof:
       return grashof;
     default:

@@ -63,18 +63,69 @@ TEST(Mobility, CrankTurnsFullyExactlyWhereGrashofSays) {
 TEST(Mobility, ChangePointsAreRecognisedThroughRounding) {
   // Sums that are equal on paper and not in binary: 0.1 + 0.7 = 0.3 + 0.5 = 0.8.
   const Lengths<double> decimal{0.1, 0.3, 0.5, 0.7};
+  using enum MobilityClass;
+  const std::pair<Lengths<double>, MobilityClass> cases[] = {{decimal, crank_rocker},
+                                                             {{0.1, 0.7, 0.3, 0.5}, crank_rocker},
+                                                             {{0.1, 0.7, 0.1, 0.7}, double_crank},
+                                                             {{0.7, 0.1, 0.7, 0.1}, double_crank},
+                                                             {{0.3, 0.7, 0.7, 0.3}, double_crank},
+                                                             {{0.7, 0.3, 0.3, 0.7}, rocker_crank},
+                                                             {{0.3, 0.3, 0.7, 0.7}, crank_rocker},
+                                                             {{0.7, 0.7, 0.3, 0.3}, double_crank},
+                                                             {{0.7, 0.7, 0.7, 0.7}, double_crank}};
   for (const double scale : {1e-100, 1.0, 3.0, 1e100}) {
-    for (const Lengths<double> links :
-         {decimal, Lengths<double>{0.1, 0.7, 0.3, 0.5}, Lengths<double>{0.1, 0.7, 0.1, 0.7},
-          Lengths<double>{0.3, 0.7, 0.7, 0.3}}) {
+    for (const auto& [links, expected] : cases) {
+      const bool turns = expected == crank_rocker || expected == double_crank;
       EXPECT_TRUE(is_change_point(scaled(links, scale)));
-      EXPECT_TRUE(crank_rotates(scaled(links, scale))) << testing::PrintToString(links);
-      EXPECT_EQ(mobility_class(scaled(links, scale)), MobilityClass::crank_rocker);
+      EXPECT_EQ(crank_rotates(scaled(links, scale)), turns) << testing::PrintToString(links);
+      EXPECT_EQ(mobility_class(scaled(links, scale)), expected) << testing::PrintToString(links);
     }
   }
   EXPECT_FALSE(is_change_point({0.1, 0.3, 0.5, 0.7 + 1e-14}));
   EXPECT_FALSE(crank_rotates({0.1, 0.3, 0.5, 0.7 + 1e-14}));
   EXPECT_TRUE(crank_rotates({0.1, 0.3, 0.5, 0.7 - 1e-14}));
+}
+
+/// Independent of sums by pairs: in a Grashof linkage, ties included, the joints at the ends of a
+/// shortest link turn fully, and no others. Exact, as lengths are small integers.
+MobilityClass class_by_joints(const std::array<int, 4>& l) {
+  const int shortest = std::ranges::min(l), longest = std::ranges::max(l);
+  if (2 * (shortest + longest) > l[0] + l[1] + l[2] + l[3]) return MobilityClass::triple_rocker;
+  const bool crank = l[0] == shortest || l[3] == shortest;
+  const bool rocker = l[2] == shortest || l[3] == shortest;
+  if (crank && rocker) return MobilityClass::double_crank;
+  if (crank) return MobilityClass::crank_rocker;
+  return rocker ? MobilityClass::rocker_crank : MobilityClass::double_rocker;
+}
+
+TEST(Mobility, ClassesOfAllSmallIntegersIncludingTies) {
+  int checked = 0, ties = 0;
+  std::array<int, 4> l{};
+  for (int code = 0; code < 10000; ++code) {
+    int rest = code;
+    for (int& length : l) {
+      length = 1 + rest % 10;
+      rest /= 10;
+    }
+    const Lengths<double> links{double(l[0]), double(l[1]), double(l[2]), double(l[3])};
+    if (!can_assemble(links)) continue;
+    const MobilityClass expected = class_by_joints(l);
+    const int excess =
+        2 * (std::ranges::min(l) + std::ranges::max(l)) - (l[0] + l[1] + l[2] + l[3]);
+    ++checked;
+    ties += excess == 0;
+    ASSERT_EQ(mobility_class(links), expected) << testing::PrintToString(links);
+    ASSERT_EQ(mobility_class(scaled(links, 0.1)), expected) << testing::PrintToString(links);
+    ASSERT_EQ(is_change_point(scaled(links, 0.1)), excess == 0) << testing::PrintToString(links);
+    const bool crank =
+        expected == MobilityClass::crank_rocker || expected == MobilityClass::double_crank;
+    const bool rocker =
+        expected == MobilityClass::rocker_crank || expected == MobilityClass::double_crank;
+    ASSERT_EQ(crank_rotates(links), crank) << testing::PrintToString(links);
+    ASSERT_EQ(rocker_rotates(links), rocker) << testing::PrintToString(links);
+  }
+  EXPECT_GT(checked, 8000);
+  EXPECT_GT(ties, 500);
 }
 
 TEST(Mobility, RangesOfTheCrankAreWhereTheKernelCloses) {

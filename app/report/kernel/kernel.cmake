@@ -87,6 +87,7 @@ cognate_page_kernel(mechanism_kernel
   analysis/frame_axes.cpp
   analysis/guide_bar.cpp
   analysis/guide_bar_mobility.cpp
+  analysis/mechanism/circuit_range.cpp
   analysis/mechanism/course.cpp
   analysis/mechanism/course_probe.cpp
   analysis/mechanism/dyad_reach.cpp

@@ -50,6 +50,6 @@ function transmissionCheck(bound, facts) {
 function hasClass(required, facts) {
   const grashof = facts.class !== "triple-rocker";
   if (required === "grashof") return grashof;
-  if (required === "non-grashof" || required === "triple-rocker") return !grashof || facts.changePoint;
+  if (required === "non-grashof" || required === "triple-rocker") return !grashof;
   return facts.class === required;
 }
