@@ -440,7 +440,23 @@ TEST(ExactFunction, DesignsOfAFamilyCloseOverTheWholeDomain) {
       open += d > (l2 + l3) * (1 + 1e-12) || d < std::abs(l2 - l3) * (1 - 1e-12);
     }
     EXPECT_EQ(open, 0);
+    // The first two only just close, at a change point.
+    const std::string number = "Design " + std::to_string(&design - result.designs.data() + 1);
+    EXPECT_EQ(says(result, number + ": the transmission angle is 0 or 180"),
+              design.metrics.transmission_acute_min < 1e-3);
   }
+}
+
+TEST(ExactFunction, JumpWithinTheDomainIsNoted) {
+  const auto noted = [](const char* function) {
+    const std::string text =
+        std::string("kind = \"function-generation\"\n[target]\nfunction = \"") + function +
+        "\"\ndomain = [1, 2]\ninput_range_deg = 60\noutput_range_deg = 40\n"
+        "precision_points = 5\n";
+    return says(solve(parsed(text), {}), "The function jumps at x = 1.3:");
+  };
+  EXPECT_TRUE(noted("log(x) + 0.2 * (x > 1.3)"));
+  EXPECT_FALSE(noted("log(x)"));
 }
 
 }  // namespace
