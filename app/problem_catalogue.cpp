@@ -6,7 +6,8 @@ namespace {
 constexpr Entry kFunction[] = {
     {"target.function", "an expression in x, as \"log10(x)\""},
     {"target.domain", "[x0, x1] of the function"},
-    {"target.table", "or: [[x, y], ...], interpolated"},
+    {"target.table",
+     "or: [[x, y], ...]; between the rows a cubic that rises and falls only where the rows do"},
     {"target.pairs_deg", "or: [[input, output], ...]"},
     {"target.pairs", "of a slider-crank: [[input_deg, displacement], ...]"},
     {"target.input_range_deg", "the input's sweep for the domain"},

@@ -94,7 +94,8 @@ ExactDesigns exact_four_bars(const FunctionProblem& problem, const FunctionSampl
     generator.assembly = prevailing_side(positions, &CrankPosition::side);
     Design design = function_design(problem, wanted, generator, positions,
                                     fmt::format("exact:freudenstein-{}", count));
-    if (!std::isfinite(design.error.sum_of_squares)) {
+    const bool closes = StructuralError(generator).closes_over(wanted.sweep);
+    if (!closes || !std::isfinite(design.error.sum_of_squares)) {
       design.error = at_points(generator, positions, wanted.precision);
     }
     design.metrics.precision_residual = solution.residual;

@@ -103,8 +103,8 @@ std::vector<ConstraintCheck> checks_of(const FunctionProblem& problem,
 /// each in its own assembly.
 TargetError error_of(const SliderGenerator& generator, const FunctionSamples& wanted,
                      const std::vector<Assembly>& sides) {
-  const TargetError error = displacement_error_over(generator, wanted.samples);
-  if (std::isfinite(error.sum_of_squares)) return error;
+  const TargetError error = displacement_error_over(generator, wanted);
+  if (std::isfinite(error.sum_of_squares) && closes_over(generator, wanted.sweep)) return error;
   TargetError at_points;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     SliderGenerator own = generator;

@@ -1,7 +1,6 @@
 #include "problems/function_designs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -86,13 +85,9 @@ Design function_design(const FunctionProblem& problem, const FunctionSamples& wa
     design.crank_angles.push_back(in_one_turn(position.crank_angle));
   }
   design.error = StructuralError(generator).over(wanted);
-  const std::array travel{generator.input_start + wanted.sweep.min,
+  const CrankRange travel{generator.input_start + wanted.sweep.min,
                           generator.input_start + wanted.sweep.max};
   design.metrics = design_metrics(linkage, positions, {.timed = true, .travel = travel});
-  const bool gap = !StructuralError(generator).closes_over_domain(wanted);
-  if (gap && std::ranges::count(design.metrics.defects, Defect::circuit) == 0) {
-    design.metrics.defects.push_back(Defect::circuit);
-  }
   design.metrics.input_start = in_one_turn(generator.input_start);
   design.metrics.output_start = in_one_turn(generator.output_start);
   add_turn_metrics(problem.constraints, linkage, Accelerated::rocker, design.metrics);

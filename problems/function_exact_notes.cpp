@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/motion_within.hpp"
 #include "analysis/slider_crank_mobility.hpp"
 #include "problems/function_generator.hpp"
 #include "problems/mechanism_metrics.hpp"
@@ -37,20 +38,11 @@ std::string_view turned(const Design& design) {
   return output ? "the rocker comes out negative, so that it starts" : std::string_view{};
 }
 
-bool closes(const SliderCrank& mechanism, const Design& design, const FunctionSamples& wanted) {
-  return std::ranges::all_of(wanted.range, [&](const synthesis::AnglePair& pair) {
-    return displacement(mechanism, *design.metrics.input_start + pair.input).has_value();
-  });
-}
-
-bool closes(const Design& design, const FunctionSamples& wanted) {
-  if (const auto* slider = std::get_if<SliderCrank>(&design.mechanism.description)) {
-    return closes(*slider, design, wanted);
-  }
-  const FourBar& linkage = four_bar(design);
-  const FunctionGenerator generator{lengths(linkage), linkage.assembly, *design.metrics.input_start,
-                                    *design.metrics.output_start};
-  return StructuralError(generator).closes_over_domain(wanted);
+bool closes(const Design& design, const Range& sweep) {
+  const double start = *design.metrics.input_start;
+  const auto* slider = std::get_if<SliderCrank>(&design.mechanism.description);
+  const auto ranges = slider ? crank_ranges(*slider) : crank_ranges(lengths(four_bar(design)));
+  return motion_within(ranges, {start + sweep.min, start + sweep.max}).has_value();
 }
 
 /// "Design 2" or "Designs 1, 2 and 4", of those for which `applies` holds; empty where none.
@@ -90,8 +82,8 @@ bool is_limiting(const Design& design) {
 
 void note_designs(const FunctionSamples& wanted, Result& result) {
   note_turned(result);
-  const auto open =
-      designs_where(result.designs, [&](const Design& design) { return !closes(design, wanted); });
+  const auto open = designs_where(
+      result.designs, [&](const Design& design) { return !closes(design, wanted.sweep); });
   if (!open.empty()) {
     result.notes.push_back(
         fmt::format("{}: the linkage does not close over the whole range; its error is that at the "

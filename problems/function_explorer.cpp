@@ -37,7 +37,7 @@ class Explorer {
         refiner_(confined.plain().solve, run, deadline),
         work_(work) {}
 
-  std::vector<FunctionFound> take(SearchThoroughness& thoroughness) {
+  ExploredFunctions take(SearchThoroughness& thoroughness) {
     const auto& asked = confined_.plain().solve.starts;
     const int most = asked.value_or(kMostStarts), round = asked.value_or(kRound);
     int done = 0;
@@ -52,10 +52,12 @@ class Explorer {
     thoroughness.starts = done;
     thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
     thoroughness.unseen = done > 0 ? double(seen_once) / done : 1;
-    return std::move(pool_);
+    return {std::move(pool_), std::move(starts_)};
   }
 
  private:
+  bool is_minimax() const { return confined_.plain().objective == FunctionObjective::minimax; }
+
   void add_round(int first, int count, int most) {
     const auto starts = find_starts(confined_.plain(), wanted_,
                                     {.seed = run_.seed,
@@ -69,6 +71,7 @@ class Explorer {
     for (const FunctionStartPoint& start : starts.starts) {
       fresh.push_back(placed(start.generator, start.origin));
     }
+    if (is_minimax()) std::ranges::copy(fresh, std::back_inserter(starts_));
     add(std::move(fresh), {0.5 * first / most, 0.5 * (first + count) / most});
   }
 
@@ -197,15 +200,15 @@ class Explorer {
   const Deadline& deadline_;
   FunctionRefiner refiner_;
   Work& work_;
-  std::vector<FunctionFound> pool_;
+  std::vector<FunctionFound> pool_, starts_;
 };
 
 }  // namespace
 
-std::vector<FunctionFound> explore_functions(const ConfinedFunctions& confined,
-                                             const FunctionSamples& wanted, std::size_t kept,
-                                             const Run& run, const Deadline& deadline, Work& work,
-                                             SearchThoroughness& thoroughness) {
+ExploredFunctions explore_functions(const ConfinedFunctions& confined,
+                                    const FunctionSamples& wanted, std::size_t kept, const Run& run,
+                                    const Deadline& deadline, Work& work,
+                                    SearchThoroughness& thoroughness) {
   return Explorer(confined, wanted, kept, run, deadline, work).take(thoroughness);
 }
 

@@ -13,6 +13,7 @@
 #include "problems/function_certificate.hpp"
 #include "problems/function_designs.hpp"
 #include "problems/function_exact.hpp"
+#include "problems/function_notes.hpp"
 #include "problems/function_search.hpp"
 #include "problems/objectives.hpp"
 #include "problems/turn_metrics.hpp"
@@ -100,6 +101,7 @@ Result solve(const FunctionProblem& problem, const Run& run) {
     tell_conflict(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
+  note_motions(problem, function_samples(problem), result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
   result.work.threads = exact ? 1 : thread_count(run.threads);

@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/golden_section.hpp"
+#include "analysis/mobility.hpp"
+#include "analysis/motion_within.hpp"
+#include "problems/error_peaks.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -14,11 +16,21 @@ using synthesis::AnglePair;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Where `f` is greatest on [low, high], taken to have one peak there (golden section).
-template <class F>
-double peak(const F& f, double low, double high) {
-  constexpr int kSteps = 30;
-  return golden_section([&](double at) { return -f(at); }, low, high, kSteps).middle();
+/// Inputs of `sweep`, increments from the start, where the linkage may be at or near a dead point:
+/// those at the ends and where crank and frame are collinear, if the transmission angle is near 0
+/// or 180° there.
+std::vector<double> critical_inputs(const FunctionGenerator& generator, const Range& sweep) {
+  constexpr double kPi = std::numbers::pi;
+  const double start = generator.input_start;
+  std::vector<double> inputs{sweep.min, sweep.max};
+  for (double k = std::ceil((start + sweep.min) / kPi); k * kPi < start + sweep.max; ++k) {
+    inputs.push_back(k * kPi - start);
+  }
+  std::erase_if(inputs, [&](double input) {
+    const CrankRange there{start + input, start + input};
+    return transmission_angles(generator.links, there).acute_min > kNearDeadPoint;
+  });
+  return inputs;
 }
 
 }  // namespace
@@ -48,28 +60,16 @@ double StructuralError::sum_of_squares(std::span<const AnglePair> wanted) const 
   return sum;
 }
 
-bool StructuralError::closes_over_domain(const FunctionSamples& wanted) const {
-  return std::ranges::all_of(wanted.range,
-                             [&](const AnglePair& pair) { return at(pair).has_value(); });
+bool StructuralError::closes_over(const Range& sweep) const {
+  return motion_within(crank_ranges(generator_.links),
+                       {generator_.input_start + sweep.min, generator_.input_start + sweep.max})
+      .has_value();
 }
 
 std::vector<AnglePair> StructuralError::peaks(const FunctionSamples& wanted) const {
-  if (!closes_over_domain(wanted)) return {};
-  std::vector<double> size;
-  size.reserve(wanted.range.size());
-  for (const AnglePair& pair : wanted.range) size.push_back(std::abs(*at(pair)));
-  const auto size_at = [&](double share) { return std::abs(at(wanted.at(share)).value_or(0)); };
-  const double step = 1.0 / kRangeSteps;
-  std::vector<AnglePair> result;
-  for (std::size_t i = 0; i < size.size(); ++i) {
-    const bool first = i == 0, last = i + 1 == size.size();
-    if (size[i] < 0.5 * std::ranges::max(size)) continue;
-    if ((!first && size[i] < size[i - 1]) || (!last && size[i] < size[i + 1])) continue;
-    const double share = static_cast<double>(i) * step;
-    result.push_back(first || last ? wanted.range[i]
-                                   : wanted.at(peak(size_at, share - step, share + step)));
-  }
-  return result;
+  if (wanted.range.empty() || !closes_over(wanted.sweep)) return {};
+  const auto error = [&](const AnglePair& pair) { return at(pair).value_or(0); };
+  return error_peaks(error, wanted, critical_inputs(generator_, wanted.sweep));
 }
 
 TargetError StructuralError::over(const FunctionSamples& wanted) const {

@@ -34,12 +34,13 @@ class StructuralError {
   double sum_of_squares(std::span<const synthesis::AnglePair> wanted) const;
 
   /// The pairs of the domain where |e| is greatest locally and at least half of what it is
-  /// anywhere, between samples too. Empty for angle pairs, and where the linkage does not close
-  /// over the domain.
+  /// anywhere, between samples too; see `error_peaks`. Empty for angle pairs, and where the linkage
+  /// does not close over the domain.
   std::vector<synthesis::AnglePair> peaks(const FunctionSamples& wanted) const;
 
-  /// Whether the linkage closes over the whole domain; true for angle pairs.
-  bool closes_over_domain(const FunctionSamples& wanted) const;
+  /// Whether the input turns over the whole of `sweep`, increments from its start, by the ranges of
+  /// the crank (`crank_ranges`).
+  bool closes_over(const Range& sweep) const;
 
   /// Σ e², its root mean and max |e| over the samples, the maximum over the whole domain for
   /// functions. All infinite where the linkage does not close at the samples; where it does not

@@ -17,6 +17,9 @@ constexpr std::array<double L::*, 4> kLinks{&L::crank, &L::coupler, &L::rocker, 
 constexpr std::array<const char*, 6> kNames{"crank", "coupler",     "rocker",
                                             "frame", "input_start", "output_start"};
 constexpr double kPi = std::numbers::pi;
+/// How far solvers keep the transmission angle from 0 and 180°, in radians, where nothing else
+/// limits it: beyond rounding, so that what they find closes between the samples too.
+constexpr double kClosingMargin = 3e-7;
 
 Vec2d unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -53,7 +56,8 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
       required == RequiredClass::crank_rocker || required == RequiredClass::double_crank;
   const bool guards_closing = closing == Closing::guarded && !crank_turns;
   limits_sweep_ = limits_transmission || guards_closing;
-  transmission_ = limits_transmission ? *problem.constraints.transmission_angle : Range{0, kPi};
+  transmission_ = limits_transmission ? *problem.constraints.transmission_angle
+                                      : Range{kClosingMargin, kPi - kClosingMargin};
   if (!limits_transmission) limited_ = LimitedMotion::sweep;
   for (const auto& pair : wanted.samples) half_input_.push_back(unit(0.5 * pair.input));
 }

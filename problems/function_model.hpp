@@ -81,7 +81,7 @@ class FunctionModel final : public synthesis::Model {
   synthesis::Objective objective_;
   LimitedMotion limited_;
   bool limits_sweep_ = false;
-  Range transmission_;  ///< limits over the sweep: those of the file, else [0, π] for closure
+  Range transmission_;  ///< limits over the sweep: those of the file, else closure
   LinkageConstraints linkage_constraints_;
   TurnLimits turn_limits_;
   std::array<double, kDimensions> fixed_{};

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "analysis/parallel.hpp"
 #include "problems/backend_choice.hpp"
@@ -25,11 +27,20 @@ constexpr int kFinishingIterations = 500;
 constexpr std::size_t kDeepened = 16;
 constexpr std::size_t kFinished = 4;
 /// How many least-squares designs are turned into minimax ones, which are dearer to refine.
-constexpr std::size_t kMinimaxReserve = 24;
+constexpr std::size_t kMinimaxReserve = 64;
+/// Starts of a round that are refined minimax, and how many must have come to the best to end it.
+constexpr std::size_t kTurnedRound = 32;
+constexpr int kEnoughHits = 5;
 /// Rounds in which peaks between the samples join them.
 constexpr int kExchangeRounds = 5;
 /// Generators closer than this in the logarithms of lengths and in angles are one minimum.
 constexpr double kSameMinimum = 1e-5;
+
+/// Of the progress, that of the round behind `done` of so many starts.
+Range turning_shares(std::size_t done, std::size_t starts) {
+  const double share = 0.2 / double(starts + kTurnedRound), from = 0.5 + share * double(done);
+  return {from, from + share * double(kTurnedRound)};
+}
 
 /// The stages behind the exploration; each works on `all_` in place.
 class Search {
@@ -56,6 +67,7 @@ class Search {
     refiner_.refine_all(all_, wanted_, objective, backend, iterations, shares);
   }
   void finish_least_squares();
+  void turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness);
   void finish_minimax();
   void finish_by_choice(Objective objective);
   void reassess(FunctionFound& found, Objective objective) const;
@@ -139,10 +151,34 @@ void Search::finish_least_squares() {
   finish_by_choice(Objective::sum_of_squares);
 }
 
-void Search::finish_minimax() {
+/// Least squares draws starts away from what is best in the other sense: beside its minima the
+/// starts themselves are refined, in rounds, until enough of them have come to the best.
+void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness) {
   keep_best(kMinimaxReserve);
-  for (FunctionFound& found : all_) reassess(found, Objective::max_abs);
-  refine_all(Objective::max_abs, Backend::gauss_newton, kTurningIterations, {0.5, 0.7});
+  for (FunctionFound& found : all_) found.hits = 0;  // of another objective
+  std::vector<FunctionFound> round = std::exchange(all_, {});
+  std::size_t done = 0;
+  while (!deadline_.reached()) {
+    for (FunctionFound& found : round) reassess(found, Objective::max_abs);
+    refiner_.refine_all(round, wanted_, Objective::max_abs, Backend::gauss_newton,
+                        kTurningIterations, turning_shares(done, starts.size()));
+    std::ranges::move(round, std::back_inserter(all_));
+    keep_best(kMinimaxReserve);
+    const bool known = !all_.empty() && all_.front().hits >= kEnoughHits &&
+                       all_.front().violation <= kFunctionFeasibility;
+    if (done == starts.size() || known) break;
+    const std::size_t next = std::min(done + kTurnedRound, starts.size());
+    round.assign(starts.begin() + static_cast<std::ptrdiff_t>(done),
+                 starts.begin() + static_cast<std::ptrdiff_t>(next));
+    done = next;
+  }
+  if (done == 0 || all_.empty()) return;
+  thoroughness.starts = static_cast<int>(done);
+  thoroughness.best_hits = all_.front().hits;
+  thoroughness.unseen = double(std::ranges::count(all_, 1, &FunctionFound::hits)) / double(done);
+}
+
+void Search::finish_minimax() {
   keep_best(kFinished);
   refine_all(Objective::max_abs, Backend::gauss_newton, kMinimaxIterations, {0.7, 0.9});
   finish_by_choice(Objective::max_abs);
@@ -153,9 +189,11 @@ void Search::finish_minimax() {
 FunctionSearchResult Search::take() {
   FunctionSearchResult result;
   const bool minimax = confined_.plain().objective == FunctionObjective::minimax;
-  all_ = explore_functions(confined_, wanted_, kept(minimax ? kMinimaxReserve : kDeepened), run_,
-                           deadline_, work_, result.thoroughness);
+  auto explored = explore_functions(confined_, wanted_, kept(minimax ? kMinimaxReserve : kDeepened),
+                                    run_, deadline_, work_, result.thoroughness);
+  all_ = std::move(explored.minima);
   if (minimax) {
+    turn_minimax(std::move(explored.starts), result.thoroughness);
     finish_minimax();
   } else {
     finish_least_squares();

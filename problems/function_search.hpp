@@ -26,7 +26,7 @@ struct FoundFunction {
 
 struct FunctionSearchResult {
   std::vector<FoundFunction> minima;  ///< best first, feasible ones before others
-  SearchThoroughness thoroughness;    ///< of the search for least-squares minima
+  SearchThoroughness thoroughness;    ///< of the search for the objective's minima
 };
 
 /// Local minima of the objective; the same for any number of threads. Minimax designs have their

@@ -7,32 +7,36 @@
 #include <string>
 
 #include "analysis/angle.hpp"
+#include "analysis/motion_within.hpp"
 #include "analysis/slider_crank_mobility.hpp"
+#include "problems/error_peaks.hpp"
 
 namespace cognate::problems {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kPi = std::numbers::pi;
+constexpr double kRightAngle = kPi / 2;
 
-/// How far beyond a dead point an angle may lie by rounding, as in `find_defects`.
-constexpr double kAngleTolerance = 1e-7;
+CrankRange motion_of(const SliderGenerator& generator, const Range& sweep) {
+  return {generator.input_start + sweep.min, generator.input_start + sweep.max};
+}
 
-/// The range of the crank that holds the whole sweep, turned so that it does; empty where none.
-std::optional<CrankRange> range_with(const SliderGenerator& generator, const Range& sweep) {
-  if (crank_rotates(generator.mechanism)) return CrankRange{0, 2 * std::numbers::pi};
-  const double from = generator.input_start + sweep.min, to = generator.input_start + sweep.max;
-  for (const CrankRange& range : crank_ranges(generator.mechanism)) {
-    const double middle = 0.5 * (range.from + range.to);
-    const double shift = std::remainder(0.5 * (from + to) - middle, 2 * std::numbers::pi) -
-                         (0.5 * (from + to) - middle);
-    const CrankRange own{std::clamp(from + shift, range.from, range.to),
-                         std::clamp(to + shift, range.from, range.to)};
-    const bool inside =
-        from + shift >= range.from - kAngleTolerance && to + shift <= range.to + kAngleTolerance;
-    if (inside) return own;
+/// Inputs of `sweep`, increments from the start, where the mechanism may be at or near a dead
+/// point: those at the ends and where the crank stands across the slide, if the transmission angle
+/// is small there.
+std::vector<double> critical_inputs(const SliderGenerator& generator, const Range& sweep) {
+  const double start = generator.input_start;
+  std::vector<double> inputs{sweep.min, sweep.max};
+  const CrankRange motion = motion_of(generator, sweep);
+  for (double k = std::ceil(motion.from / kPi - 0.5); (k + 0.5) * kPi < motion.to; ++k) {
+    inputs.push_back((k + 0.5) * kPi - start);
   }
-  return std::nullopt;
+  std::erase_if(inputs, [&](double input) {
+    const auto pressure = pressure_angle(generator.mechanism, start + input);
+    return pressure && kRightAngle - std::abs(*pressure) > kNearDeadPoint;
+  });
+  return inputs;
 }
 
 }  // namespace
@@ -44,15 +48,26 @@ std::optional<double> displacement_error(const SliderGenerator& generator,
   return *reached - generator.output_start - wanted.output;
 }
 
+bool closes_over(const SliderGenerator& generator, const Range& sweep) {
+  return motion_within(crank_ranges(generator.mechanism), motion_of(generator, sweep)).has_value();
+}
+
 TargetError displacement_error_over(const SliderGenerator& generator,
-                                    const std::vector<synthesis::AnglePair>& wanted) {
+                                    const FunctionSamples& wanted) {
   TargetError error;
-  for (const synthesis::AnglePair& pair : wanted) {
-    const double off = displacement_error(generator, pair).value_or(kInfinite);
+  const auto at = [&](const synthesis::AnglePair& pair) {
+    return displacement_error(generator, pair).value_or(kInfinite);
+  };
+  for (const synthesis::AnglePair& pair : wanted.samples) {
+    const double off = at(pair);
     error.sum_of_squares += off * off;
     error.max = std::max(error.max, std::abs(off));
   }
-  error.rms = std::sqrt(error.sum_of_squares / static_cast<double>(wanted.size()));
+  error.rms = std::sqrt(error.sum_of_squares / static_cast<double>(wanted.samples.size()));
+  if (!std::isfinite(error.sum_of_squares) || !closes_over(generator, wanted.sweep)) return error;
+  for (const auto& pair : error_peaks(at, wanted, critical_inputs(generator, wanted.sweep))) {
+    error.max = std::max(error.max, std::abs(at(pair)));
+  }
   return error;
 }
 
@@ -73,8 +88,9 @@ Metrics slider_metrics(const SliderGenerator& generator, const Range& sweep,
   Metrics metrics;
   metrics.change_point = is_change_point(mechanism);
   metrics.time_ratio = time_ratio(mechanism);
-  const auto range = range_with(generator, sweep);
-  const auto pressure = range ? pressure_angles(mechanism, *range) : pressure_angles(mechanism);
+  const auto range = motion_within(crank_ranges(mechanism), motion_of(generator, sweep));
+  const bool part = range && !crank_rotates(mechanism);
+  const auto pressure = part ? pressure_angles(mechanism, *range) : pressure_angles(mechanism);
   if (pressure) {
     metrics.transmission_min = kRightAngle - pressure->max;
     metrics.transmission_max = kRightAngle - pressure->min;

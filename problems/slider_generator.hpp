@@ -23,9 +23,13 @@ struct SliderGenerator {
 std::optional<double> displacement_error(const SliderGenerator& generator,
                                          const synthesis::AnglePair& wanted);
 
-/// Σ e², its root mean and max |e| over the samples; infinite where it does not close at one.
+/// Whether the crank turns over the whole of `sweep`, increments from its start, by its ranges.
+bool closes_over(const SliderGenerator& generator, const Range& sweep);
+
+/// Σ e², its root mean and max |e| over the samples, the maximum over the whole domain for
+/// functions where the mechanism closes over it; infinite where it does not close at a sample.
 TargetError displacement_error_over(const SliderGenerator& generator,
-                                    const std::vector<synthesis::AnglePair>& wanted);
+                                    const FunctionSamples& wanted);
 
 /// Whether the pin is ahead of the crank pin (`open`) at each point, by the positions wanted.
 std::vector<Assembly> sides_of(const SliderGenerator& generator,

@@ -10,26 +10,36 @@
 #include "analysis/change_point.hpp"
 #include "analysis/mobility.hpp"
 #include "analysis/motion.hpp"
+#include "analysis/motion_within.hpp"
 
 namespace cognate::problems {
 namespace {
 
 Sequence sequence_of(const MotionKind& motion) {
+  if (motion.travel) return Sequence::any;  // a crank that makes its travel meets them in order
   if (motion.timed) return Sequence::timed;
   return motion.order == PointOrder::any ? Sequence::any : Sequence::one_sense;
 }
 
-TransmissionAngles angles_over_motion(const FourBar& linkage,
-                                      std::span<const CrankPosition> positions,
-                                      std::span<const double> travel, const Defects& defects) {
-  const Lengths<double> links = lengths(linkage);
-  // A change point on the way leaves the motion undetermined: no full turn is used through it.
-  const bool turns = crank_rotates(links) && (travel.empty() || !is_change_point(links));
-  if (turns || defects.circuit || defects.branch) return transmission_angles(links);
-  std::vector<double> angles(travel.begin(), travel.end());
+/// The part of the crank's range that the motion runs over, from A→D; empty where there is none.
+std::optional<CrankRange> range_of_motion(const FourBar& linkage,
+                                          std::span<const CrankPosition> positions,
+                                          const MotionKind& motion) {
+  if (motion.travel) {
+    const double frame = frame_angle(linkage);
+    return motion_within(crank_ranges(lengths(linkage)),
+                         {motion.travel->from - frame, motion.travel->to - frame});
+  }
+  std::vector<double> angles;
   for (const CrankPosition& position : positions) angles.push_back(position.crank_angle);
-  const auto range = range_between(linkage, angles);
-  return range ? transmission_angles(links, *range) : transmission_angles(links);
+  return range_between(linkage, angles);
+}
+
+TransmissionAngles angles_over(const Lengths<double>& links, const std::optional<CrankRange>& range,
+                               bool travels) {
+  // A change point on the way leaves the motion undetermined: no full turn is used through it.
+  const bool turns = crank_rotates(links) && (!travels || !is_change_point(links));
+  return turns || !range ? transmission_angles(links) : transmission_angles(links, *range);
 }
 
 }  // namespace
@@ -37,8 +47,11 @@ TransmissionAngles angles_over_motion(const FourBar& linkage,
 Metrics design_metrics(const FourBar& linkage, std::span<const CrankPosition> positions,
                        const MotionKind& motion) {
   const Lengths<double> links = lengths(linkage);
-  const Defects defects = find_defects(linkage, positions, sequence_of(motion));
-  const TransmissionAngles angles = angles_over_motion(linkage, positions, motion.travel, defects);
+  Defects defects = find_defects(linkage, positions, sequence_of(motion));
+  auto range = range_of_motion(linkage, positions, motion);
+  if (motion.travel && !range) defects.circuit = true;
+  if (defects.circuit || defects.branch) range.reset();
+  const TransmissionAngles angles = angles_over(links, range, motion.travel.has_value());
   Metrics metrics;
   metrics.mobility = mobility_class(links);
   metrics.change_point = is_change_point(links);

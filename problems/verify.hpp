@@ -3,6 +3,7 @@
 /// enters. The closure is the kernel's in both; the tests hold it against the textbook's triangle.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,15 +18,17 @@ namespace cognate::problems {
 struct MotionKind {
   PointOrder order = PointOrder::cyclic;
   bool timed = false;  ///< crank angles are prescribed: `order` is then of no account
-  /// Crank angles between which the motion runs besides those of the positions. A linkage at a
-  /// change point is then judged over them, not over the full turn.
-  std::span<const double> travel{};
+  /// Crank angles from the x axis between which the crank turns, those of the positions among them;
+  /// empty: the motion runs between the positions, by the shorter way where it is timed. A linkage
+  /// at a change point is judged over its travel, not over the full turn.
+  std::optional<CrankRange> travel{};
 };
 
 /// Class, transmission angles over the motion used, time ratio and defects of a design at its
 /// crank angles (from the x axis), in its own assembly. The motion used is the full turn of a crank
-/// that turns fully, else the range between the target positions and `motion.travel`; where these
-/// do not lie in one range, all of the crank's range. The other members of Metrics stay empty.
+/// that turns fully, else `motion.travel` or without one the range between the target positions;
+/// where the crank cannot make it, which for a travel is a circuit defect, all of the crank's
+/// range. The other members of Metrics stay empty.
 Metrics design_metrics(const FourBar& linkage, std::span<const double> crank_angles,
                        const MotionKind& motion);
 

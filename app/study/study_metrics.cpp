@@ -25,9 +25,10 @@ using problems::MetricNames;
 using problems::Problem;
 
 constexpr Metric kExtras[] = {
-    {"error.rms", "of the target", "root mean square of the errors at the target"},
-    {"error.max", "of the target", "the greatest of them"},
-    {"error.sum_of_squares", "of the target", "unweighted"},
+    {"error.rms", "of the target",
+     "root mean square of the errors at the target; of functions with an output angle in radians"},
+    {"error.max", "of the target", "the greatest of them, likewise"},
+    {"error.sum_of_squares", "of the target", "unweighted; likewise in rad²"},
     {"error.rms_deg", "deg", "functions: of the rocker's angle"},
     {"error.max_deg", "deg", "functions: of the rocker's angle"},
     {"origin", "", "which exact synthesis or search the design came from"},

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include "problems/reading/expression.hpp"
 #include "problems/reading/interpolation.hpp"
+#include "problems/reading/jumps.hpp"
 #include "problems/reading/poles.hpp"
 
 namespace cognate::problems::reading {
@@ -60,6 +62,24 @@ std::optional<Range> read_domain(TableReader& target) {
   return domain;
 }
 
+// Whether y goes on to both ends of the domain: a value that holds at an end alone is no function
+// to generate.
+bool check_ends(TableReader& target, const FunctionOfX& function) {
+  const auto& [x0, x1] = function.domain;
+  const double last_digits =
+      4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(x0), std::abs(x1));
+  for (const double jump : find_jumps(function.y, function.domain, kIntervals)) {
+    const bool first = jump - x0 <= last_digits;
+    if (!first && x1 - jump > last_digits) continue;
+    target.fault("function",
+                 fmt::format("jumps at the end x = {} of its domain; a function that goes on to "
+                             "both ends of the domain [{}, {}] is wanted",
+                             first ? x0 : x1, x0, x1));
+    return false;
+  }
+  return true;
+}
+
 // Whether y is finite wherever it is tried on the domain, and without poles between.
 bool check_finite(TableReader& target, const FunctionOfX& function) {
   const auto& [x0, x1] = function.domain;
@@ -73,7 +93,7 @@ bool check_finite(TableReader& target, const FunctionOfX& function) {
     return false;
   }
   const auto pole = find_pole(function.y, function.domain, kIntervals);
-  if (!pole) return true;
+  if (!pole) return check_ends(target, function);
   target.fault("function",
                fmt::format("has a pole near x = {:.9g}, where its values grow without bound; a "
                            "function that is finite on the whole domain [{}, {}] is wanted",

@@ -34,30 +34,54 @@ std::optional<double> jump_between(const std::function<double(double)>& f, Sampl
   return std::nullopt;
 }
 
+/// The greatest value less the least.
+double variation(const std::vector<Sample>& samples) {
+  double least = samples.front().value, greatest = least;
+  for (const Sample& sample : samples) {
+    least = std::fmin(least, sample.value);  // passes over what is NaN
+    greatest = std::fmax(greatest, sample.value);
+  }
+  return greatest - least;
+}
+
+/// The jumps of at least `least` between neighbouring samples.
+std::vector<double> jumps_among(const std::function<double(double)>& f,
+                                const std::vector<Sample>& samples, double least) {
+  std::vector<double> jumps;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (const auto jump = jump_between(f, samples[i - 1], samples[i], least)) {
+      jumps.push_back(*jump);
+    }
+  }
+  return jumps;
+}
+
 }  // namespace
 
 std::vector<double> find_jumps(const std::function<double(double)>& f, int intervals) {
   const auto angle = [&](int i) { return kTurn * i / intervals; };
+  std::vector<Sample> samples;
+  for (int i = 0; i < intervals; ++i) samples.push_back({angle(i), f(angle(i))});
   const double before_turn = std::nextafter(kTurn, 0);
-  std::vector<double> values;
-  for (int i = 0; i < intervals; ++i) values.push_back(f(angle(i)));
-  values.push_back(f(before_turn));
-  double least = values.front(), greatest = least;
-  for (const double value : values) {
-    least = std::fmin(least, value);  // passes over what is NaN
-    greatest = std::fmax(greatest, value);
-  }
-  std::vector<double> jumps;
-  const double step = kLeastShare * (greatest - least);
-  if (!(step > 0)) return jumps;
-  if (std::abs(values.back() - values.front()) >= step) jumps.push_back(0);
-  for (int i = 0; i < intervals; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Sample from{angle(i), values[k]};
-    const Sample to{i + 1 < intervals ? angle(i + 1) : before_turn, values[k + 1]};
-    if (const auto jump = jump_between(f, from, to, step)) jumps.push_back(*jump);
-  }
+  samples.push_back({before_turn, f(before_turn)});
+  const double least = kLeastShare * variation(samples);
+  if (!(least > 0)) return {};
+  std::vector<double> jumps = jumps_among(f, samples, least);
+  const bool at_seam = std::abs(samples.back().value - samples.front().value) >= least;
+  if (at_seam) jumps.insert(jumps.begin(), 0);
   return jumps;
+}
+
+std::vector<double> find_jumps(const std::function<double(double)>& f, const Range& domain,
+                               int intervals) {
+  std::vector<Sample> samples;
+  for (int i = 0; i <= intervals; ++i) {
+    const double x =
+        i == intervals ? domain.max : std::lerp(domain.min, domain.max, double(i) / intervals);
+    samples.push_back({x, f(x)});
+  }
+  const double least = kLeastShare * variation(samples);
+  return least > 0 ? jumps_among(f, samples, least) : std::vector<double>{};
 }
 
 }  // namespace cognate::problems::reading

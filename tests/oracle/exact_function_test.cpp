@@ -430,5 +430,43 @@ TEST(ExactFunction, SevenPositionsStartFromTheOverlay) {
   EXPECT_LT(best.error.max / kDegree, 0.1);
 }
 
+// The best of a family lie where they only just close: between the steps of any grid.
+TEST(ExactFunction, DesignsOfAFamilyCloseOverTheWholeDomain) {
+  const Result result =
+      solve(parsed("kind = \"function-generation\"\n[target]\nfunction = \"log(x)\"\n"
+                   "domain = [0.8456339139560474, 1.5910067672423553]\ninput_range_deg = 300\n"
+                   "output_range_deg = 45\nprecision_points = 3\n"),
+            {});
+  EXPECT_EQ(result.status, Status::solved);
+  ASSERT_EQ(result.designs.size(), 3U);
+  for (const Design& design : result.designs) {
+    const auto [l1, l2, l3, l4] = lengths(four_bar(design));
+    const double start = *design.metrics.input_start, sweep = 300 * kDegree;
+    int open = 0;
+    for (int i = 0; i <= 30001; ++i) {
+      const double d =
+          std::sqrt(l1 * l1 + l4 * l4 - 2 * l1 * l4 * std::cos(start + sweep * i / 30001));
+      open += d > (l2 + l3) * (1 + 1e-12) || d < std::abs(l2 - l3) * (1 - 1e-12);
+    }
+    EXPECT_EQ(open, 0);
+    // The first two only just close, at a change point.
+    const std::string number = "Design " + std::to_string(&design - result.designs.data() + 1);
+    EXPECT_EQ(says(result, number + ": the transmission angle is 0 or 180"),
+              design.metrics.transmission_acute_min < 1e-3);
+  }
+}
+
+TEST(ExactFunction, JumpWithinTheDomainIsNoted) {
+  const auto noted = [](const char* function) {
+    const std::string text =
+        std::string("kind = \"function-generation\"\n[target]\nfunction = \"") + function +
+        "\"\ndomain = [1, 2]\ninput_range_deg = 60\noutput_range_deg = 40\n"
+        "precision_points = 5\n";
+    return says(solve(parsed(text), {}), "The function jumps at x = 1.3:");
+  };
+  EXPECT_TRUE(noted("log(x) + 0.2 * (x > 1.3)"));
+  EXPECT_FALSE(noted("log(x)"));
+}
+
 }  // namespace
 }  // namespace cognate::problems

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "problems/reading/jumps.hpp"
+
 namespace cognate::problems::reading {
 namespace {
 
@@ -48,6 +50,35 @@ TEST(Poles, AreNotWhatContinuousFunctionsHave) {
   for (const auto& [name, y] : functions) {
     EXPECT_FALSE(find_pole(y, {0, 1}, kIntervals)) << name;
   }
+}
+
+TEST(Jumps, AreFoundWithinADomainAndAtItsEnds) {
+  const Range domain{1, 2};
+  const auto at = [&](double place) {
+    return find_jumps([=](double x) { return x < place ? x : x + 1; }, domain, kIntervals);
+  };
+  for (const double place : {1.2345678, 1.5, 1.9999}) {
+    ASSERT_EQ(at(place).size(), 1U) << place;
+    EXPECT_NEAR(at(place).front(), place, 1e-12);
+  }
+  const auto first = find_jumps([](double x) { return x == 1 ? 1.0 : 0.0; }, domain, kIntervals);
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_NEAR(first.front(), 1, 1e-12);
+  const auto last = find_jumps([](double x) { return x == 2 ? 1.0 : 0.0; }, domain, kIntervals);
+  ASSERT_EQ(last.size(), 1U);
+  EXPECT_NEAR(last.front(), 2, 1e-12);
+}
+
+TEST(Jumps, AreNotWhatContinuousFunctionsHave) {
+  int tested = 0;
+  for (const auto& f : std::vector<std::function<double(double)>>{
+           [](double x) { return std::sqrt(x); }, [](double x) { return std::pow(x, 0.1); },
+           [](double x) { return std::tanh(1e6 * (x - 0.4)); },
+           [](double x) { return std::abs(x - 0.3); }, [](double) { return 1.0; }}) {
+    EXPECT_TRUE(find_jumps(f, Range{0, 1}, kIntervals).empty()) << tested;
+    ++tested;
+  }
+  EXPECT_EQ(tested, 5);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ function errorRows(error, kind) {
   const angular = error.max_deg !== undefined;
   return [
     ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 10)}${angular ? " rad²" : ""}`, String(error.sum_of_squares)),
-    ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(error.rms)),
-    ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : number(error.max, 6), String(error.max))];
+    ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(angular ? error.rms_deg : error.rms)),
+    ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : number(error.max, 6), String(angular ? error.max_deg : error.max))];
 }
 
 function showQualities({ entry }, kind) {
