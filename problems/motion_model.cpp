@@ -63,7 +63,7 @@ std::optional<Box> intersect(const std::optional<Box>& a, const std::optional<Bo
 }  // namespace
 
 MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
-  MotionForm form{pair.second.kind, {}, std::nullopt};
+  MotionForm form{pair.second.kind, {}, std::nullopt, {}};
   const SecondDyad second = second_dyad(pair.second);
   double sum = 0;
   for (const Pose& pose : problem.poses) {
@@ -107,8 +107,12 @@ MotionModel::MotionModel(const MotionProblem& problem, MotionForm form)
   list_variables();
   list_distance_limits();
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    variables_.push_back({"crank angle " + std::to_string(j), -1e3 * kTurn, 1e3 * kTurn, 1});
-    local_of_residual_.insert(local_of_residual_.end(), 3, static_cast<int>(j));
+    const auto station = static_cast<int>(station_of(j));
+    local_of_residual_.insert(local_of_residual_.end(), 3, station);
+    local_count_ = std::max(local_count_, station + 1);
+  }
+  for (int k = 0; k < local_count_; ++k) {
+    variables_.push_back({"crank angle " + std::to_string(k), -1e3 * kTurn, 1e3 * kTurn, 1});
   }
 }
 
@@ -201,7 +205,7 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
   const double weight = problem_.angle_weight;
   const std::size_t n = free_.size();
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    const auto at = station(v, j, x[n + j]);
+    const auto at = station(v, j, x[n + station_of(j)]);
     if (!at) return false;
     const Vec2d arm = at->turn * first;
     const Vec2d miss = at->pin - arm - problem_.poses[j].at;
@@ -366,11 +370,18 @@ DyadPair MotionModel::pair(std::span<const double> x) const {
           guiding_dyad(form_.second, second_of(v), first)};
 }
 
+std::optional<Pose> MotionModel::body_at(std::span<const double> x, double crank_angle) const {
+  const Full v = full(x);
+  const auto at = station(v, 0, crank_angle);
+  if (!at) return std::nullopt;
+  return Pose{at->pin - at->turn * point(v, kMoving1), angle_of(at->turn)};
+}
+
 std::vector<Pose> MotionModel::reached(std::span<const double> x) const {
   const Full v = full(x);
   std::vector<Pose> poses;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    const auto at = station(v, j, x[free_.size() + j]);
+    const auto at = station(v, j, x[free_.size() + station_of(j)]);
     if (!at) return {};
     poses.push_back({at->pin - at->turn * point(v, kMoving1), angle_of(at->turn)});
   }
