@@ -253,9 +253,7 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
     const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
     if (!starts && done >= kFewestStarts && enough) break;
   }
-  const auto seen_once = std::ranges::count(all_, 1, &Found::hits);
   thoroughness_.starts = done;
-  thoroughness_.unseen = done > 0 ? double(seen_once) / done : 1;
 }
 
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
@@ -356,6 +354,9 @@ MotionSearchResult MotionSearch::take() {
   work_.positions += positions_;
   work_.gradients += gradients_;
   work_.solver_iterations += iterations_;
+  const auto seen_once = std::ranges::count_if(
+      all_, [](const Found& found) { return found.hits == 1 && found.violation == 0; });
+  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
   thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
   MotionSearchResult result{{}, thoroughness_};
   for (Found& found : all_) result.minima.push_back(std::move(found.minimum));
