@@ -34,6 +34,20 @@ struct TransmissionCosine {
   }
 };
 
+/// An angle on a way, and whether it moves with either end.
+struct Place {
+  double angle = 0, by_from = 0, by_to = 0;
+};
+
+/// The angle on the way nearest to 0 or to π, modulo 2π.
+Place extreme(const Range& way, bool shortest) {
+  const double aim = shortest ? 0 : kPi;
+  if (aim + 2 * kPi * std::ceil((way.min - aim) / (2 * kPi)) <= way.max) return {aim, 0, 0};
+  const double near = std::remainder(way.min - aim, 2 * kPi);
+  const double far = std::remainder(way.max - aim, 2 * kPi);
+  return std::abs(near) <= std::abs(far) ? Place{way.min, 1, 0} : Place{way.max, 0, 1};
+}
+
 }  // namespace
 
 DrivenRange::DrivenRange(const Constraints& constraints, const Range& increments)
@@ -45,29 +59,31 @@ DrivenRange::DrivenRange(const Constraints& constraints, const Range& increments
   least_cosine_ = std::cos(constraints.transmission_angle->max);
 }
 
-/// The angle on the way nearest to 0 or to π, modulo 2π; by the offset its derivative is 1 at an
-/// end, and within, where it is 0, no slope is left either.
-double DrivenRange::cosine_angle(double offset, bool shortest) const {
-  const double aim = shortest ? 0 : kPi;
-  const double from = increments_.min + offset, to = increments_.max + offset;
-  const double first = aim + 2 * kPi * std::ceil((from - aim) / (2 * kPi));
-  if (first <= to) return aim;
-  const double near = std::remainder(from - aim, 2 * kPi), far = std::remainder(to - aim, 2 * kPi);
-  return std::abs(near) <= std::abs(far) ? from : to;
-}
-
 void DrivenRange::evaluate(const DrivenCrank& at, std::span<double> values,
                            std::span<DrivenSlopes> slopes) const {
+  std::array<WaySlopes, kLimits> all{};
+  evaluate(at.links, {increments_.min + at.offset, increments_.max + at.offset}, values,
+           slopes.empty() ? std::span<WaySlopes>{} : all);
+  for (std::size_t row = 0; row < slopes.size(); ++row) {
+    std::copy_n(all[row].begin(), 4, slopes[row].begin());
+    slopes[row][4] = all[row][4] + all[row][5];
+  }
+}
+
+void DrivenRange::evaluate(const Lengths<double>& links, const Range& way, std::span<double> values,
+                           std::span<WaySlopes> slopes) const {
   if (!is_limited_) return;
-  const auto& [crank, coupler, rocker, frame] = at.links;
   for (const bool shortest : {true, false}) {
-    const TransmissionCosine<double> mu({crank, coupler, rocker, frame},
-                                        cosine_angle(at.offset, shortest));
+    const Place place = extreme(way, shortest);
+    const TransmissionCosine<double> mu({links.crank, links.coupler, links.rocker, links.frame},
+                                        place.angle);
     const std::size_t row = shortest ? 0 : 1;
     const double sense = shortest ? -1 : 1;
     values[row] = sense * (mu.value - (shortest ? greatest_cosine_ : least_cosine_)) - kMargin;
     if (slopes.empty()) continue;
-    for (std::size_t i = 0; i < mu.slopes.size(); ++i) slopes[row][i] = sense * mu.slopes[i];
+    for (std::size_t i = 0; i < 4; ++i) slopes[row][i] = sense * mu.slopes[i];
+    slopes[row][4] = place.by_from * sense * mu.slopes[4];
+    slopes[row][5] = place.by_to * sense * mu.slopes[4];
   }
 }
 
@@ -77,15 +93,17 @@ void DrivenRange::add_hessian(const DrivenCrank& at, std::span<const double> wei
   using Jet = ceres::Jet<double, 5>;
   const auto& [crank, coupler, rocker, frame] = at.links;
   for (const bool shortest : {true, false}) {
-    const double aim = shortest ? 0 : kPi, theta = cosine_angle(at.offset, shortest);
-    Jet angle(theta, 4);
-    if (theta == aim) angle.v[4] = 0;  // it stays while the offset moves
+    const Place place =
+        extreme({increments_.min + at.offset, increments_.max + at.offset}, shortest);
+    const double moves = place.by_from + place.by_to;
+    Jet angle(place.angle, 4);
+    angle.v[4] = moves;
     const TransmissionCosine<Jet> mu(
         {Jet(crank, 0), Jet(coupler, 1), Jet(rocker, 2), Jet(frame, 3)}, angle);
     const double weight = shortest ? -weights[0] : weights[1];
     for (int i = 0; i < 5; ++i) {
-      const bool stays = theta == aim && i == 4;
-      for (int j = 0; j < 5; ++j) out[5 * i + j] += stays ? 0 : weight * mu.slopes[i].v[j];
+      const double share = i == 4 ? moves * weight : weight;
+      for (int j = 0; j < 5; ++j) out[5 * i + j] += share * mu.slopes[i].v[j];
     }
   }
 }

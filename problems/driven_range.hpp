@@ -17,6 +17,9 @@ struct DrivenCrank {
 };
 using DrivenSlopes = std::array<double, 5>;
 
+/// By four lengths and by both ends of a way.
+using WaySlopes = std::array<double, 6>;
+
 /// Of a crank that is driven from one angle to another: cos μ_min − cos μ where the diagonal B–D is
 /// the shortest on the way, cos μ − cos μ_max where it is the longest. Without a limit of the
 /// transmission angle 0° and 180° take its place: beyond them the linkage does not close, so that
@@ -40,13 +43,16 @@ class DrivenRange {
   void evaluate(const DrivenCrank& at, std::span<double> values,
                 std::span<DrivenSlopes> slopes) const;
 
+  /// The same on the way from one crank angle to another, from the frame; the increments are
+  /// ignored.
+  void evaluate(const Lengths<double>& links, const Range& way, std::span<double> values,
+                std::span<WaySlopes> slopes) const;
+
   /// Σ weightsₖ ∇²cₖ, 5 × 5 row-major, added to `out`.
   void add_hessian(const DrivenCrank& at, std::span<const double> weights,
                    std::span<double, 25> out) const;
 
  private:
-  double cosine_angle(double offset, bool shortest) const;
-
   bool is_limited_ = false;
   Range increments_{0, 0};
   double greatest_cosine_ = 1, least_cosine_ = -1;

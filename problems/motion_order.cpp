@@ -44,15 +44,16 @@ class Ordering {
       : problem_(problem),
         motion_(motion),
         model_(problem, motion.form),
-        stations_(static_cast<std::size_t>(model_.local_count())),
-        angles_(motion.x.end() - static_cast<std::ptrdiff_t>(stations_), motion.x.end()) {}
+        stations_(model_.station_count()),
+        angles_(model_.station_angles(motion.x)) {}
 
   std::optional<OrderedMotion> find() {
     const auto& sides = motion_.form.sides;
     if (std::ranges::count(sides, sides.front()) != std::ssize(sides)) return std::nullopt;
     const DyadPair pair = model_.pair(motion_.x);
     const auto arcs = closing_arcs(pair.second.kind, pair.first, second_dyad(pair.second));
-    if (is_kept(arcs)) return std::nullopt;
+    const bool has_ends = !motion_.form.stations.empty() || !model_.limits_driven_range();
+    if (has_ends && is_kept(arcs)) return std::nullopt;
     for (const CrankRange& arc : arcs) try_arc(arc);
     if (best_.cost == kInfinity) return std::nullopt;
     return taken();
@@ -191,8 +192,7 @@ class Ordering {
     for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
       ordered.form.stations.push_back(merged[model_.station_of(j)]);
     }
-    ordered.x.resize(motion_.x.size() - stations_);
-    ordered.x.insert(ordered.x.end(), angles.begin(), angles.end());
+    ordered.x = MotionModel(problem_, ordered.form).with_angles(motion_.x, angles);
     return ordered;
   }
 

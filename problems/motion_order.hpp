@@ -22,7 +22,8 @@ struct OrderedMotion {
 /// pooling of adjacent violators does (Barlow, Bartholomew, Bremner & Brunk 1972, "Statistical
 /// inference under order restrictions").
 ///
-/// Empty where the angles are in order as they are, where the poses are on two sides, and where no
+/// Empty where the angles are in order as they are (and limits between the ends of the motion, if
+/// there are any, are the model's already), where the poses are on two sides, and where no
 /// such angles exist.
 std::optional<OrderedMotion> in_order(const MotionProblem& scaled, const OrderedMotion& motion);
 
