@@ -221,6 +221,7 @@ void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
   if (!constraints.no_order_defect && !constraints.no_circuit_defect) return;
   Found ordered = found;
   for (int round = 0; round < kOrderingRounds && ordered.violation > 0; ++round) {
+    if (deadline_.reached()) return;
     auto next = in_order(problem, {ordered.minimum.form, ordered.minimum.solution.x});
     if (!next) return;
     ordered.minimum.form = std::move(next->form);

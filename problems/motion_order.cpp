@@ -18,6 +18,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2 * std::numbers::pi;
 /// Angles beside those of the stations.
 constexpr int kSpread = 48;
+/// Of a long list at most so many angles of stations are looked at, in even steps, and fewer where
+/// the errors of all poses at all of them would be more than so many.
+constexpr std::size_t kMostAngles = 600, kFewestAngles = 60, kMostErrors = 3'000'000;
 /// Of a crank that turns fully: how many angles are tried for the first station.
 constexpr std::size_t kBeginnings = 8;
 
@@ -85,6 +88,19 @@ class Ordering {
     return way <= kTurn;
   }
 
+  /// At most as many as a long list allows.
+  std::vector<double> thinned(std::vector<double> angles) const {
+    const std::size_t most =
+        std::clamp(kMostErrors / problem_.poses.size(), kFewestAngles, kMostAngles);
+    if (angles.size() <= most) return angles;
+    std::ranges::sort(angles);
+    std::vector<double> kept;
+    for (std::size_t k = 0; k < most; ++k) {
+      kept.push_back(angles[k * (angles.size() - 1) / (most - 1)]);
+    }
+    return kept;
+  }
+
   /// The angles in `arc` that may be taken, in ascending order.
   void list_levels(const CrankRange& arc) {
     std::vector<double> angles;
@@ -93,6 +109,7 @@ class Ordering {
       const double along = in_one_turn(angle - arc.from);
       if (along <= span) angles.push_back(arc.from + along);
     }
+    angles = thinned(std::move(angles));
     for (int k = 0; k < kSpread; ++k) angles.push_back(arc.from + span * (k + 0.5) / kSpread);
     std::ranges::sort(angles);
     levels_.clear();
