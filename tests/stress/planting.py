@@ -90,7 +90,7 @@ def ranges(linkage, steps=720):
     return found
 
 
-def ordered_angles(rng, linkage, count, kind=None):
+def ordered_angles(rng, linkage, count):
     """`count` crank angles in one sense within one range, over a part of it or all."""
     low, high = rng.choice(ranges(linkage))
     margin = 0.03 * (high - low)
@@ -191,7 +191,7 @@ class Tally:
         self.count += 1
         first = outcomes[0]
         self.infeasible += sum(not outcome.feasible for outcome in outcomes)
-        least = min(outcome.found for outcome in outcomes if True)
+        least = min(outcome.found for outcome in outcomes)
         near = [o for o in outcomes if o.feasible and o.found <= 1.001 * least + floor]
         self.best += len(near)
         self.runs += len(outcomes)
