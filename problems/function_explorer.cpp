@@ -51,7 +51,7 @@ class Explorer {
     const auto seen_once = std::ranges::count(pool_, 1, &FunctionFound::hits);
     thoroughness.starts = done;
     thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
-    thoroughness.unseen = done > 0 ? double(seen_once) / done : 1;
+    thoroughness.unseen = chance_of_unseen(seen_once, done);
     return {std::move(pool_), std::move(starts_)};
   }
 

@@ -1,6 +1,8 @@
 #include "problems/motion_closure.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace cognate::problems {
 namespace {
@@ -11,6 +13,37 @@ using synthesis::Pose;
 
 Vec2d unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
+}
+
+/// A range of a cosine and the direction from which its angle counts.
+struct CosineRange {
+  double centre = 0;
+  double low = -1, high = 1;
+};
+
+/// For |pin − D| between two distances, the pin going round A on a circle of radius `crank`.
+CosineRange within(double crank, const Vec2d& frame, double least, double greatest) {
+  const double apart = norm(frame), both = 2 * crank * apart;
+  const double sum = crank * crank + apart * apart;
+  return {std::atan2(frame.y, frame.x), (sum - greatest * greatest) / both,
+          (sum - least * least) / both};
+}
+
+CosineRange cosine_range(DyadKind kind, const GuidingDyad& crank, const SecondDyad& second) {
+  const Vec2d point{second[0], second[1]};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (kind == DyadKind::rr) {
+    const double coupler = norm(point - crank.in_body), rocker = second[4];
+    return within(crank.length, Vec2d{second[2], second[3]} - crank.fixed,
+                  std::abs(coupler - rocker), coupler + rocker);
+  }
+  const Vec2d n = unit(second[2]);
+  if (kind == DyadKind::pr) {
+    const double away = second[3] - dot(n, crank.fixed), reach = norm(point - crank.in_body);
+    return {second[2], (away - reach) / crank.length, (away + reach) / crank.length};
+  }
+  return within(crank.length, point - crank.fixed, std::abs(second[3] - dot(n, crank.in_body)),
+                kInfinity);
 }
 
 /// The line's point nearest to `near`.
@@ -84,6 +117,19 @@ TurnSlopes turn_slopes(DyadKind kind, const SecondDyad& second, const Vec2d& fir
   }
   const Vec2d seen = conj(turn) * (point - pin), across = turn * n;
   return {-dot(n, perp(seen)), -across, n, {across.x, across.y, dot(perp(n), seen + first), -1, 0}};
+}
+
+std::vector<CrankRange> closing_arcs(DyadKind kind, const GuidingDyad& crank,
+                                     const SecondDyad& second) {
+  constexpr double kPi = std::numbers::pi;
+  const auto [centre, low, high] = cosine_range(kind, crank, second);
+  if (!(low <= high) || low > 1 || high < -1) return {};
+  const double nearest = high >= 1 ? 0 : std::acos(high),
+               farthest = low <= -1 ? kPi : std::acos(low);
+  if (nearest == 0 && farthest == kPi) return {{centre, centre + 2 * kPi}};
+  if (nearest == 0) return {{centre - farthest, centre + farthest}};
+  if (farthest == kPi) return {{centre + nearest, centre + 2 * kPi - nearest}};
+  return {{centre + nearest, centre + farthest}, {centre - farthest, centre - nearest}};
 }
 
 }  // namespace cognate::problems

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "analysis/mobility.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 
 namespace cognate::problems {
@@ -43,5 +45,11 @@ struct TurnSlopes {
 };
 TurnSlopes turn_slopes(synthesis::DyadKind kind, const SecondDyad& second, const Vec2d& first,
                        const Vec2d& pin, const Vec2d& turn);
+
+/// Where a crank (first dyad, a link) may stand for a second dyad to close, as angles from the x
+/// axis: the whole turn, one arc or two. With θ counted from A→D, from the line's normal or from
+/// A to the second fixed pivot the condition is in each case lo ≤ cos θ ≤ hi.
+std::vector<CrankRange> closing_arcs(synthesis::DyadKind kind, const synthesis::GuidingDyad& crank,
+                                     const SecondDyad& second);
 
 }  // namespace cognate::problems

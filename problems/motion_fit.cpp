@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/parallel.hpp"
+#include "problems/motion_order.hpp"
 #include "problems/motion_starts.hpp"
 
 namespace cognate::problems {
@@ -25,6 +26,8 @@ constexpr int kFinishingIterations = 200;
 /// How many explored starts are deepened, and how many of those finished, beyond twice the designs
 /// wanted.
 constexpr std::size_t kDeepened = 24, kFinished = 2;
+/// How often a minimum is put in order, each time with fewer stations.
+constexpr int kOrderingRounds = 6;
 constexpr double kFeasibility = 1e-9;
 /// Starts of a round, and the fewest and most of a search where the file does not say.
 constexpr int kRound = 100, kFewestStarts = 200, kMostStarts = 800;
@@ -66,9 +69,15 @@ bool better(const MotionMinimum& a, const MotionMinimum& b) {
   return a.solution.objective < b.solution.objective;
 }
 
+/// Whether a refinement has ended with less than it began with: a sound design is not given up.
+bool worse(const Found& refined, const Found& before) {
+  const bool sound = refined.violation == 0, was_sound = before.violation == 0;
+  return sound != was_sound ? was_sound : better(before.minimum, refined.minimum);
+}
+
 bool close(const MotionMinimum& a, const MotionMinimum& b, double tolerance) {
   if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
-  if (a.form.sides != b.form.sides) return false;
+  if (a.form.sides != b.form.sides || a.form.stations != b.form.stations) return false;
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
     const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
     if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
@@ -153,7 +162,11 @@ class MotionSearch {
             .seed = run_.seed};
   }
 
-  Found explored(const MotionStart& start) const;
+  Found explored(const MotionStart& start);
+  void fit(const MotionProblem& problem, Backend backend, const synthesis::Options& options,
+           MotionMinimum& minimum);
+  void put_in_order(const MotionProblem& problem, Backend backend,
+                    const synthesis::Options& options, Found& found);
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count, int most);
   void add(std::vector<Found> fresh);
@@ -163,7 +176,6 @@ class MotionSearch {
   void carry_over(Found& found) const;
   void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
                    int iterations, double share);
-  void count_work(const Solution& solution, std::size_t poses);
   void lower_best(const Found& found);
 
   const MotionProblem& whole_;
@@ -176,16 +188,49 @@ class MotionSearch {
   SearchThoroughness thoroughness_;
   std::vector<Found> all_;
   std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
+  std::atomic<std::uint64_t> positions_{0}, gradients_{0}, iterations_{0};
 };
 
-Found MotionSearch::explored(const MotionStart& start) const {
+Found MotionSearch::explored(const MotionStart& start) {
   Found found{{form_of(coarse_, start.pair), start.origin, {}}, false};
-  const MotionModel model(coarse_, found.minimum.form);
-  found.minimum.solution = solve(Backend::gauss_newton, model, model.variables_of(start.pair),
-                                 options(kExploringIterations, 1e-10));
+  found.minimum.solution.x = MotionModel(coarse_, found.minimum.form).variables_of(start.pair);
+  const auto exploring = options(kExploringIterations, 1e-10);
+  fit(coarse_, Backend::gauss_newton, exploring, found.minimum);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
-  if (found.valid) found.violation = design_violation(coarse_, found.minimum);
+  if (!found.valid) return found;
+  found.violation = design_violation(coarse_, found.minimum);
+  put_in_order(coarse_, Backend::gauss_newton, exploring, found);
   return found;
+}
+
+/// From the minimum's point; counts the work.
+void MotionSearch::fit(const MotionProblem& problem, Backend backend,
+                       const synthesis::Options& options, MotionMinimum& minimum) {
+  const MotionModel model(problem, minimum.form);
+  minimum.solution = solve(backend, model, minimum.solution.x, options);
+  positions_ += minimum.solution.evaluations * problem.poses.size();
+  gradients_ += minimum.solution.gradients * problem.poses.size();
+  iterations_ += static_cast<std::uint64_t>(minimum.solution.iterations);
+}
+
+/// A minimum whose poses are out of order, or on two circuits, is fitted again with crank angles
+/// that are not: neighbours that noise has exchanged share one, until no two are exchanged.
+void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
+                                const synthesis::Options& options, Found& found) {
+  const Constraints& constraints = problem.constraints;
+  if (!constraints.no_order_defect && !constraints.no_circuit_defect) return;
+  Found ordered = found;
+  for (int round = 0; round < kOrderingRounds && ordered.violation > 0; ++round) {
+    if (deadline_.reached()) return;
+    auto next = in_order(problem, {ordered.minimum.form, ordered.minimum.solution.x});
+    if (!next) return;
+    ordered.minimum.form = std::move(next->form);
+    ordered.minimum.solution.x = std::move(next->x);
+    fit(problem, backend, options, ordered.minimum);
+    if (ordered.minimum.solution.stop == synthesis::Stop::no_value) return;
+    ordered.violation = design_violation(problem, ordered.minimum);
+    if (ordered.violation < found.violation) found = ordered;
+  }
 }
 
 void MotionSearch::lower_best(const Found& found) {
@@ -194,12 +239,6 @@ void MotionSearch::lower_best(const Found& found) {
   double known = best_;
   while (objective < known && !best_.compare_exchange_weak(known, objective)) {
   }
-}
-
-void MotionSearch::count_work(const Solution& solution, std::size_t poses) {
-  work_.positions += solution.evaluations * poses;
-  work_.gradients += solution.gradients * poses;
-  work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
 }
 
 void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int> starts) {
@@ -215,9 +254,7 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
     const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
     if (!starts && done >= kFewestStarts && enough) break;
   }
-  const auto seen_once = std::ranges::count(all_, 1, &Found::hits);
   thoroughness_.starts = done;
-  thoroughness_.unseen = done > 0 ? double(seen_once) / done : 1;
 }
 
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
@@ -250,7 +287,6 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count, i
 }
 
 void MotionSearch::add(std::vector<Found> fresh) {
-  for (const Found& found : fresh) count_work(found.minimum.solution, coarse_.poses.size());
   std::ranges::move(fresh, std::back_inserter(all_));
   sort_and_merge(all_, kSameFit);
   keep_best(all_, kept(kDeepened));
@@ -270,10 +306,11 @@ void MotionSearch::carry_over(Found& found) const {
   Solution& solution = found.minimum.solution;
   solution.x = whole.variables_of(pair);
   std::vector<double> residuals(static_cast<std::size_t>(whole.residual_count()));
-  solution.objective = std::numeric_limits<double>::infinity();
+  solution.objective = found.violation = std::numeric_limits<double>::infinity();
   if (!whole.residuals(solution.x, residuals, {}, {})) return;
   solution.objective =
       std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+  found.violation = design_violation(whole_, found.minimum);
 }
 
 /// Keeps `reserve` and twice the designs wanted, and goes on with those; what is reached replaces
@@ -281,23 +318,20 @@ void MotionSearch::carry_over(Found& found) const {
 void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
                                int iterations, double share) {
   keep_best(all_, kept(reserve));
-  std::vector<Solution> solutions(all_.size());
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
     Found& found = all_[static_cast<std::size_t>(index)];
-    const MotionModel model(problem, found.minimum.form);
-    MotionMinimum refined = found.minimum;
-    refined.solution =
-        solve(backend, model, found.minimum.solution.x, options(iterations, tolerance_));
-    solutions[static_cast<std::size_t>(index)] = refined.solution;
-    if (refined.solution.stop != synthesis::Stop::no_value && !better(found.minimum, refined)) {
-      found.minimum = std::move(refined);
-      found.violation = design_violation(problem, found.minimum);
+    const auto refining = options(iterations, tolerance_);
+    Found refined = found;
+    fit(problem, backend, refining, refined.minimum);
+    if (refined.minimum.solution.stop != synthesis::Stop::no_value) {
+      refined.violation = design_violation(problem, refined.minimum);
+      put_in_order(problem, backend, refining, refined);
+      if (!worse(refined, found)) found = std::move(refined);
     }
     lower_best(found);
     if (thread == 0 && run_.progress) run_.progress(share, best_);
   });
-  for (const Solution& solution : solutions) count_work(solution, problem.poses.size());
   sort_and_merge(all_, kSameMinimum);
 }
 
@@ -318,6 +352,12 @@ MotionSearchResult MotionSearch::take() {
   std::erase_if(all_, [](const Found& found) {
     return !std::isfinite(found.minimum.solution.objective);  // does not close at every pose
   });
+  work_.positions += positions_;
+  work_.gradients += gradients_;
+  work_.solver_iterations += iterations_;
+  const auto seen_once = std::ranges::count_if(
+      all_, [](const Found& found) { return found.hits == 1 && found.violation == 0; });
+  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
   thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
   MotionSearchResult result{{}, thoroughness_};
   for (Found& found : all_) result.minima.push_back(std::move(found.minimum));

@@ -63,7 +63,7 @@ std::optional<Box> intersect(const std::optional<Box>& a, const std::optional<Bo
 }  // namespace
 
 MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
-  MotionForm form{pair.second.kind, {}, std::nullopt};
+  MotionForm form{pair.second.kind, {}, std::nullopt, {}};
   const SecondDyad second = second_dyad(pair.second);
   double sum = 0;
   for (const Pose& pose : problem.poses) {
@@ -106,10 +106,54 @@ MotionModel::MotionModel(const MotionProblem& problem, MotionForm form)
       turn_limits_(on_lengths(problem, form_), Accelerated::coupler_point) {
   list_variables();
   list_distance_limits();
-  for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    variables_.push_back({"crank angle " + std::to_string(j), -1e3 * kTurn, 1e3 * kTurn, 1});
-    local_of_residual_.insert(local_of_residual_.end(), 3, static_cast<int>(j));
+  list_stations();
+}
+
+bool MotionModel::limits_driven_range() const {
+  const Constraints& constraints = problem_.constraints;
+  const bool turns = form_.confined_to == RequiredClass::crank_rocker ||
+                     form_.confined_to == RequiredClass::double_crank;
+  return form_.second == DyadKind::rr && constraints.no_order_defect &&
+         constraints.transmission_angle && !turns;
+}
+
+/// The angles at both ends are global variables where limits refer to them.
+void MotionModel::list_stations() {
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < problem_.poses.size(); ++j)
+    count = std::max(count, station_of(j) + 1);
+  const std::size_t first = station_of(0), last = station_of(problem_.poses.size() - 1);
+  const bool has_ends = !form_.stations.empty() && first != last && limits_driven_range();
+  if (has_ends) driven_range_ = DrivenRange(problem_.constraints, {0, 0});
+  std::vector<int> local(count, -1);
+  std::size_t next = free_.size() + (has_ends ? 2 : 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_end = has_ends && (k == first || k == last);
+    if (!is_end) local[k] = local_count_++;
+    variable_of_station_.push_back(is_end ? free_.size() + (k == last ? 1 : 0) : next++);
   }
+  for (std::size_t k = 0; k < count; ++k) {
+    variables_.push_back({"crank angle " + std::to_string(k), -1e3 * kTurn, 1e3 * kTurn, 1});
+  }
+  for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
+    local_of_residual_.insert(local_of_residual_.end(), 3, local[station_of(j)]);
+  }
+}
+
+std::vector<double> MotionModel::station_angles(std::span<const double> x) const {
+  std::vector<double> angles;
+  for (const std::size_t variable : variable_of_station_) angles.push_back(x[variable]);
+  return angles;
+}
+
+std::vector<double> MotionModel::with_angles(std::span<const double> x,
+                                             std::span<const double> station_angles) const {
+  std::vector<double> with(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(free_.size()));
+  with.resize(variables_.size());
+  for (std::size_t k = 0; k < station_angles.size(); ++k) {
+    with[variable_of_station_[k]] = station_angles[k];
+  }
+  return with;
 }
 
 void MotionModel::add_variable(int dimension, std::optional<double> given, Range range,
@@ -199,9 +243,10 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
   const Vec2d first = point(v, kMoving1);
   const SecondDyad second = second_of(v);
   const double weight = problem_.angle_weight;
-  const std::size_t n = free_.size();
+  const auto n = static_cast<std::size_t>(global_count());
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    const auto at = station(v, j, x[n + j]);
+    const std::size_t angle_variable = variable_of_station_[station_of(j)];
+    const auto at = station(v, j, x[angle_variable]);
     if (!at) return false;
     const Vec2d arm = at->turn * first;
     const Vec2d miss = at->pin - arm - problem_.poses[j].at;
@@ -224,27 +269,34 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
       store(1, place.y);
       store(2, weight * turned);
     };
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
       const auto dimension = static_cast<std::size_t>(free_[i]);
       set(-angle[dimension] / slopes.turn,
           dimension < straight.size() ? straight[dimension] : Vec2d{},
           [&](std::size_t row, double value) { jacobian[(3 * j + row) * n + i] = value; });
     }
-    set(-dot(slopes.pin, by_crank) / slopes.turn, by_crank,
-        [&](std::size_t row, double value) { local[3 * j + row] = value; });
+    for (std::size_t i = free_.size(); i < n; ++i) {
+      for (std::size_t row = 0; row < 3; ++row) jacobian[(3 * j + row) * n + i] = 0;
+    }
+    const bool is_end = angle_variable < n;
+    set(-dot(slopes.pin, by_crank) / slopes.turn, by_crank, [&](std::size_t row, double value) {
+      if (is_end) jacobian[(3 * j + row) * n + angle_variable] = value;
+      if (!local.empty()) local[3 * j + row] = is_end ? 0 : value;
+    });
   }
   return true;
 }
 
 int MotionModel::constraint_count() const {
   return linkage_constraints_.count() + static_cast<int>(distance_limits_.size()) +
-         turn_limits_.count();
+         turn_limits_.count() + driven_range_.count();
 }
 
 void MotionModel::constraints(std::span<const double> x, std::span<double> c,
                               std::span<double> jacobian) const {
   const Full v = full(x);
-  const std::size_t n = free_.size();
+  const auto n = static_cast<std::size_t>(global_count());
+  std::ranges::fill(jacobian, 0.0);
   const auto links = static_cast<std::size_t>(linkage_constraints_.count());
   const auto between = [&](int from, int to) {
     const Vec2d way = point(v, to) - point(v, from);
@@ -258,7 +310,7 @@ void MotionModel::constraints(std::span<const double> x, std::span<double> c,
     slopes[static_cast<std::size_t>(from) + 1] -= along.y;
   };
   const auto set = [&](std::size_t row, const Full& slopes) {
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
       jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
     }
   };
@@ -286,8 +338,45 @@ void MotionModel::constraints(std::span<const double> x, std::span<double> c,
     set(links + k, slopes);
   }
   const std::size_t before_turn = links + distance_limits_.size();
-  limit_turn(v, c.subspan(before_turn),
-             jacobian.empty() ? jacobian : jacobian.subspan(before_turn * n));
+  const auto rest = [&](std::size_t row) {
+    return jacobian.empty() ? jacobian : jacobian.subspan(row * n);
+  };
+  limit_turn(v, c.subspan(before_turn), rest(before_turn));
+  const std::size_t before_range = before_turn + static_cast<std::size_t>(turn_limits_.count());
+  limit_driven_range(x, v, c.subspan(before_range), rest(before_range));
+}
+
+/// The rows of the limits between the ends of the motion.
+void MotionModel::limit_driven_range(std::span<const double> x, const Full& v, std::span<double> c,
+                                     std::span<double> jacobian) const {
+  if (driven_range_.count() == 0) return;
+  const Vec2d coupler = point(v, kMoving2) - point(v, kMoving1);
+  const Vec2d frame = point(v, kFixed2) - point(v, kFixed1);
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  const double length = std::max(norm(coupler), kLeast), apart = std::max(norm(frame), kLeast);
+  const std::size_t first = free_.size(), last = first + 1;
+  const bool forward = x[first] <= x[last];
+  const std::size_t from = forward ? first : last, to = forward ? last : first;
+  const double direction = angle_of(frame);
+  std::array<WaySlopes, DrivenRange::kLimits> all{};
+  driven_range_.evaluate({v[kLength1], length, v[kLength2], apart},
+                         {x[from] - direction, x[to] - direction}, c,
+                         jacobian.empty() ? std::span<WaySlopes>{} : all);
+  if (jacobian.empty()) return;
+  const auto n = static_cast<std::size_t>(global_count());
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const auto& [by_crank, by_length, by_rocker, by_apart, by_from, by_to] = all[row];
+    const Vec2d by_coupler = (by_length / length) * coupler;
+    const Vec2d by_frame =
+        (by_apart / apart) * frame - ((by_from + by_to) / (apart * apart)) * perp(frame);
+    const Full slopes{-by_coupler.x, -by_coupler.y, -by_frame.x, -by_frame.y, by_crank,
+                      by_coupler.x,  by_coupler.y,  by_frame.x,  by_frame.y,  by_rocker};
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
+    }
+    jacobian[row * n + from] = by_from;
+    jacobian[row * n + to] = by_to;
+  }
 }
 
 /// The rows of the limits over the turn. The coupler point is the body's origin.
@@ -315,8 +404,9 @@ void MotionModel::limit_turn(const Full& v, std::span<double> c, std::span<doubl
     const Vec2d by_moving = -(along * Vec2d{by_u, by_v}) - by_coupler;
     const Full slopes{by_moving.x,  by_moving.y,  by_x - by_frame.x, by_y - by_frame.y, crank,
                       by_coupler.x, by_coupler.y, by_frame.x,        by_frame.y,        rocker};
+    const auto n = static_cast<std::size_t>(global_count());
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      jacobian[row * free_.size() + i] = slopes[static_cast<std::size_t>(free_[i])];
+      jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
     }
   }
 }
@@ -366,11 +456,18 @@ DyadPair MotionModel::pair(std::span<const double> x) const {
           guiding_dyad(form_.second, second_of(v), first)};
 }
 
+std::optional<Pose> MotionModel::body_at(std::span<const double> x, double crank_angle) const {
+  const Full v = full(x);
+  const auto at = station(v, 0, crank_angle);
+  if (!at) return std::nullopt;
+  return Pose{at->pin - at->turn * point(v, kMoving1), angle_of(at->turn)};
+}
+
 std::vector<Pose> MotionModel::reached(std::span<const double> x) const {
   const Full v = full(x);
   std::vector<Pose> poses;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    const auto at = station(v, j, x[free_.size() + j]);
+    const auto at = station(v, j, x[variable_of_station_[station_of(j)]]);
     if (!at) return {};
     poses.push_back({at->pin - at->turn * point(v, kMoving1), angle_of(at->turn)});
   }

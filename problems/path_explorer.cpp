@@ -19,6 +19,10 @@ using synthesis::Solution;
 /// Designs screened for each start that is refined: enough that the linear unknowns alone have
 /// found the basin in most cases, few enough that screening costs less than refining.
 constexpr std::size_t kCandidatesPerStart = 256;
+/// The same for every other start of a problem with limits. Screening knows the limits on lengths
+/// alone: the best of many candidates lie where the curve would be nearest without the others, and
+/// none of them may lie where it is nearest within all.
+constexpr std::size_t kFewCandidates = 4;
 /// Iterations spent on every start. The best of the library's problems are within 1 % of their
 /// minimum after 60; the rest of a long valley is walked by the best ones only.
 constexpr int kExploringIterations = 80;
@@ -105,6 +109,25 @@ void fit_in_lanes(const PathProblem& problem, std::span<PathFound> all,
   }
 }
 
+/// Whether the transmission angle is limited over the range that prescribed timing drives a crank
+/// through which does not turn fully.
+bool limits_driven_range(const PathProblem& problem) {
+  const auto& required = problem.constraints.required_class;
+  const bool turns = required && (*required == RequiredClass::crank_rocker ||
+                                  *required == RequiredClass::double_crank);
+  return problem.timing == Timing::prescribed && problem.constraints.transmission_angle && !turns;
+}
+
+/// Whether more is demanded than soundness.
+bool is_limited(const PathProblem& problem) {
+  const Constraints& limits = problem.constraints;
+  const Bounds& bounds = problem.bounds;
+  return limits.required_class || limits.transmission_angle || limits.link_ratio_max ||
+         limits.time_ratio || limits.pivot_region || limits.proportions || limits_turn(limits) ||
+         bounds.crank || bounds.coupler || bounds.rocker || bounds.frame || bounds.frame_angle ||
+         bounds.pivot_a || bounds.pivot_d || bounds.coupler_point;
+}
+
 /// The rounds of an exploration; `pool_` holds the best so far.
 class Explorer {
  public:
@@ -131,8 +154,6 @@ class Explorer {
       if (!exploration_.starts && done >= kFewestStarts && knows_enough()) break;
     }
     thoroughness.starts = done;
-    const auto seen_once = std::ranges::count(pool_, 1, &PathFound::hits);
-    thoroughness.unseen = done > 0 ? double(seen_once) / done : 1;
     if (!exploration_.starts) add_exact();
     return std::move(pool_);
   }
@@ -145,14 +166,20 @@ class Explorer {
     parallel_for(count, run.threads, [&](int index, int thread) {
       if (deadline_.reached()) return;
       std::mt19937_64 random = generator(run.seed, first + index);
-      const auto start = source_.draw(random, kCandidatesPerStart);
+      const auto start = source_.draw(random, candidates(first + index));
       if (start) fresh[index] = placed(problem_, *start);
       if (thread == 0) report(kDrawn * index / count);
     });
-    work_.candidates += static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart;
-    work_.positions +=
-        static_cast<std::uint64_t>(count) * 2 * kCandidatesPerStart * problem_.points.size();
+    std::uint64_t screened = 0;
+    for (int index = 0; index < count; ++index) screened += 2 * candidates(first + index);
+    work_.candidates += screened;
+    work_.positions += screened * problem_.points.size();
     add(std::move(fresh));
+  }
+
+  /// How many designs are screened for a start.
+  std::size_t candidates(int start) const {
+    return is_limited_ && start % 2 == 1 ? kFewCandidates : kCandidatesPerStart;
   }
 
   /// The share of the search that is done after so many starts: most searches need the fewest only.
@@ -288,8 +315,9 @@ class Explorer {
   Work& work_;
   /// The lanes know no loss and no limits over the turn. What they would find without those has
   /// been seen to hide better minima within them.
-  const bool knows_lanes_ =
-      problem_.solve.loss == synthesis::Loss::none && !limits_turn(problem_.constraints);
+  const bool knows_lanes_ = problem_.solve.loss == synthesis::Loss::none &&
+                            !limits_turn(problem_.constraints) && !limits_driven_range(problem_);
+  const bool is_limited_ = is_limited(problem_);
   synthesis::PathFitOptions fit_;
   std::vector<PathFound> pool_;
   Range round_{0, 0};  ///< shares of the whole search at the round's beginning and end

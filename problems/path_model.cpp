@@ -66,6 +66,7 @@ PathModel::PathModel(const PathProblem& problem, Assembly assembly, bool clockwi
   list_variables();
   list_increments(clockwise);
   list_local_angles();
+  driven_range_ = driven_range();
   for (const double weight : problem_.weights) root_weight_.push_back(std::sqrt(weight));
   root_weight_.resize(problem_.points.size(), 1.0);
 }
@@ -198,7 +199,8 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
 }
 
 int PathModel::constraint_count() const {
-  return linkage_constraints_.count() + pivot_limits() + turn_limits_.count();
+  return linkage_constraints_.count() + pivot_limits() + turn_limits_.count() +
+         driven_range_.count();
 }
 
 /// The other pivot's box has four sides, of which only finite ones are constraints.
@@ -228,6 +230,43 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
   limit_pivot(v, c.subspan(links), rest(links));
   const auto before_turn = links + static_cast<std::size_t>(pivot_limits());
   limit_turn(v, c.subspan(before_turn), rest(before_turn));
+  const auto before_range = before_turn + static_cast<std::size_t>(turn_limits_.count());
+  limit_driven_range(v, c.subspan(before_range), rest(before_range));
+}
+
+/// That of a crank which is not kept to a class that turns it fully, where all points are timed:
+/// from each to the next it turns by the shorter way.
+DrivenRange PathModel::driven_range() const {
+  const auto& required = problem_.constraints.required_class;
+  const bool turns =
+      required == RequiredClass::crank_rocker || required == RequiredClass::double_crank;
+  if (turns || local_count_ > 0 || increment_.empty()) return {};
+  Range range{increment_.front(), increment_.front()};
+  double at = range.min;
+  for (std::size_t j = 1; j < increment_.size(); ++j) {
+    at += std::remainder(increment_[j] - increment_[j - 1], 2 * std::numbers::pi);
+    range = {std::min(range.min, at), std::max(range.max, at)};
+  }
+  return {problem_.constraints, range};
+}
+
+void PathModel::limit_driven_range(const Full& v, std::span<double> c,
+                                   std::span<double> jacobian) const {
+  if (driven_range_.count() == 0) return;
+  std::array<DrivenSlopes, DrivenRange::kLimits> all{};
+  driven_range_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]}, timing_offset(v)}, c,
+                         jacobian.empty() ? std::span<DrivenSlopes>{} : all);
+  if (jacobian.empty()) return;
+  const bool global = problem_.crank_reference == CrankReference::global;
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const auto& [by_crank, by_coupler, by_rocker, by_frame, by_offset] = all[row];
+    Full slopes{by_crank, by_coupler, by_rocker, by_frame};
+    slopes[angle] = global ? -by_offset : 0;
+    slopes[phase] = global ? 0 : by_offset;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      jacobian[row * free_.size() + i] = slopes[free_[i]];
+    }
+  }
 }
 
 /// The rows of the pivot that is not the anchor.

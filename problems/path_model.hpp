@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/closure.hpp"
+#include "problems/driven_range.hpp"
 #include "problems/linkage_constraints.hpp"
 #include "problems/problem.hpp"
 #include "problems/turn_limits.hpp"
@@ -90,6 +91,8 @@ class PathModel final : public synthesis::Model {
   int pivot_limits() const;
   void limit_pivot(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   void limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const;
+  DrivenRange driven_range() const;
+  void limit_driven_range(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   Vec2d pivot_pull(std::span<const double> of_constraints) const;
 
   PathProblem problem_;
@@ -107,6 +110,7 @@ class PathModel final : public synthesis::Model {
   std::vector<Vec2d> increment_half_;  ///< unit vectors of their halves
   LinkageConstraints linkage_constraints_;
   TurnLimits turn_limits_;
+  DrivenRange driven_range_;
   Box other_pivot_box_;  ///< limits of the pivot that is not the anchor; sides may be infinite
 };
 

@@ -115,6 +115,18 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   std::array<double, 16> of_links{};
   linkage_constraints_.add_hessian(links, of_constraints, of_links);
   for (int i = 0; i < 16; ++i) add(i / 4, i % 4, of_links[i]);
+  if (driven_range_.count() > 0) {
+    std::array<double, 25> of_range{};
+    const auto first = static_cast<std::size_t>(linkage_constraints_.count() + pivot_limits());
+    driven_range_.add_hessian({links, timing_offset(v)}, of_constraints.subspan(first), of_range);
+    const std::array<int, 5> dimension{crank, coupler, rocker, frame, global ? angle : phase};
+    const auto sense = [&](int i) { return global && i == 4 ? -1.0 : 1.0; };
+    for (int i = 0; i < 5; ++i) {
+      for (int j = 0; j < 5; ++j) {
+        add(dimension[i], dimension[j], sense(i) * sense(j) * of_range[5 * i + j]);
+      }
+    }
+  }
   const Vec2d pull = pivot_pull(of_constraints);
   const double away = anchor_is_d_ ? -1 : 1;
   const double by_frame = away * dot(pull, perp(turn));

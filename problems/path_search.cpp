@@ -141,6 +141,10 @@ void PathSearch::finish(synthesis::Backend backend) {
 
 PathSearchResult PathSearch::take() {
   thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
+  const auto seen_once = std::ranges::count_if(all_, [](const PathFound& found) {
+    return found.hits == 1 && found.minimum.solution.violation <= kPathFeasibility;
+  });
+  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
   PathSearchResult result{{}, thoroughness_};
   for (PathFound& found : all_) result.minima.push_back(std::move(found.minimum));
   return result;

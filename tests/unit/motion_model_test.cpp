@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -114,6 +115,36 @@ TEST(MotionModel, HasExactDerivatives) {
       EXPECT_LT(error.relative, 1e-7) << error.describe(model);
     }
   }
+}
+
+TEST(MotionModel, HasExactDerivativesByTheEndsOfALimitedMotion) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> disturbance(-0.04, 0.04);
+  const DyadPair pair = planted().front().pair;
+  int rows = 0;
+  for (const bool backward : {false, true}) {
+    MotionProblem problem = problem_of(pair);
+    if (backward) std::ranges::reverse(problem.poses);
+    problem.constraints.required_class = RequiredClass::triple_rocker;
+    problem.constraints.transmission_angle = Range{0.5, 2.4};
+    MotionForm form = form_of(problem, pair);
+    const MotionModel free(problem, form);
+    auto angles = free.station_angles(free.variables_of(pair));
+    EXPECT_EQ(free.global_count(), 10);
+    form.stations = {0, 1, 1, 2, 3, 4};
+    angles.erase(angles.begin() + 2);
+    const MotionModel model(problem, form);
+    EXPECT_EQ(model.global_count(), 12);
+    EXPECT_EQ(model.local_count(), 3);
+    EXPECT_EQ(model.constraint_count(), free.constraint_count() + 2);
+    auto x = model.with_angles(free.variables_of(pair), angles);
+    for (double& value : x) value += disturbance(random);
+    const auto error = synthesis::check_derivatives(model, x);
+    ASSERT_TRUE(error.has_value);
+    EXPECT_LT(error.relative, 1e-7) << error.describe(model);
+    rows += model.constraint_count();
+  }
+  EXPECT_GE(rows, 4);
 }
 
 TEST(MotionModel, LeavesOutWhatIsGiven) {
