@@ -44,10 +44,15 @@ std::optional<Vec2d> CurveBranch::point(double crank_angle) const {
   return links_.crank * crank + links.coupler * coupler_point_;
 }
 
+double CurveBranch::distance(double crank_angle, const Vec2d& target) const {
+  const auto at = point(crank_angle);
+  return at ? norm(*at - target) : std::numeric_limits<double>::infinity();
+}
+
 /// With e₁, e₂, e₃ along crank, coupler and rocker the closure l₁e₁ + l₂e₂ = l₄ + l₃e₃, derived
 /// once and twice, gives the rates of the coupler's and the rocker's angles.
-CurveBranch::Jet CurveBranch::jet(double crank_angle) const {
-  const auto [e1, links] = position(crank_angle);
+CurveBranch::Jet CurveBranch::jet(const Travel& travel, double at) const {
+  const auto [e1, links] = position(travel.angle(at));
   if (!(links.discriminant > 0)) return {};
   const Vec2d &e2 = links.coupler, &e3 = links.rocker;
   const double sine = cross(e2, e3);
@@ -58,19 +63,23 @@ CurveBranch::Jet CurveBranch::jet(double crank_angle) const {
        links_.rocker * rocker_rate * rocker_rate) /
       (links_.coupler * sine);
   const Vec2d swing = e2 * coupler_point_;
-  return {links_.crank * e1 + swing, links_.crank * perp(e1) + coupler_rate * perp(swing),
-          -links_.crank * e1 + coupler_second * perp(swing) - coupler_rate * coupler_rate * swing,
-          true};
+  const Vec2d first = links_.crank * perp(e1) + coupler_rate * perp(swing);
+  const Vec2d second =
+      -links_.crank * e1 + coupler_second * perp(swing) - coupler_rate * coupler_rate * swing;
+  const double slope = travel.slope(at);
+  return {links_.crank * e1 + swing, slope * first,
+          (slope * slope) * second + travel.second(at) * first, true};
 }
 
-std::vector<CurveSample> CurveBranch::samples(double sense, double from, double to) const {
+std::vector<CurveSample> CurveBranch::samples(const Travel& travel, double from, double to) const {
   const int steps = std::max(12, static_cast<int>(std::ceil(kSamples * (to - from) / kTurn)));
   std::vector<CurveSample> all;
   const auto add = [&](double at, std::vector<CurveSample>& list) {
-    const auto there = point(sense * at);
+    const auto there = point(travel.angle(at));
     if (there) list.push_back({at, *there});
   };
-  for (int k = 0; k <= steps; ++k) add(from + (to - from) * k / steps, all);
+  for (int k = 0; k < steps; ++k) add(from + (to - from) * k / steps, all);
+  add(to, all);
   for (int halving = 0; halving < kHalvings; ++halving) {
     double length = 0;
     for (std::size_t k = 0; k + 1 < all.size(); ++k) {
@@ -90,14 +99,14 @@ std::vector<CurveSample> CurveBranch::samples(double sense, double from, double 
   return all;
 }
 
-double CurveBranch::nearest(double sense, const Vec2d& target, double start, double from,
+double CurveBranch::nearest(const Travel& travel, const Vec2d& target, double start, double from,
                             double to) const {
   double at = std::clamp(start, from, to);
-  Jet here = jet(sense * at);
+  Jet here = jet(travel, at);
   if (!here.closes) return at;
   for (int k = 0; k < kMostSteps; ++k) {
     const Vec2d away = here.value - target;
-    const double slope = sense * dot(away, here.first), square = squared_norm(here.first);
+    const double slope = dot(away, here.first), square = squared_norm(here.first);
     const double curvature = square + dot(away, here.second);
     // Where it bends the other way, or hardly, along the tangent of the curve.
     double step = -slope / (curvature > 1e-3 * square ? curvature : square);
@@ -108,7 +117,7 @@ double CurveBranch::nearest(double sense, const Vec2d& target, double start, dou
     for (;; step *= 0.25) {
       const double next = std::clamp(at + step, from, to);
       if (next == at) return at;
-      const Jet there = jet(sense * next);
+      const Jet there = jet(travel, next);
       if (there.closes && (last || squared_norm(there.value - target) < distance)) {
         at = next;
         here = there;

@@ -13,9 +13,6 @@
 namespace cognate::problems {
 namespace {
 
-/// A share of the objective by which order raises it where it is said to bind.
-constexpr double kBinding = 1e-6;
-
 bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
   if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
   if (a.confined_to != b.confined_to) return false;
@@ -120,9 +117,8 @@ void place_in_order(const PathProblem& problem, PathFound& found) {
   found.valid = best.has_value();
   if (!best) return;
   synthesis::Solution& solution = found.minimum.solution;
-  const double raised = best->places.cost - solution.objective;
-  found.binds = raised > kBinding * solution.objective && best->places.cost > kMetExactly;
-  found.cost += raised;
+  found.binds = best->places.any_held() && best->places.cost > kMetExactly;
+  found.cost += best->places.cost - solution.objective;
   solution.objective = best->places.cost;
   solution.x = std::move(best->x);
 }

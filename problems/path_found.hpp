@@ -19,7 +19,7 @@ struct PathFound {
   bool valid = false;
   bool fitted = false;    ///< not as it was drawn
   bool deepened = false;  ///< fitted to its end
-  bool binds = false;     ///< order moved its points: a fit that knows none leads away
+  bool binds = false;     ///< order holds points: a fit that knows none leads away
   bool strays = false;    ///< of a closed curve: no use, however low the cost
   double cost = 0;        ///< of a fit in lanes: objective and penalties
   int hits = 1;           ///< how many starts have come here

@@ -21,18 +21,22 @@ constexpr double kFromDeadPoint = 1e-10;
 /// Prescribed angles closer than this are one, to rounding.
 constexpr double kSameAngle = 1e-9;
 
+/// Over a turn, from how many samples ways are tried where one turn is too little for the best.
+constexpr std::size_t kBeginnings = 24;
+
 /// Consecutive points that share a place, as one of their weighted mean.
 struct Block {
   double at = 0;  ///< along the motion
   Vec2d mean;
   double weight = 0;
   std::size_t first = 0, last = 0;  ///< of the points of its stretch
+  double from = 0, to = 0;          ///< between which places it is looked for
 };
 
 /// A part of the motion, and the points met there one after the other.
 struct Stretch {
   double from = 0, to = 0;  ///< along the motion: `sense` times the crank angle
-  HeldBy at_start = HeldBy::range_start, at_end = HeldBy::range_end;
+  HeldBy at_start = HeldBy::range_end, at_end = HeldBy::range_end;
   std::size_t timed_before = 0, timed_after = 0;
   bool is_closed = false;           ///< a whole turn that may begin anywhere
   std::vector<std::size_t> points;  ///< in the order in which they are met
@@ -41,10 +45,10 @@ struct Stretch {
 /// The points of one stretch placed along a branch.
 class Placing {
  public:
-  Placing(const CurveBranch& branch, double sense, const Stretch& stretch,
+  Placing(const CurveBranch& branch, const Travel& travel, const Stretch& stretch,
           std::span<const Vec2d> targets, std::span<const double> weights)
-      : branch_(branch), sense_(sense), stretch_(stretch), targets_(targets), weights_(weights) {
-    samples_ = branch.samples(sense, stretch.from, stretch.to);
+      : branch_(branch), travel_(travel), stretch_(stretch), targets_(targets), weights_(weights) {
+    samples_ = branch.samples(travel, stretch.from, stretch.to);
     // The last sample of a whole turn is its first again.
     if (stretch.is_closed && !samples_.empty()) samples_.pop_back();
   }
@@ -58,6 +62,7 @@ class Placing {
   struct Way {
     double cost = kInfinity;
     std::vector<std::size_t> at;  ///< sample of each point, counted on beyond the turn
+    std::size_t begin = 0;        ///< the sample from which they are counted
   };
 
   const Vec2d& target(std::size_t k) const { return targets_[stretch_.points[k]]; }
@@ -68,11 +73,13 @@ class Placing {
   Way best_way(std::size_t first, std::size_t starts, std::size_t count) const;
   Way best_way() const;
   void settle(Block& block) const;
+  Block settled(std::size_t sample, std::size_t k) const;
   void merge(Block& into, const Block& next, double shift) const;
   void close(std::vector<Block>& blocks) const;
+  void release(std::vector<Block>& blocks) const;
 
   const CurveBranch& branch_;
-  double sense_;
+  const Travel& travel_;
   const Stretch& stretch_;
   std::span<const Vec2d> targets_;
   std::span<const double> weights_;
@@ -102,7 +109,7 @@ Placing::Way Placing::best_way(std::size_t first, std::size_t starts, std::size_
     }
   }
   const auto end = std::ranges::min_element(cost);
-  Way way{*end, std::vector<std::size_t>(n)};
+  Way way{*end, std::vector<std::size_t>(n), first};
   auto i = static_cast<std::size_t>(end - cost.begin());
   for (std::size_t k = n; k-- > 0;) {
     way.at[k] = first + i;
@@ -112,26 +119,43 @@ Placing::Way Placing::best_way(std::size_t first, std::size_t starts, std::size_
 }
 
 /// Over a closed stretch the way may begin anywhere and goes round once at most. Where the best one
-/// that may go farther does, the best of a few beginnings near its own ends is taken.
+/// that may go farther does so, beginnings are tried in even steps and about the best of them.
 Placing::Way Placing::best_way() const {
   const std::size_t m = samples_.size();
   if (!stretch_.is_closed) return best_way(0, m, m);
-  Way way = best_way(0, m, 2 * m);
-  const std::size_t first = way.at.front(), last = way.at.back();
-  if (last - first <= m) return way;
-  Way best;
-  for (const std::size_t begin : {first, (first + last + m) / 2, last}) {
+  Way best = best_way(0, m, 2 * m);
+  if (best.at.back() - best.at.front() <= m) return best;
+  best.cost = kInfinity;
+  const auto begin_at = [&](std::size_t begin) {
     Way other = best_way(begin % m, m + 1, m + 1);
     if (other.cost < best.cost) best = std::move(other);
+  };
+  std::size_t step = m / kBeginnings + 1;
+  for (std::size_t begin = 0; begin < m; begin += step) begin_at(begin);
+  for (; step > 1; step = (step + 1) / 2) {
+    const std::size_t middle = best.begin;
+    begin_at(middle + step / 2);
+    begin_at(middle + m - step / 2);
   }
   return best;
 }
 
 /// Brings a block to the nearest place downhill.
 void Placing::settle(Block& block) const {
-  const bool unlimited = stretch_.is_closed;
-  block.at = branch_.nearest(sense_, block.mean, block.at, unlimited ? -kInfinity : stretch_.from,
-                             unlimited ? kInfinity : stretch_.to);
+  block.at = branch_.nearest(travel_, block.mean, block.at, block.from, block.to);
+}
+
+/// A point at a sample, where it settles no farther than the neighbours of that.
+Block Placing::settled(std::size_t sample, std::size_t k) const {
+  const bool closed = stretch_.is_closed;
+  const std::size_t last = samples_.size() - 1;
+  const double from = closed       ? place_of(sample + last) - kTurn
+                      : sample > 0 ? place_of(sample - 1)
+                                   : stretch_.from;
+  const double to = closed || sample < last ? place_of(sample + 1) : stretch_.to;
+  Block block{place_of(sample), target(k), weight(k), k, k, from, to};
+  settle(block);
+  return block;
 }
 
 /// `next`, `shift` beyond where it lies, joins the block before it.
@@ -141,6 +165,8 @@ void Placing::merge(Block& into, const Block& next, double shift) const {
   into.at += share * (next.at + shift - into.at);
   into.weight = weight;
   into.last = next.last;
+  into.from = std::min(into.from, next.from + shift);
+  into.to = std::max(into.to, next.to + shift);
   settle(into);
 }
 
@@ -152,6 +178,8 @@ void Placing::close(std::vector<Block>& blocks) const {
       Block joined = blocks.back();
       merge(joined, blocks.front(), kTurn);
       joined.at -= kTurn;
+      joined.from -= kTurn;
+      joined.to -= kTurn;
       blocks.pop_back();
       blocks.front() = joined;
       merged = true;
@@ -163,12 +191,27 @@ void Placing::close(std::vector<Block>& blocks) const {
   }
 }
 
+/// Where a block wants to go farther than it was looked for, it does as far as its neighbours let
+/// it.
+void Placing::release(std::vector<Block>& blocks) const {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    Block& block = blocks[i];
+    if (block.at > block.from && block.at < block.to) continue;
+    const double before = i > 0                ? blocks[i - 1].at
+                          : stretch_.is_closed ? blocks.back().at - kTurn
+                                               : stretch_.from;
+    const double after = i + 1 < blocks.size() ? blocks[i + 1].at
+                         : stretch_.is_closed  ? blocks.front().at + kTurn
+                                               : stretch_.to;
+    block.at = branch_.nearest(travel_, block.mean, block.at, before, after);
+  }
+}
+
 std::vector<Block> Placing::in_order() {
   const Way way = best_way();
   std::vector<Block> blocks;
   for (std::size_t k = 0; k < way.at.size(); ++k) {
-    blocks.push_back({place_of(way.at[k]), target(k), weight(k), k, k});
-    settle(blocks.back());
+    blocks.push_back(settled(way.at[k], k));
     while (blocks.size() > 1 && blocks[blocks.size() - 2].at > blocks.back().at) {
       const Block next = blocks.back();
       blocks.pop_back();
@@ -176,17 +219,35 @@ std::vector<Block> Placing::in_order() {
     }
   }
   if (stretch_.is_closed) close(blocks);
+  release(blocks);
   return blocks;
 }
 
+/// Down from every sample that is nearer than its neighbours and from which the curve may come
+/// nearer than the best so far.
 std::vector<Block> Placing::in_any_order() {
   std::vector<Block> blocks;
+  const std::size_t m = samples_.size();
+  std::vector<double> distance(m), chord(m);  // from each sample to the next
+  for (std::size_t i = 0; i < m; ++i)
+    chord[i] = norm(samples_[(i + 1) % m].point - samples_[i].point);
   for (std::size_t k = 0; k < stretch_.points.size(); ++k) {
-    const auto nearest = std::ranges::min_element(samples_, {}, [&](const CurveSample& sample) {
-      return squared_norm(sample.point - target(k));
-    });
-    blocks.push_back({nearest->at, target(k), weight(k), k, k});
-    settle(blocks.back());
+    for (std::size_t i = 0; i < m; ++i) distance[i] = norm(samples_[i].point - target(k));
+    const auto nearest =
+        static_cast<std::size_t>(std::ranges::min_element(distance) - distance.begin());
+    Block best = settled(nearest, k);
+    double least = branch_.distance(travel_.angle(best.at), target(k));
+    for (std::size_t i = 0; i < m; ++i) {
+      const std::size_t before = (i + m - 1) % m, after = (i + 1) % m;
+      if (i == nearest || distance[i] > distance[before] || distance[i] > distance[after]) continue;
+      if (distance[i] - std::max(chord[before], chord[i]) >= least) continue;
+      const Block other = settled(i, k);
+      const double there = branch_.distance(travel_.angle(other.at), target(k));
+      if (there >= least) continue;
+      best = other;
+      least = there;
+    }
+    blocks.push_back(best);
   }
   return blocks;
 }
@@ -286,11 +347,11 @@ class Stretches {
 };
 
 /// Enters the blocks of a stretch.
-void enter(const std::vector<Block>& blocks, const Stretch& stretch, double sense,
+void enter(const std::vector<Block>& blocks, const Stretch& stretch, const Travel& travel,
            OrderedPlaces& places) {
   const std::size_t count = stretch.points.size();
   for (const Block& block : blocks) {
-    PlaceInOrder place{HeldBy::nothing, sense * block.at, places.blocks++, 0};
+    PlaceInOrder place{HeldBy::nothing, travel.angle(block.at), places.blocks++, 0};
     if (!stretch.is_closed && block.at <= stretch.from) {
       place.held_by = stretch.at_start;
       place.timed_point = stretch.timed_before;
@@ -298,11 +359,8 @@ void enter(const std::vector<Block>& blocks, const Stretch& stretch, double sens
       place.held_by = stretch.at_end;
       place.timed_point = stretch.timed_after;
     }
-    // The range of the crank is counted counter-clockwise.
-    if (sense < 0 && place.held_by == HeldBy::range_start) {
-      place.held_by = HeldBy::range_end;
-    } else if (sense < 0 && place.held_by == HeldBy::range_end) {
-      place.held_by = HeldBy::range_start;
+    if (place.held_by == HeldBy::timed_point) {
+      place.angle = places.of_point[place.timed_point].angle;
     }
     // A block across the seam of a closed stretch goes on at its beginning.
     for (std::size_t k = block.first;; k = (k + 1) % count) {
@@ -318,6 +376,15 @@ bool assigns_places(const PathProblem& problem) {
   const Constraints& constraints = problem.constraints;
   return problem.timing != Timing::prescribed &&
          (constraints.no_order_defect || constraints.no_circuit_defect);
+}
+
+bool OrderedPlaces::any_held() const {
+  std::size_t alone = 0, untimed = 0;
+  for (const PlaceInOrder& place : of_point) {
+    untimed += place.held_by != HeldBy::timing;
+    alone += place.held_by == HeldBy::nothing;
+  }
+  return alone < untimed || blocks < untimed;
 }
 
 PathOrder::PathOrder(const PathProblem& scaled)
@@ -342,16 +409,18 @@ std::optional<OrderedPlaces> PathOrder::places(const FourBar& linkage,
   const Stretches stretches(points_.size(), timed_, timed_at, in_order_);
 
   std::optional<OrderedPlaces> best;
-  const auto try_out = [&](const std::vector<Stretch>& all) {
+  const auto try_out = [&](const Travel& travel, std::vector<Stretch> all) {
     OrderedPlaces found{std::vector<PlaceInOrder>(points_.size()), 0, 0};
     for (std::size_t k = 0; k < timed_.size(); ++k) {
       found.of_point[timed_[k]].angle = sense * timed_at[k];
     }
-    for (const Stretch& stretch : all) {
+    for (Stretch& stretch : all) {
       if (stretch.points.empty()) continue;
-      Placing placing(branch, sense, stretch, targets, weights_);
+      stretch.from = travel.place(stretch.from);
+      stretch.to = travel.place(stretch.to);
+      Placing placing(branch, travel, stretch, targets, weights_);
       if (!placing.is_possible()) return;
-      enter(in_order_ ? placing.in_order() : placing.in_any_order(), stretch, sense, found);
+      enter(in_order_ ? placing.in_order() : placing.in_any_order(), stretch, travel, found);
     }
     for (std::size_t j = 0; j < points_.size(); ++j) {
       const auto point = branch.point(found.of_point[j].angle);
@@ -361,14 +430,15 @@ std::optional<OrderedPlaces> PathOrder::places(const FourBar& linkage,
   };
   const Lengths<double> links = lengths(linkage);
   if (crank_rotates(links)) {
-    try_out(stretches.round());
+    try_out({.sense = sense}, stretches.round());
     return best;
   }
   for (const CrankRange& range : crank_ranges(links)) {
-    const double from = range.from + kFromDeadPoint, to = range.to - kFromDeadPoint;
-    if (!(from < to)) continue;
-    const auto all = sense > 0 ? stretches.between(from, to) : stretches.between(-to, -from);
-    if (all) try_out(*all);
+    const double half = 0.5 * (range.to - range.from);
+    if (!(half > kFromDeadPoint)) continue;
+    const double middle = sense * (range.from + half);
+    auto all = stretches.between(middle - half + kFromDeadPoint, middle + half - kFromDeadPoint);
+    if (all) try_out({sense, false, middle, half}, std::move(*all));
   }
   return best;
 }

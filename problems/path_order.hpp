@@ -12,11 +12,10 @@ namespace cognate::problems {
 
 /// What holds the crank angle of a point.
 enum class HeldBy {
-  timing,       ///< it is prescribed
-  nothing,      ///< it is the best for all points of its block
-  range_start,  ///< the least angle at which the linkage closes
-  range_end,    ///< the greatest
-  timed_point   ///< that of the timed point before or after it
+  timing,      ///< it is prescribed
+  nothing,     ///< it is the best for all points of its block
+  range_end,   ///< an end of the range in which the linkage closes
+  timed_point  ///< that of the timed point before or after it
 };
 
 /// Where one point lies on the coupler curve.
@@ -31,6 +30,9 @@ struct OrderedPlaces {
   std::vector<PlaceInOrder> of_point;
   std::size_t blocks = 0;
   double cost = 0;  ///< weighted sum of squared distances, of timed points too
+
+  /// Whether points share an angle, or something holds one that is not timed.
+  bool any_held() const;
 };
 
 /// Whether the crank angles of untimed points of `problem` are kept in order, or on one circuit.

@@ -37,8 +37,8 @@ synthesis::Options options(const Deadline& deadline, int iterations, double tole
           .seed = seed};
 }
 
-/// From the kept points to all: the same linkage, its crank angles interpolated. Its objective is
-/// that of the kept points until it is refined, so whatever refinement gives counts as better.
+/// From the kept points to all: the same linkage, its crank angles interpolated, or those at which
+/// it comes nearest to the points in order. Whatever refinement gives counts as better.
 void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFound& found) {
   const PathModel coarse = model_of(thinning.coarse(), found.minimum);
   const PathModel fine = model_of(whole, found.minimum);
@@ -46,6 +46,7 @@ void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFoun
   const FourBar linkage = coarse.linkage(solution.x);
   solution.x = fine.variables_of(linkage, thinning.interpolated(coarse.crank_angles(solution.x)));
   solution.objective = solution.violation = std::numeric_limits<double>::infinity();
+  place_in_order(whole, found);
 }
 
 /// Goes on from `found` and keeps what is reached unless it is worse.

@@ -127,7 +127,7 @@ def problem_text(points, timed, order):
     if timed is not None:
         sense = "cw" if min(angle for angle in timed if angle is not None) < 0 else "ccw"
         degrees = ['"free"' if angle is None else repr(abs(math.degrees(angle))) for angle in timed]
-        lines += [f"crank_deg = [{', '.join(degrees)}]", f'crank_sense = "{sense}"']
+        lines += ['timing = "mixed"', f"crank_deg = [{', '.join(degrees)}]", f'crank_sense = "{sense}"']
     return "\n".join(lines) + "\n"
 
 
