@@ -186,6 +186,7 @@ class Explorer {
       fresh.back().minimum.from_exact = true;
       fresh.back().hits = 0;  // no start of the search
     }
+    place_in_order(fresh);
     add(std::move(fresh));
   }
 

@@ -9,9 +9,14 @@
 #include "problems/ordered_path_model.hpp"
 #include "problems/verify.hpp"
 #include "synthesis/optimise/loss.hpp"
+#include "synthesis/optimise/polish.hpp"
 
 namespace cognate::problems {
 namespace {
+
+/// A sum of squares, in sizes of the path, below which its last digits may be worth a polish:
+/// points are then met to a hundred thousandth.
+constexpr double kNearlyMet = 1e-10;
 
 bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
   if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
@@ -97,6 +102,27 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
   if (!whole) solution.stop = synthesis::Stop::no_value;
   solution.x = whole ? std::move(whole->x) : found.minimum.solution.x;
   return solution;
+}
+
+void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options) {
+  synthesis::Solution& solution = found.minimum.solution;
+  const bool places = assigns_places(problem);
+  const bool none_local = places || problem.timing == Timing::prescribed;
+  if (problem.solve.loss != synthesis::Loss::none || !none_local) return;
+  if (!(solution.objective < kNearlyMet) || solution.violation > kPathFeasibility) return;
+  const PathModel model = model_of(problem, found.minimum);
+  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
+  std::vector<double> start(solution.x.begin(), solution.x.begin() + model.global_count());
+  const synthesis::Model& polished = places ? static_cast<const synthesis::Model&>(ordered) : model;
+  const synthesis::Solution end = synthesis::polish(polished, std::move(start), options);
+  found.evaluations += end.evaluations;
+  found.gradients += end.gradients;
+  if (end.stop == synthesis::Stop::no_value || !(end.objective < solution.objective)) return;
+  const auto whole = places ? ordered.whole(end.x) : std::nullopt;
+  if (places && !whole) return;
+  solution.x = places ? whole->x : end.x;
+  solution.objective = end.objective;
+  solution.violation = end.violation;
 }
 
 void place_in_order(const PathProblem& problem, PathFound& found) {

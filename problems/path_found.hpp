@@ -44,6 +44,9 @@ void sort_and_merge(std::vector<PathFound>& all,
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
                              synthesis::Backend backend, const synthesis::Options& options);
 
+/// Brings a minimum that meets its points nearly to rounding, as far as its condition permits.
+void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options);
+
 /// Moves the points that are not timed to the places of the curve where they are nearest to it in
 /// order, in the sense of the crank that suits them best if it is open; no loss counts here. What
 /// cannot pass the points is no longer valid.

@@ -16,7 +16,7 @@ namespace {
 using synthesis::Solution;
 
 constexpr int kDeepeningIterations = 2000;
-constexpr int kFinishingIterations = 200;
+constexpr int kFinishingIterations = 200, kPolishingIterations = 100;
 /// How many explored starts are deepened, and how many of those are finished at all points of a
 /// long list and by a back end of the user's choice, beyond twice the designs wanted.
 constexpr std::size_t kDeepened = 64;
@@ -76,6 +76,7 @@ class PathSearch {
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
                    int iterations, const Range& shares);
   void finish(synthesis::Backend backend);
+  void polish_best();
   PathSearchResult take();
 
  private:
@@ -138,6 +139,18 @@ void PathSearch::finish(synthesis::Backend backend) {
   if (backend != gauss_newton) {
     refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
   }
+  polish_best();
+}
+
+/// The last digits of the best, where they are met nearly.
+void PathSearch::polish_best() {
+  const std::size_t some = std::min(all_.size(), kept(kFinished));
+  parallel_for(static_cast<int>(some), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    polish(whole_, all_[index], options(deadline_, kPolishingIterations, tolerance_, run_.seed));
+  });
+  count_work(all_, whole_.points.size(), work_);
+  sort_and_merge(all_, is_better, kSameMinimum);
 }
 
 PathSearchResult PathSearch::take() {
