@@ -133,6 +133,7 @@ void PathSearch::finish(synthesis::Backend backend) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
   refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
   if (!thinning_.is_whole()) {
+    if (all_.size() > kept(kFinished)) all_.resize(kept(kFinished));
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
     refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, {0.8, 0.9});
   }
