@@ -158,12 +158,13 @@ def main():
     parser.add_argument("--options", default="", help="further options of the program")
     given = parser.parse_args()
     least, most = (int(number) for number in given.points.split(","))
-    failures = tested = 0
+    failures = tested = compared = behind = 0
     print(f"{'noise':>7} {'order':>7} {'timing':>7} {'solved':>8} {'infeasible':>10} {'else':>5} "
           f"{'worst ratio':>12} {'exceed':>7} {'median s':>9} {'worst s':>8}")
     with tempfile.TemporaryDirectory() as folder:
         for timing in given.timings.split(","):
             for noise in (float(each) for each in given.noise.split(",")):
+                in_order = {}
                 for order in given.orders.split(","):
                     times, solved, infeasible, worst, exceed = [], 0, 0, 0.0, 0
                     for index in range(given.count):
@@ -174,6 +175,11 @@ def main():
                                                      pathlib.Path(folder) / "path.toml", given.options.split())
                         # Where nothing is planted but rounding remains.
                         ratio = found / max(error, 1e-22 * len(points) * size_of(points) ** 2)
+                        if order == "cyclic":
+                            in_order[index] = ratio
+                        elif index in in_order:
+                            compared += 1
+                            behind += ratio > max(1e-3, in_order[index] * (1 + 1e-6))
                         times.append(spent)
                         tested += 1
                         solved += status == "solved"
@@ -190,6 +196,8 @@ def main():
                     other = given.count - solved - infeasible
                     print(f"{noise:7g} {order:>7} {timing:>7} {solved:8d} {infeasible:10d} {other:5d} {worst:12.5g} "
                           f"{exceed:7d} {statistics.median(times):9.2f} {max(times):8.2f}", flush=True)
+    if compared:
+        print(f"{behind} of {compared} in any order are worse than the same in order")
     print(f"{tested} problems, {failures} failures")
     return 1 if failures or not tested else 0
 
