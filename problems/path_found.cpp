@@ -140,7 +140,7 @@ void place_in_order(const PathProblem& problem, PathFound& found) {
     found.minimum.clockwise = clockwise;
     best = std::move(whole);
   }
-  found.valid = best.has_value();
+  found.strays = !best;
   if (!best) return;
   synthesis::Solution& solution = found.minimum.solution;
   found.binds = best->places.any_held() && best->places.cost > kMetExactly;

@@ -20,7 +20,7 @@ struct PathFound {
   bool fitted = false;    ///< not as it was drawn
   bool deepened = false;  ///< fitted to its end
   bool binds = false;     ///< order holds points: a fit that knows none leads away
-  bool strays = false;    ///< of a closed curve: no use, however low the cost
+  bool strays = false;    ///< from order, or a closed curve: no use, however low the cost
   double cost = 0;        ///< of a fit in lanes: objective and penalties
   int hits = 1;           ///< how many starts have come here
   /// Work not yet counted, that of refinements which were no better among it.
@@ -49,7 +49,7 @@ void polish(const PathProblem& problem, PathFound& found, const synthesis::Optio
 
 /// Moves the points that are not timed to the places of the curve where they are nearest to it in
 /// order, in the sense of the crank that suits them best if it is open; no loss counts here. What
-/// cannot pass the points is no longer valid.
+/// cannot pass them in order strays.
 void place_in_order(const PathProblem& problem, PathFound& found);
 
 /// Moves the work of all into `work`.
