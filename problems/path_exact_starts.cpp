@@ -59,9 +59,8 @@ bool has_exact_starts(const PathProblem& problem) {
   };
   // Nine of many samples of a closed curve say little of it, and all of a circle have no finite set
   // of solutions.
-  return !problem.constraints.full_turn && problem.timing == Timing::free &&
-         problem.order == PointOrder::cyclic && all_free && !limited(b.crank) &&
-         !limited(b.coupler) && !limited(b.rocker) && !limited(b.frame) &&
+  return !problem.constraints.full_turn && problem.timing == Timing::free && all_free &&
+         !limited(b.crank) && !limited(b.coupler) && !limited(b.rocker) && !limited(b.frame) &&
          different(problem.points).size() >= kExact;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/parallel.hpp"
 #include "problems/path_exact_starts.hpp"
+#include "problems/path_order.hpp"
 #include "problems/path_starts.hpp"
 #include "problems/path_straying.hpp"
 #include "problems/verify.hpp"
@@ -30,6 +31,8 @@ constexpr double kExploringTolerance = 1e-10;
 constexpr int kDeepeningIterations = 600;
 /// With limits over the turn, whose evaluation costs more than that of most points.
 constexpr int kLimitedIterations = 120;
+/// Where order binds, as each evaluation places all points anew.
+constexpr int kOrderedIterations = 60;
 constexpr double kDeepeningTolerance = 1e-13;
 /// Starts of a round, and the fewest and most of a search where the file does not say. The best
 /// minimum of the library's problems attracts one start in forty or more: 250 starts miss it from
@@ -210,6 +213,7 @@ class Explorer {
       fresh.back().minimum.from_exact = true;
       fresh.back().hits = 0;  // no start of the search
     }
+    place_in_order(fresh);
     add(std::move(fresh));
   }
 
@@ -257,13 +261,20 @@ class Explorer {
 
   /// `parts`: of the round, between which progress is told.
   void fit(std::span<PathFound> some, const Range& parts) {
-    if (knows_lanes_) {
-      fit_in_lanes(problem_, some, fit_);
-    } else {
-      fit_one_by_one(some, parts);
-    }
+    const auto others = std::stable_partition(
+        some.begin(), some.end(), [&](const auto& found) { return knows_lanes_ && !found.binds; });
+    const std::span<PathFound> in_lanes(some.begin(), others);
+    fit_in_lanes(problem_, in_lanes, fit_);
+    place_in_order(in_lanes);
+    fit_one_by_one({others, some.end()}, parts);
     count_work(some, problem_.points.size(), work_);
     if (problem_.constraints.full_turn) mark_strays(some);
+  }
+
+  void place_in_order(std::span<PathFound> some) const {
+    if (!assigns_places(problem_)) return;
+    parallel_for(static_cast<int>(some.size()), fit_.threads,
+                 [&](int index, int) { problems::place_in_order(problem_, some[index]); });
   }
 
   void mark_strays(std::span<PathFound> some) const {
@@ -287,14 +298,16 @@ class Explorer {
         found.valid = found.fitted;
         return;
       }
+      if (!found.fitted) problems::place_in_order(problem_, found);
       found.fitted = true;
       Solution& solution = found.minimum.solution;
-      solution = minimise(problem_, found, synthesis::Backend::gauss_newton,
-                          {.tolerance = fit_.tolerance,
-                           .feasibility = kPathFeasibility,
-                           .max_iterations = fit_.most_iterations,
-                           .time_limit = deadline_.remaining(),
-                           .interrupted = deadline_.flag()});
+      solution =
+          minimise(problem_, found, synthesis::Backend::gauss_newton,
+                   {.tolerance = fit_.tolerance,
+                    .feasibility = kPathFeasibility,
+                    .max_iterations = found.binds ? kOrderedIterations : fit_.most_iterations,
+                    .time_limit = deadline_.remaining(),
+                    .interrupted = deadline_.flag()});
       const double missing = fit_.penalty * solution.violation;
       found.cost = solution.objective + missing * missing;
       found.valid = solution.stop != synthesis::Stop::no_value;

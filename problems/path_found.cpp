@@ -4,10 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/defects.hpp"
+#include "problems/crank_sense.hpp"
+#include "problems/ordered_path_model.hpp"
+#include "problems/verify.hpp"
 #include "synthesis/optimise/loss.hpp"
+#include "synthesis/optimise/polish.hpp"
 
 namespace cognate::problems {
 namespace {
+
+/// A sum of squares, in sizes of the path, below which its last digits may be worth a polish:
+/// points are then met to a hundred thousandth.
+constexpr double kNearlyMet = 1e-10;
 
 bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
   if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
@@ -17,6 +26,19 @@ bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
     if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
   }
   return true;
+}
+
+/// Whether the crank passes the points of a solution as the problem has it, within one range.
+bool keeps_order(const PathProblem& problem, const PathModel& model,
+                 const synthesis::Solution& solution) {
+  if (solution.stop == synthesis::Stop::no_value) return true;
+  const bool in_order = problem.order == PointOrder::cyclic && problem.constraints.no_order_defect;
+  const std::vector<double> angles = model.crank_angles(solution.x);
+  const Defects defects = find_defects(model.linkage(solution.x), angles,
+                                       in_order ? Sequence::one_sense : Sequence::any);
+  const bool free_sense = problem.crank_sense == CrankSense::either || !leaves_sense_open(problem);
+  return !defects.circuit && !defects.order &&
+         (free_sense || check_sense(problem.crank_sense, angles).satisfied);
 }
 
 }  // namespace
@@ -58,13 +80,73 @@ void sort_and_merge(std::vector<PathFound>& all,
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
                              synthesis::Backend backend, const synthesis::Options& options) {
   const PathModel model = model_of(problem, found.minimum);
-  const Solve& asked = problem.solve;
-  synthesis::Solution solution = solve_by_loss(backend, model, asked.loss, asked.loss_scale, 2,
-                                               found.minimum.solution.x, options);
-  found.evaluations += solution.evaluations;
-  found.gradients += solution.gradients;
-  found.iterations += static_cast<std::uint64_t>(solution.iterations);
+  const auto solve = [&](const synthesis::Model& of) {
+    const Solve& asked = problem.solve;
+    synthesis::Solution solution = solve_by_loss(backend, of, asked.loss, asked.loss_scale, 2,
+                                                 found.minimum.solution.x, options);
+    found.evaluations += solution.evaluations;
+    found.gradients += solution.gradients;
+    found.iterations += static_cast<std::uint64_t>(solution.iterations);
+    return solution;
+  };
+  const bool places = assigns_places(problem);
+  if (!places || !found.binds) {
+    // Where no point is out of order all crank angles are variables: that is the same, and quicker.
+    synthesis::Solution solution = solve(model);
+    if (!places || keeps_order(problem, model, solution)) return solution;
+    found.binds = true;
+  }
+  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
+  synthesis::Solution solution = solve(ordered);
+  auto whole = ordered.whole(solution.x);
+  if (!whole) solution.stop = synthesis::Stop::no_value;
+  solution.x = whole ? std::move(whole->x) : found.minimum.solution.x;
   return solution;
+}
+
+void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options) {
+  synthesis::Solution& solution = found.minimum.solution;
+  const bool places = assigns_places(problem);
+  const bool none_local = places || problem.timing == Timing::prescribed;
+  if (problem.solve.loss != synthesis::Loss::none || !none_local) return;
+  if (!(solution.objective < kNearlyMet) || solution.violation > kPathFeasibility) return;
+  const PathModel model = model_of(problem, found.minimum);
+  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
+  std::vector<double> start(solution.x.begin(), solution.x.begin() + model.global_count());
+  const synthesis::Model& polished = places ? static_cast<const synthesis::Model&>(ordered) : model;
+  const synthesis::Solution end = synthesis::polish(polished, std::move(start), options);
+  found.evaluations += end.evaluations;
+  found.gradients += end.gradients;
+  if (end.stop == synthesis::Stop::no_value || !(end.objective < solution.objective)) return;
+  const auto whole = places ? ordered.whole(end.x) : std::nullopt;
+  if (places && !whole) return;
+  solution.x = places ? whole->x : end.x;
+  solution.objective = end.objective;
+  solution.violation = end.violation;
+}
+
+void place_in_order(const PathProblem& problem, PathFound& found) {
+  if (!found.valid || !assigns_places(problem)) return;
+  const PathModel model = model_of(problem, found.minimum);
+  const bool open = leaves_sense_open(problem);
+  std::optional<OrderedPathModel::Whole> best;
+  for (const bool clockwise : {false, true}) {
+    const CrankSense sense = clockwise ? CrankSense::cw : CrankSense::ccw;
+    const bool allowed = problem.crank_sense == CrankSense::either || problem.crank_sense == sense;
+    if (open ? !allowed : clockwise != found.minimum.clockwise) continue;
+    const OrderedPathModel ordered(problem, model, clockwise);
+    auto whole = ordered.whole(found.minimum.solution.x);
+    if (!whole || (best && best->places.cost <= whole->places.cost)) continue;
+    found.minimum.clockwise = clockwise;
+    best = std::move(whole);
+  }
+  found.strays = !best;
+  if (!best) return;
+  synthesis::Solution& solution = found.minimum.solution;
+  found.binds = best->places.any_held() && best->places.cost > kMetExactly;
+  found.cost += best->places.cost - solution.objective;
+  solution.objective = best->places.cost;
+  solution.x = std::move(best->x);
 }
 
 void count_work(std::span<PathFound> all, std::size_t points, Work& work) {

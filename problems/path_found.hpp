@@ -19,7 +19,8 @@ struct PathFound {
   bool valid = false;
   bool fitted = false;    ///< not as it was drawn
   bool deepened = false;  ///< fitted to its end
-  bool strays = false;    ///< of a closed curve: no use, however low the cost
+  bool binds = false;     ///< order holds points: a fit that knows none leads away
+  bool strays = false;    ///< from order, or a closed curve: no use, however low the cost
   double cost = 0;        ///< of a fit in lanes: objective and penalties
   int hits = 1;           ///< how many starts have come here
   /// Work not yet counted, that of refinements which were no better among it.
@@ -42,6 +43,14 @@ void sort_and_merge(std::vector<PathFound>& all,
 /// residuals being one error), and counts the work.
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
                              synthesis::Backend backend, const synthesis::Options& options);
+
+/// Brings a minimum that meets its points nearly to rounding, as far as its condition permits.
+void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options);
+
+/// Moves the points that are not timed to the places of the curve where they are nearest to it in
+/// order, in the sense of the crank that suits them best if it is open; no loss counts here. What
+/// cannot pass them in order strays.
+void place_in_order(const PathProblem& problem, PathFound& found);
 
 /// Moves the work of all into `work`.
 void count_work(std::span<PathFound> all, std::size_t points, Work& work);

@@ -69,6 +69,9 @@ class PathModel final : public synthesis::Model {
   std::vector<double> variables_of(const synthesis::PathFitState& state,
                                    std::span<const double> near) const;
 
+  /// Which dimension each global variable is, ascending.
+  std::span<const int> free_dimensions() const { return free_; }
+
   FourBar linkage(std::span<const double> x) const;
   std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis
 

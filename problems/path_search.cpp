@@ -16,7 +16,7 @@ namespace {
 using synthesis::Solution;
 
 constexpr int kDeepeningIterations = 2000;
-constexpr int kFinishingIterations = 200;
+constexpr int kFinishingIterations = 200, kPolishingIterations = 100;
 /// How many explored starts are deepened, and how many of those are finished at all points of a
 /// long list and by a back end of the user's choice, beyond twice the designs wanted.
 constexpr std::size_t kDeepened = 64;
@@ -37,8 +37,8 @@ synthesis::Options options(const Deadline& deadline, int iterations, double tole
           .seed = seed};
 }
 
-/// From the kept points to all: the same linkage, its crank angles interpolated. Its objective is
-/// that of the kept points until it is refined, so whatever refinement gives counts as better.
+/// From the kept points to all: the same linkage, its crank angles interpolated, or those at which
+/// it comes nearest to the points in order. Whatever refinement gives counts as better.
 void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFound& found) {
   const PathModel coarse = model_of(thinning.coarse(), found.minimum);
   const PathModel fine = model_of(whole, found.minimum);
@@ -46,6 +46,7 @@ void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFoun
   const FourBar linkage = coarse.linkage(solution.x);
   solution.x = fine.variables_of(linkage, thinning.interpolated(coarse.crank_angles(solution.x)));
   solution.objective = solution.violation = std::numeric_limits<double>::infinity();
+  place_in_order(whole, found);
 }
 
 /// Goes on from `found` and keeps what is reached unless it is worse.
@@ -75,6 +76,7 @@ class PathSearch {
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
                    int iterations, const Range& shares);
   void finish(synthesis::Backend backend);
+  void polish_best();
   PathSearchResult take();
 
  private:
@@ -131,12 +133,25 @@ void PathSearch::finish(synthesis::Backend backend) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
   refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
   if (!thinning_.is_whole()) {
+    if (all_.size() > kept(kFinished)) all_.resize(kept(kFinished));
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
     refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, {0.8, 0.9});
   }
   if (backend != gauss_newton) {
     refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
   }
+  polish_best();
+}
+
+/// The last digits of the best, where they are met nearly.
+void PathSearch::polish_best() {
+  const std::size_t some = std::min(all_.size(), kept(kFinished));
+  parallel_for(static_cast<int>(some), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    polish(whole_, all_[index], options(deadline_, kPolishingIterations, tolerance_, run_.seed));
+  });
+  count_work(all_, whole_.points.size(), work_);
+  sort_and_merge(all_, is_better, kSameMinimum);
 }
 
 PathSearchResult PathSearch::take() {

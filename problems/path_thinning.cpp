@@ -33,7 +33,7 @@ std::vector<std::size_t> in_even_steps(const std::vector<std::size_t>& all) {
 
 PathThinning::PathThinning(const PathProblem& problem)
     : whole_size_(problem.points.size()), coarse_(problem) {
-  const bool thin = whole_size_ > kMostPoints && problem.order != PointOrder::any;
+  const bool thin = whole_size_ > kMostPoints;
   std::vector<std::size_t> all(whole_size_), timed;
   std::iota(all.begin(), all.end(), std::size_t{0});
   kept_ = thin ? in_even_steps(all) : all;

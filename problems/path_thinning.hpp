@@ -9,8 +9,7 @@
 namespace cognate::problems {
 
 /// At most a few dozen points of a problem in even steps, the first and last among them, and as
-/// many of the points that alone are timed. A problem with fewer points, or with points in any
-/// order, stays as it is.
+/// many of the points that alone are timed. A problem with fewer points stays as it is.
 class PathThinning {
  public:
   explicit PathThinning(const PathProblem& problem);
