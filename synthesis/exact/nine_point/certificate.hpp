@@ -9,8 +9,9 @@
 /// Krawczyk, Computing 4, 1969; S. M. Rump, Acta Numerica 19, 2010, § 13; for what certificates are
 /// good for J. D. Hauenstein & F. Sottile, "alphaCertified", ACM TOMS 38, 2012, who use Smale's α
 /// instead). F(z) is evaluated with 113 bits and the Jacobian over the whole polydisc in double, or
-/// with 113 bits as well where that does not suffice, all by balls that contain every rounding error, so that what is certified is a theorem on the
-/// PathSystem as it stands: its displacements as the doubles they are, their bars the conjugates.
+/// with 113 bits as well where that does not suffice, all by balls that contain every rounding
+/// error, so that what is certified is a theorem on the PathSystem as it stands: its displacements
+/// as the doubles they are, their bars the conjugates.
 ///
 /// Conjugation carries zeros of real data into zeros. Where it carries the zero into the polydisc
 /// in which there is but one, the zero is its own conjugate: a linkage of the real plane.
