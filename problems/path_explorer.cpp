@@ -121,13 +121,12 @@ bool limits_driven_range(const PathProblem& problem) {
   return problem.timing == Timing::prescribed && problem.constraints.transmission_angle && !turns;
 }
 
-/// Whether more is demanded than soundness.
+/// Whether more is demanded than soundness and what screening knows, the limits on lengths.
 bool is_limited(const PathProblem& problem) {
   const Constraints& limits = problem.constraints;
   const Bounds& bounds = problem.bounds;
   return limits.required_class || limits.transmission_angle || limits.link_ratio_max ||
-         limits.time_ratio || limits.pivot_region || limits.proportions || limits_turn(limits) ||
-         bounds.crank || bounds.coupler || bounds.rocker || bounds.frame || bounds.frame_angle ||
+         limits.time_ratio || limits.pivot_region || limits_turn(limits) || bounds.frame_angle ||
          bounds.pivot_a || bounds.pivot_d || bounds.coupler_point;
 }
 

@@ -10,6 +10,7 @@
 #include "problems/verify.hpp"
 #include "synthesis/optimise/loss.hpp"
 #include "synthesis/optimise/polish.hpp"
+#include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -39,6 +40,23 @@ bool keeps_order(const PathProblem& problem, const PathModel& model,
   const bool free_sense = problem.crank_sense == CrankSense::either || !leaves_sense_open(problem);
   return !defects.circuit && !defects.order &&
          (free_sense || check_sense(problem.crank_sense, angles).satisfied);
+}
+
+/// The problem without the demand that all points lie on one circuit, for a back end that knows no
+/// constraints: between a linkage that meets it and the minimum there is hardly ever one that does
+/// not.
+PathProblem unsound(const PathProblem& problem) {
+  PathProblem all = problem;
+  all.constraints.no_circuit_defect = all.constraints.no_order_defect = false;
+  return all;
+}
+
+double violation(const PathModel& model, std::span<const double> x) {
+  std::vector<double> values(model.constraint_count());
+  model.constraints(x, values, {});
+  double most = 0;
+  for (const double value : values) most = std::max(most, -value);
+  return most;
 }
 
 }  // namespace
@@ -79,7 +97,9 @@ void sort_and_merge(std::vector<PathFound>& all,
 
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
                              synthesis::Backend backend, const synthesis::Options& options) {
-  const PathModel model = model_of(problem, found.minimum);
+  const PathModel sound = model_of(problem, found.minimum);
+  const bool knows_limits = can_solve(backend, sound);
+  const PathModel model = knows_limits ? sound : model_of(unsound(problem), found.minimum);
   const auto solve = [&](const synthesis::Model& of) {
     const Solve& asked = problem.solve;
     synthesis::Solution solution = solve_by_loss(backend, of, asked.loss, asked.loss_scale, 2,
@@ -93,6 +113,7 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
   if (!places || !found.binds) {
     // Where no point is out of order all crank angles are variables: that is the same, and quicker.
     synthesis::Solution solution = solve(model);
+    if (!knows_limits) solution.violation = violation(sound, solution.x);
     if (!places || keeps_order(problem, model, solution)) return solution;
     found.binds = true;
   }

@@ -374,7 +374,9 @@ void enter(const std::vector<Block>& blocks, const Stretch& stretch, const Trave
 
 bool assigns_places(const PathProblem& problem) {
   const Constraints& constraints = problem.constraints;
-  return problem.timing != Timing::prescribed &&
+  // A curve that has to follow a closed target as a whole passes its samples in order anyhow.
+  const bool follows_target = constraints.full_turn && constraints.no_extra_loop;
+  return problem.timing != Timing::prescribed && !follows_target &&
          (constraints.no_order_defect || constraints.no_circuit_defect);
 }
 

@@ -34,6 +34,7 @@ class Polishing {
   Solution run(std::vector<double> start) {
     at_.x = std::move(start);
     if (!evaluate(at_.x, now_, at_.violation)) return end(Stop::no_value);
+    if (n_ == 0) return end(Stop::converged);
     const double most_violation = std::max(at_.violation, options_.feasibility);
     double damping = kFirstDamping;
     bool moved = true;

@@ -225,7 +225,7 @@ const std::vector<Wrong> kWrong = {
     {"MetricIsNoPlace", kHead + kVary + "[output]\nmetrics = [\"mechanism.dyad[0\\\"; --\"]\n", 7,
      12, "no metric of the base"},
     {"MetricWithNul", kHead + kVary + "[output]\nmetrics = [\"mechanism.dyad.\\u0000\"]\n", 7, 12,
-     "no metric of the base"},
+     "this string holds the character U+0000"},
     {"MetricsOfOneColumn",
      kHead + kVary + "[output]\nmetrics = [\"mechanism.dyad.a\", \"mechanism.dyad.A\"]\n", 7, 32,
      "beside \"mechanism.dyad.a\""},

@@ -130,7 +130,8 @@ TEST(PlantedPaths, ComeBackToThePrecisionOfTheData) {
       const auto planted = testing::random_crank_rocker(random, 12, 1.0);
       const Result result = solve(drawn_by(planted, timing), {});
       ASSERT_FALSE(result.designs.empty());
-      EXPECT_LT(rms(result.designs.front()), 1e-8) << "case " << i;
+      EXPECT_LT(rms(result.designs.front()), 1e-8)
+          << "timing " << static_cast<int>(timing) << ", case " << i;
     }
   }
 }

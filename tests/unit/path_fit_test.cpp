@@ -28,6 +28,8 @@ PathProblem noisy(Timing timing, CrankReference reference) {
   PathProblem problem;
   problem.timing = timing;
   problem.crank_reference = reference;
+  // Ceres knows no constraints, and the lanes none of closure between the points.
+  problem.constraints.no_circuit_defect = problem.constraints.no_order_defect = false;
   for (const double angle : angles) {
     const Vec2d at = *Motion(linkage).at(angle)->coupler_point;
     problem.points.push_back({at.x + noise(random), at.y + noise(random)});
