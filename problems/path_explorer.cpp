@@ -239,7 +239,7 @@ class Explorer {
   void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
     fit_.tolerance = kExploringTolerance;
-    fit(fresh, {kDrawn, kFitted});
+    fit(fresh, {kDrawn, kFitted}, false);
     std::ranges::move(fresh, std::back_inserter(pool_));
     sort_and_merge(pool_, costs_less, kSameFit);
     deepen();
@@ -253,18 +253,20 @@ class Explorer {
     fit_.most_iterations =
         limits_turn(problem_.constraints) ? kLimitedIterations : kDeepeningIterations;
     fit_.tolerance = kDeepeningTolerance;
-    fit({pool_.begin(), done}, {kFitted, 1});
+    fit({pool_.begin(), done}, {kFitted, 1}, true);
     for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
     sort_and_merge(pool_, costs_less, kSameFit);
   }
 
-  /// `parts`: of the round, between which progress is told.
-  void fit(std::span<PathFound> some, const Range& parts) {
+  /// `parts`: of the round, between which progress is told. Points between timed ones are placed
+  /// in order after half of the first fits alone: it leads some away from minima within reach.
+  void fit(std::span<PathFound> some, const Range& parts, bool deepening) {
     const auto others = std::stable_partition(
         some.begin(), some.end(), [&](const auto& found) { return knows_lanes_ && !found.binds; });
     const std::span<PathFound> in_lanes(some.begin(), others);
     fit_in_lanes(problem_, in_lanes, fit_);
-    place_in_order(in_lanes);
+    const bool half = problem_.timing == Timing::mixed && !deepening;
+    place_in_order(half ? in_lanes.first(in_lanes.size() / 2) : in_lanes);
     fit_one_by_one({others, some.end()}, parts);
     count_work(some, problem_.points.size(), work_);
     if (problem_.constraints.full_turn) mark_strays(some);
