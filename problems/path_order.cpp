@@ -68,7 +68,8 @@ class Placing {
   const Vec2d& target(std::size_t k) const { return targets_[stretch_.points[k]]; }
   double weight(std::size_t k) const { return weights_[stretch_.points[k]]; }
   double place_of(std::size_t sample) const {
-    return samples_[sample % samples_.size()].at + kTurn * double(sample / samples_.size());
+    const std::size_t whole_turns = sample / samples_.size();
+    return samples_[sample % samples_.size()].at + kTurn * double(whole_turns);
   }
   Way best_way(std::size_t first, std::size_t starts, std::size_t count) const;
   Way best_way() const;
