@@ -42,9 +42,8 @@ bool keeps_order(const PathProblem& problem, const PathModel& model,
          (free_sense || check_sense(problem.crank_sense, angles).satisfied);
 }
 
-/// The problem without the demand that all points lie on one circuit, for a back end that knows no
-/// constraints: between a linkage that meets it and the minimum there is hardly ever one that does
-/// not.
+/// The problem without the demand that all points lie on one circuit, for a solver that takes no
+/// constraints. The demand is checked where its solution ends.
 PathProblem unsound(const PathProblem& problem) {
   PathProblem all = problem;
   all.constraints.no_circuit_defect = all.constraints.no_order_defect = false;
