@@ -13,7 +13,7 @@ foreach(room IN ITEMS analysis synthesis problems)
           REGEX "batch/(lanes|roots|evaluate)\\.hpp$" EXCLUDE
           REGEX "nine_point/(numbers|eliminate|lane_equations|taylor|lane_state|inspector)\\.hpp$"
           EXCLUDE
-          REGEX "(mechanism/zeros|coupler_curve/traced_curve|optimise/nlopt_run)\\.hpp$" EXCLUDE)
+          REGEX "(numbers/zeros|coupler_curve/traced_curve|optimise/nlopt_run)\\.hpp$" EXCLUDE)
 endforeach()
 if(TARGET cognate)
   install(TARGETS cognate)

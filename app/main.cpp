@@ -6,15 +6,15 @@
 #include <string>
 #include <variant>
 
-#include "app/command_line.hpp"
-#include "app/command_line_faults.hpp"
-#include "app/commands.hpp"
-#include "app/messages.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/commands/command_line_faults.hpp"
+#include "app/commands/commands.hpp"
+#include "app/console/messages.hpp"
+#include "app/console/terminal.hpp"
+#include "app/documents/version.hpp"
 #include "app/shell/completion.hpp"
 #include "app/shell/manual_page.hpp"
-#include "app/study/study_processes.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
+#include "app/study/processes.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/messages.hpp"
-#include "app/study/study_processes.hpp"
+#include "app/console/messages.hpp"
+#include "app/study/processes.hpp"
 
 namespace cognate::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <span>
 #include <string_view>
 
-#include "analysis/mobility.hpp"
-#include "problems/analysis/analysis_problem.hpp"
-#include "problems/cam/cam_problem.hpp"
-#include "problems/gear/gear_problem.hpp"
-#include "problems/machine/machine_problem.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "problems/cam/problem.hpp"
+#include "problems/evaluation/problem.hpp"
+#include "problems/gear/problem.hpp"
+#include "problems/machine/problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 

@@ -8,13 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include "problems/analysis/named_mechanism.hpp"
-#include "problems/atlas_source.hpp"
-#include "problems/linkage_limits.hpp"
-#include "problems/motion_problem.hpp"
-#include "problems/quick_return_problem.hpp"
-#include "problems/straight_line_problem.hpp"
-#include "problems/target_curve.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
+#include "problems/path/atlas_source.hpp"
+#include "problems/path/target_curve.hpp"
+#include "problems/quick_return/problem.hpp"
+#include "problems/straight_line/problem.hpp"
 
 namespace cognate::problems {
 

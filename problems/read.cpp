@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "problems/reading/file_text.hpp"
-#include "problems/reading/task_document.hpp"
+#include "problems/task_document.hpp"
+#include "problems/toml/file_text.hpp"
 
 namespace cognate::problems {
 namespace {

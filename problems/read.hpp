@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "problems/analysis/analysis_problem.hpp"
-#include "problems/cam/cam_problem.hpp"
-#include "problems/gear/gear_problem.hpp"
-#include "problems/machine/machine_problem.hpp"
+#include "problems/cam/problem.hpp"
+#include "problems/evaluation/problem.hpp"
+#include "problems/gear/problem.hpp"
+#include "problems/machine/problem.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {

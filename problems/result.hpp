@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/mobility.hpp"
-#include "problems/analysis/named_mechanism.hpp"
-#include "problems/certificate.hpp"
-#include "problems/curve_placement.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "problems/fact.hpp"
+#include "problems/linkage/certificate.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
+#include "problems/path/curve_placement.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {
@@ -39,7 +39,7 @@ struct ConstraintCheck {
   std::optional<double> missing{};
 };
 
-/// See analysis/defects.hpp.
+/// See analysis/linkage/defects.hpp.
 enum class Defect { circuit, branch, order };
 
 /// What the analysis kernel says of a design.

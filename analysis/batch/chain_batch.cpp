@@ -4,7 +4,7 @@
 
 #include "analysis/batch/chain_kernel.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "analysis/parallel.hpp"
+#include "analysis/numbers/parallel.hpp"
 
 namespace cognate {
 namespace batch {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/closure.hpp"
+#include "analysis/linkage/closure.hpp"
 
 namespace cognate {
 namespace {

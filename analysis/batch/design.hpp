@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/closure.hpp"
-#include "analysis/long_length.hpp"
+#include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/long_length.hpp"
 
 namespace cognate::batch {
 

@@ -23,7 +23,7 @@
 #include "analysis/batch/crank_table.hpp"
 #include "analysis/batch/instruction_set.hpp"
 #include "analysis/batch/quantities.hpp"
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 
 namespace cognate {
 

@@ -4,7 +4,7 @@
 
 #include "analysis/batch/columns.hpp"
 #include "analysis/batch/dispatch.hpp"
-#include "analysis/parallel.hpp"
+#include "analysis/numbers/parallel.hpp"
 
 namespace cognate {
 namespace batch {

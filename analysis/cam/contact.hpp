@@ -14,7 +14,7 @@
 
 #include "analysis/cam/follower.hpp"
 #include "analysis/cam/motion_piece.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::cam {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "analysis/cam/chebyshev_series.hpp"
 #include "analysis/cam/extremes.hpp"
+#include "analysis/numbers/chebyshev_series.hpp"
 
 namespace cognate::cam {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/angle.hpp"
 #include "analysis/batch/design.hpp"
-#include "analysis/compensated.hpp"
-#include "analysis/mechanism/dual.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/compensated.hpp"
+#include "analysis/numbers/dual.hpp"
 
 namespace cognate {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/half_angle.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
 namespace {

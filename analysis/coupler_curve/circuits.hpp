@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "analysis/closure.hpp"
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/closure.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/motion_state.hpp"
 
 namespace cognate {

@@ -6,7 +6,7 @@
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
 #include "analysis/coupler_curve/sampled_stretch.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

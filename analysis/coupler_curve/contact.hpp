@@ -17,10 +17,10 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/circle.hpp"
 #include "analysis/coupler_curve/coupler_series.hpp"
 #include "analysis/coupler_curve/path_curvature.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/circle.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

@@ -15,8 +15,8 @@
 #include <array>
 #include <cstddef>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

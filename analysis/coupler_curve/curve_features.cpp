@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/angle.hpp"
 #include "analysis/coupler_curve/traced_curve.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 
 namespace cognate {
 namespace {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
-#include "analysis/defects.hpp"
-#include "analysis/four_bar.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/linkage/defects.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

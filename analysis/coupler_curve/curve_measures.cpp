@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 
 namespace cognate {
 namespace {

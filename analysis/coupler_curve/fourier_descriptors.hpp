@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

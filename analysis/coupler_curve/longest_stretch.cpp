@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {

@@ -16,8 +16,8 @@
 
 #include <optional>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

@@ -14,9 +14,9 @@
 #include <optional>
 #include <span>
 
-#include "analysis/circle.hpp"
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/mechanism/motion_state.hpp"
+#include "analysis/numbers/circle.hpp"
 
 namespace cognate {
 

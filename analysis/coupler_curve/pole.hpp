@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "analysis/mechanism/motion_state.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/narrowest_strip.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "analysis/coupler_curve/narrowest_strip.hpp"
 #include "analysis/coupler_curve/path_curvature.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "analysis/mobility.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

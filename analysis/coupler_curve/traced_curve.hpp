@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/coupler_curve/circuits.hpp"
-#include "analysis/four_bar.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "analysis/gear/involute.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::gear {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/gear/spur_gear.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::gear {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "analysis/gear/line_of_action.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::gear {
 

@@ -7,7 +7,7 @@
 #include "analysis/gear/involute.hpp"
 #include "analysis/gear/line_of_action.hpp"
 #include "analysis/gear/tip_room.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::gear {
 namespace {

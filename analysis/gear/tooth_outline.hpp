@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/gear/spur_gear.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::gear {
 

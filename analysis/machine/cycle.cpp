@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {

@@ -6,7 +6,7 @@
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/pieces.hpp"
 #include "analysis/machine/terrain.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {

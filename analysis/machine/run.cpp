@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/golden_section.hpp"
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/pieces.hpp"
 #include "analysis/machine/steady_state.hpp"
 #include "analysis/machine/time_limits.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/golden_section.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {

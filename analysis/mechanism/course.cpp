@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "analysis/mechanism/course_probe.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "analysis/mechanism/dual.hpp"
 #include "analysis/mechanism/dyad_reach.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/dual.hpp"
 
 namespace cognate {
 

@@ -28,8 +28,8 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

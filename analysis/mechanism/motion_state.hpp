@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/angle.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "analysis/compensated.hpp"
 #include "analysis/mechanism/dyad_parts.hpp"
+#include "analysis/numbers/compensated.hpp"
 
 namespace cognate {
 

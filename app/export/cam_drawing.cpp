@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/cam/cam_extremes.hpp"
+#include "problems/cam/extremes.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::app {

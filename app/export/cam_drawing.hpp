@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/cam/profile.hpp"
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 
 namespace cognate::app {
 

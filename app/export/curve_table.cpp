@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "app/csv.hpp"
+#include "app/documents/csv.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::app {

@@ -4,14 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "app/csv.hpp"
+#include "app/documents/csv.hpp"
+#include "app/documents/json_values.hpp"
+#include "app/documents/result_json.hpp"
 #include "app/export/chain_sketch.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/linkage_json.hpp"
 #include "app/export/linkage_plan.hpp"
 #include "app/export/svg.hpp"
-#include "app/json_values.hpp"
-#include "app/result_json.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/option_text.hpp"
+#include "app/console/option_text.hpp"
 
 namespace cognate::app {
 namespace {

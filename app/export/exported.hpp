@@ -6,11 +6,11 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "app/console/options.hpp"
 #include "app/export/export_options.hpp"
 #include "app/export/result_cam.hpp"
 #include "app/export/result_gears.hpp"
 #include "app/export/result_linkage.hpp"
-#include "app/options.hpp"
 
 namespace cognate::app {
 

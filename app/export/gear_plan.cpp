@@ -7,8 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/json_values.hpp"
-#include "app/result_json.hpp"
+#include "app/documents/json_values.hpp"
+#include "app/documents/result_json.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "analysis/segment.hpp"
+#include "analysis/numbers/segment.hpp"
 
 namespace cognate::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/segment.hpp"
+#include "analysis/numbers/segment.hpp"
 #include "app/report/convex_hull.hpp"
 
 namespace cognate::app {

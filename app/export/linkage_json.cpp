@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/design_dimensions.hpp"
-#include "app/json_values.hpp"
+#include "app/console/design_dimensions.hpp"
+#include "app/documents/json_values.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {

@@ -12,7 +12,7 @@
 #include "app/export/part_sheet.hpp"
 #include "app/export/shown_links.hpp"
 #include "app/export/shown_position.hpp"
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 namespace cognate::app {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "analysis/mechanism/followed_motion.hpp"
-#include "analysis/segment.hpp"
+#include "analysis/numbers/segment.hpp"
 
 namespace cognate::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::app {
 

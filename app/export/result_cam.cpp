@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "app/export/toml_text.hpp"
-#include "problems/cam/cam_variables.hpp"
 #include "problems/cam/second_contact.hpp"
+#include "problems/cam/variables.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

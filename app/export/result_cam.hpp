@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "app/export/result_document.hpp"
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 
 namespace cognate::app {
 

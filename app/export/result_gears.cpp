@@ -9,8 +9,8 @@
 
 #include "analysis/gear/mesh.hpp"
 #include "app/export/toml_text.hpp"
-#include "problems/gear/gear_pair_limits.hpp"
-#include "problems/gear/gear_result.hpp"
+#include "problems/gear/pair_limits.hpp"
+#include "problems/gear/result.hpp"
 #include "problems/names.hpp"
 #include "problems/read.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/gear/spur_gear.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "app/export/result_document.hpp"
 
 namespace cognate::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/export/result_document.hpp"
-#include "problems/analysis/analysis_problem.hpp"
+#include "problems/evaluation/problem.hpp"
 
 namespace cognate::app {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/export/slot_ends.hpp"
-#include "problems/analysis/joint_names.hpp"
+#include "problems/mechanism/joint_names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/analysis/drive_rows.hpp"
 #include "problems/degrees.hpp"
+#include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::app {
 namespace {

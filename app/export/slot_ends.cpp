@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "analysis/golden_section.hpp"
+#include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/interrupt.hpp"
+#include "app/console/interrupt.hpp"
 #include "app/study/block_message.hpp"
 
 namespace cognate::app {

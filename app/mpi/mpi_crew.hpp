@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/mpi/mpi_messages.hpp"
-#include "app/study/study_crew.hpp"
+#include "app/study/crew.hpp"
 
 namespace cognate::app {
 

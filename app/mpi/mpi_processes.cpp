@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <string>
 
-#include "app/messages.hpp"
+#include "app/console/messages.hpp"
 #include "app/mpi/mpi_crew.hpp"
-#include "app/study/study_processes.hpp"
+#include "app/study/processes.hpp"
 
 namespace cognate::app {
 namespace {

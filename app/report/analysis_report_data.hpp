@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 namespace cognate::app {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/cam/cam.hpp"
 #include "app/report/cam_places.hpp"
-#include "problems/cam/cam_problem.hpp"
+#include "problems/cam/problem.hpp"
 
 namespace cognate::app {
 

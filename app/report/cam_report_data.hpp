@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 
 namespace cognate::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/mechanism/mechanism.hpp"
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 namespace cognate::app {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::app {
 

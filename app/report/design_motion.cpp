@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/mobility.hpp"
-#include "analysis/motion.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
 
 namespace cognate::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 
 namespace cognate::app {
 

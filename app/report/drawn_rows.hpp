@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 namespace cognate::app {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <variant>
 
-#include "analysis/motion.hpp"
+#include "analysis/linkage/motion.hpp"
 
 namespace cognate::app {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/function_samples.hpp"
+#include "problems/function/samples.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/report/fact_json.hpp"
 #include "app/report/gear_drawing.hpp"
 #include "app/report/mechanism_json.hpp"
-#include "problems/gear/gear_pair_design.hpp"
+#include "problems/gear/pair_design.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::app {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "problems/gear/gear_result.hpp"
+#include "problems/gear/result.hpp"
 
 namespace cognate::app {
 

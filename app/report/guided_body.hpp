@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/analysis/named_mechanism.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
 #include "synthesis/exact/motion/pose.hpp"
 
 namespace cognate::app {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "problems/machine/machine_result.hpp"
+#include "problems/machine/result.hpp"
 
 namespace cognate::app {
 

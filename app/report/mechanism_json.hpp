@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/report/drive_span.hpp"
-#include "problems/analysis/analysis_problem.hpp"
+#include "problems/evaluation/problem.hpp"
 
 namespace cognate::app {
 

@@ -5,7 +5,7 @@
 
 #include "analysis/mechanism/mechanism.hpp"
 #include "app/report/mechanism_poses.hpp"
-#include "problems/analysis/analysis_problem.hpp"
+#include "problems/evaluation/problem.hpp"
 
 namespace cognate::app {
 

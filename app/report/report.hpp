@@ -4,10 +4,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "problems/analysis/analysis_result.hpp"
-#include "problems/cam/cam_result.hpp"
-#include "problems/gear/gear_result.hpp"
-#include "problems/machine/machine_result.hpp"
+#include "problems/cam/result.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/gear/result.hpp"
+#include "problems/machine/result.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "analysis/coupler_curve/straightness.hpp"
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 #include "app/report/design_drawing.hpp"
 #include "app/report/drawn_findings.hpp"
 #include "app/report/function_trace.hpp"

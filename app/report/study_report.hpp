@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/study/study_rows.hpp"
+#include "app/study/rows.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::app {

@@ -10,7 +10,7 @@
 
 #include "app/report/study_linkage.hpp"
 #include "problems/study/design_text.hpp"
-#include "problems/study/study_names.hpp"
+#include "problems/study/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "app/study/study_rows.hpp"
+#include "app/study/rows.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::app {

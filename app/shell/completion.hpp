@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/shell/command_tree.hpp"
+#include "app/commands/command_tree.hpp"
 
 namespace cognate::app {
 

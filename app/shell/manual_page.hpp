@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/shell/command_tree.hpp"
+#include "app/commands/command_tree.hpp"
 
 namespace cognate::app {
 

@@ -9,14 +9,14 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "app/study/checksum.hpp"
 #include "app/study/read_rows.hpp"
+#include "app/study/schema.hpp"
 #include "app/study/sqlite.hpp"
-#include "app/study/study_checksum.hpp"
-#include "app/study/study_schema.hpp"
 #include "problems/read.hpp"
-#include "problems/reading/key_path.hpp"
 #include "problems/study/four_bar_designs.hpp"
+#include "problems/study/key_path.hpp"
 
 namespace cognate::app {
 namespace {

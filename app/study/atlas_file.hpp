@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "problems/atlas_starts.hpp"
+#include "problems/path/atlas_starts.hpp"
 
 namespace cognate::app {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/study/study_block.hpp"
+#include "problems/study/block.hpp"
 
 namespace cognate::app {
 

@@ -8,17 +8,17 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "app/analysis_problem_json.hpp"
-#include "app/cache_folder.hpp"
-#include "app/cam_json.hpp"
-#include "app/design_dimensions.hpp"
-#include "app/gear_json.hpp"
-#include "app/json_values.hpp"
-#include "app/machine_json.hpp"
-#include "app/result_json.hpp"
-#include "problems/analysis/analysis_result.hpp"
-#include "problems/analysis/curve_metrics.hpp"
-#include "problems/machine/machine_result.hpp"
+#include "app/console/design_dimensions.hpp"
+#include "app/documents/json_values.hpp"
+#include "app/documents/result_json.hpp"
+#include "app/kinds/cam/json.hpp"
+#include "app/kinds/evaluation/problem_json.hpp"
+#include "app/kinds/gear/json.hpp"
+#include "app/kinds/machine/json.hpp"
+#include "app/study/cache_folder.hpp"
+#include "problems/evaluation/curve_metrics.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/machine/result.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::app {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "problems/read.hpp"
+#include "problems/study/block.hpp"
 #include "problems/study/metric_names.hpp"
-#include "problems/study/study_block.hpp"
 
 namespace cognate::app {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "app/study/design_values.hpp"
+#include "problems/study/base.hpp"
 #include "problems/study/design_points.hpp"
-#include "problems/study/study_base.hpp"
-#include "problems/study/study_filter.hpp"
+#include "problems/study/filter.hpp"
 
 namespace cognate::app {
 namespace {

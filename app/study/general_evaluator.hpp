@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "problems/study/block.hpp"
 #include "problems/study/study.hpp"
-#include "problems/study/study_block.hpp"
 
 namespace cognate::app {
 

@@ -4,7 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "problems/atlas_starts.hpp"
+#include "problems/path/atlas_starts.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

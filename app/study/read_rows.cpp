@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "problems/study/study_names.hpp"
+#include "problems/study/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/study/rows.hpp"
 #include "app/study/sqlite.hpp"
-#include "app/study/study_rows.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::app {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "problems/study/study_block.hpp"
+#include "problems/study/block.hpp"
 
 struct sqlite3;
 struct sqlite3_stmt;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/cam/cam_extremes.hpp"
-#include "problems/cam/cam_facts.hpp"
+#include "problems/cam/extremes.hpp"
+#include "problems/cam/facts.hpp"
 #include "problems/cam/second_contact.hpp"
-#include "problems/verify.hpp"
+#include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {

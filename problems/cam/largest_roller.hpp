@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/cam/cam.hpp"
-#include "problems/cam/cam_problem.hpp"
+#include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "analysis/cam/extremes.hpp"
-#include "problems/cam/cam_variables.hpp"
+#include "problems/cam/variables.hpp"
 
 namespace cognate::problems {
 namespace {

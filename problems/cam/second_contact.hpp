@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/cam/cam.hpp"
-#include "problems/cam/cam_problem.hpp"
+#include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
 

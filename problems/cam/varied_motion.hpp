@@ -6,8 +6,8 @@
 
 #include "analysis/cam/motion_law.hpp"
 #include "analysis/cam/universal_law.hpp"
-#include "problems/cam/cam_model.hpp"
-#include "problems/cam/cam_problem.hpp"
+#include "problems/cam/model.hpp"
+#include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
 

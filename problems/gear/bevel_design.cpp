@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "problems/degrees.hpp"
-#include "problems/gear/gear_notes.hpp"
-#include "problems/gear/gear_pair_design.hpp"
-#include "problems/gear/gear_pair_facts.hpp"
+#include "problems/gear/notes.hpp"
+#include "problems/gear/pair_design.hpp"
+#include "problems/gear/pair_facts.hpp"
 
 namespace cognate::problems {
 namespace {

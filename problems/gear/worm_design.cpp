@@ -1,7 +1,7 @@
 /// A cylindrical worm and its wheel, of which all is given.
 #include "problems/degrees.hpp"
-#include "problems/gear/gear_notes.hpp"
-#include "problems/gear/gear_pair_design.hpp"
+#include "problems/gear/notes.hpp"
+#include "problems/gear/pair_design.hpp"
 
 namespace cognate::problems {
 namespace {

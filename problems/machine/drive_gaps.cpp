@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "problems/machine/drive_angle.hpp"
+#include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <numeric>
 
-#include "analysis/angle.hpp"
 #include "analysis/mechanism/output_limits.hpp"
-#include "problems/machine/drive_angle.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 

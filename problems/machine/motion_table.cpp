@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "problems/machine/drive_angle.hpp"
+#include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/machine/machine.hpp"
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 namespace cognate::problems {
 

@@ -5,9 +5,9 @@
 
 #include "analysis/machine/machine.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
-#include "problems/analysis/active_loads.hpp"
+#include "problems/evaluation/active_loads.hpp"
 #include "problems/machine/load_travel.hpp"
-#include "problems/machine/machine_problem.hpp"
+#include "problems/machine/problem.hpp"
 
 namespace cognate::problems {
 

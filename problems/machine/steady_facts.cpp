@@ -1,6 +1,6 @@
 #include "problems/machine/steady_facts.hpp"
 
-#include "problems/machine/drive_angle.hpp"
+#include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {

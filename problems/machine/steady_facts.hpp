@@ -6,7 +6,7 @@
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/steady_state.hpp"
 #include "problems/fact.hpp"
-#include "problems/machine/machine_problem.hpp"
+#include "problems/machine/problem.hpp"
 
 namespace cognate::problems {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/angle.hpp"
-#include "problems/machine/drive_angle.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "problems/reading/key_path.hpp"
-#include "problems/reading/task_document.hpp"
-#include "problems/study/study_base.hpp"
+#include "problems/study/base.hpp"
+#include "problems/study/key_path.hpp"
+#include "problems/task_document.hpp"
 
 namespace cognate::problems {
 namespace {

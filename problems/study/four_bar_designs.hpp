@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::problems {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {

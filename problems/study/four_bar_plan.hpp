@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "problems/analysis/analysis_problem.hpp"
+#include "problems/evaluation/problem.hpp"
 #include "problems/study/four_bar_designs.hpp"
 #include "problems/study/four_bar_quantities.hpp"
 #include "problems/study/four_bar_screen.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {

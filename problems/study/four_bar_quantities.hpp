@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/analysis/curve_metrics.hpp"
+#include "problems/evaluation/curve_metrics.hpp"
+#include "problems/study/block.hpp"
 #include "problems/study/study.hpp"
-#include "problems/study/study_block.hpp"
 
 namespace cognate::problems {
 

@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/mobility.hpp"
-#include "problems/analysis/curve_metrics.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "problems/evaluation/curve_metrics.hpp"
+#include "problems/study/base.hpp"
 #include "problems/study/design_points.hpp"
+#include "problems/study/filter.hpp"
 #include "problems/study/four_bar_curves.hpp"
 #include "problems/study/four_bar_designs.hpp"
 #include "problems/study/four_bar_plan.hpp"
 #include "problems/study/four_bar_quantities.hpp"
 #include "problems/study/four_bar_screen.hpp"
-#include "problems/study/study_base.hpp"
-#include "problems/study/study_filter.hpp"
 
 namespace cognate::problems {
 namespace {

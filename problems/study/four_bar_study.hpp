@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "problems/study/block.hpp"
 #include "problems/study/study.hpp"
-#include "problems/study/study_block.hpp"
 
 namespace cognate::problems {
 

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "problems/linkage_limits.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
 

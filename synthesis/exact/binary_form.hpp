@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/few.hpp"
 
 namespace cognate::synthesis {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 
 namespace cognate::synthesis {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/closure.hpp"
+#include "analysis/linkage/closure.hpp"
 
 namespace cognate::synthesis {
 namespace {

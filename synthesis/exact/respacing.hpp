@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 
 namespace cognate::synthesis {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "analysis/closure.hpp"
+#include "analysis/linkage/closure.hpp"
 
 namespace cognate::synthesis {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/mechanism/kinematics.hpp"
-#include "tests/unit/random_chains.hpp"
+#include "tests/support/random_chains.hpp"
 
 namespace cognate {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "problems/result.hpp"
-#include "synthesis/search/path_screen.hpp"
+#include "synthesis/lanes/path_screen.hpp"
 
 namespace cognate {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "synthesis/search/path_screen.hpp"
+#include "synthesis/lanes/path_screen.hpp"
 
 namespace cognate {
 namespace {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/mobility.hpp"
-#include "analysis/motion.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
 #include "app/report/design_motion.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/names.hpp"
-#include "problems/verify.hpp"
 
 namespace {
 

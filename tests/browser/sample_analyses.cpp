@@ -4,9 +4,9 @@
 #include <numbers>
 #include <utility>
 
-#include "analysis/double_slider.hpp"
-#include "analysis/guide_bar.hpp"
-#include "analysis/slider_crank.hpp"
+#include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/guide_bar.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 
 namespace {
 

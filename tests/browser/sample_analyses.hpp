@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 
 struct SampleAnalysis {
   std::string name;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 
 namespace cognate::problems {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "analysis/motion.hpp"
-#include "problems/verify.hpp"
+#include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {

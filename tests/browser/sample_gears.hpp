@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "problems/gear/gear_problem.hpp"
+#include "problems/gear/problem.hpp"
 
 namespace cognate::problems {
 

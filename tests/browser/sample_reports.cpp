@@ -7,15 +7,15 @@
 #include <string>
 #include <utility>
 
-#include "analysis/motion.hpp"
-#include "app/analysis_json.hpp"
-#include "app/gear_json.hpp"
-#include "app/machine_json.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "app/documents/result_json.hpp"
+#include "app/kinds/evaluation/json.hpp"
+#include "app/kinds/gear/json.hpp"
+#include "app/kinds/machine/json.hpp"
 #include "app/report/report.hpp"
 #include "app/report/study_report.hpp"
-#include "app/result_json.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/verify.hpp"
 #include "tests/browser/sample_analyses.hpp"
 #include "tests/browser/sample_cams.hpp"
 #include "tests/browser/sample_designs.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/motion.hpp"
+#include "analysis/linkage/motion.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 #include "problems/read.hpp"
 #include "tests/fuzz/drawn_cam.hpp"
 #include "tests/fuzz/sound_cam.hpp"

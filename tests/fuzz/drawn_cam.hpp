@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/export/cam_drawing.hpp"
-#include "problems/cam/cam_result.hpp"
+#include "problems/cam/result.hpp"
 
 namespace cognate::problems {
 

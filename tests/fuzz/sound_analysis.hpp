@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "analysis/mechanism/kinematics.hpp"
-#include "problems/analysis/analysis_problem.hpp"
+#include "problems/evaluation/problem.hpp"
 
 namespace cognate::problems {
 

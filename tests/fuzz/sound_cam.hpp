@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "analysis/cam/motion_programme.hpp"
-#include "problems/cam/cam_problem.hpp"
+#include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/gear/gear_result.hpp"
+#include "problems/gear/result.hpp"
 
 namespace cognate::problems {
 

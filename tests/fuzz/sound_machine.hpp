@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/machine/machine_problem.hpp"
+#include "problems/machine/problem.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 
 namespace cognate::problems {

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/read_study.hpp"
+#include "problems/study/base.hpp"
 #include "problems/study/design_points.hpp"
 #include "problems/study/design_text.hpp"
-#include "problems/study/study_base.hpp"
+#include "problems/study/read.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "analysis/cam/profile.hpp"
-#include "problems/cam/cam_extremes.hpp"
-#include "problems/cam/cam_result.hpp"
-#include "tests/unit/cam_problems.hpp"
+#include "problems/cam/extremes.hpp"
+#include "problems/cam/result.hpp"
+#include "tests/support/cam_problems.hpp"
 
 namespace cognate {
 namespace {

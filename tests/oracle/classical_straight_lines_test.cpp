@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
-#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/mobility.hpp"
-#include "analysis/motion.hpp"
-#include "analysis/slider_crank_mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "analysis/linkage/slider_crank_mobility.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
-#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -7,12 +7,12 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/motion.hpp"
-#include "problems/dead_centre.hpp"
-#include "problems/function_model.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "problems/function/dead_centre.hpp"
+#include "problems/function/model.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
-#include "problems/verify.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
 namespace cognate::problems {

@@ -8,7 +8,7 @@
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "problems/analysis/active_loads.hpp"
+#include "problems/evaluation/active_loads.hpp"
 
 namespace cognate {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "analysis/mechanism/joints.hpp"
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/oracle/li_xu.hpp"
 

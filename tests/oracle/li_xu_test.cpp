@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "problems/names.hpp"
 
 namespace cognate {

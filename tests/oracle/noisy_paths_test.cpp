@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/motion.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
-#include "problems/verify.hpp"
 
 namespace cognate::problems {
 namespace {

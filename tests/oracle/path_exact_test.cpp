@@ -1,8 +1,6 @@
 // Exact path generation from problem to designs, against what is published of it: the nine points
 // of Wampler, Morgan & Sommese (J. Mech. Des. 114, 1992), problem 3, and the five points with given
 // pivots of Morgan & Wampler (J. Mech. Des. 112, 1990), problem 7; and against planted linkages.
-#include "problems/path_exact.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +13,12 @@
 #include <string>
 #include <utility>
 
-#include "problems/path_exact_designs.hpp"
+#include "problems/linkage/same_design.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/exact.hpp"
+#include "problems/path/exact_designs.hpp"
 #include "problems/read.hpp"
-#include "problems/same_design.hpp"
-#include "problems/verify.hpp"
-#include "tests/unit/planted_path.hpp"
+#include "tests/support/planted_path.hpp"
 
 namespace cognate::problems {
 namespace {

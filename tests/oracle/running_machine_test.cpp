@@ -10,7 +10,7 @@
 #include "analysis/machine/reduction.hpp"
 #include "analysis/machine/run.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "tests/unit/machines.hpp"
+#include "tests/support/machines.hpp"
 
 namespace cognate::machine {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "problems/gear/gear_result.hpp"
+#include "problems/gear/result.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 

@@ -1,7 +1,5 @@
 // SVG path data: lengths in closed form, the same figure by other commands, and what is no path.
 
-#include "problems/reading/path_data.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/reading/outline.hpp"
+#include "problems/path/outline.hpp"
+#include "problems/path/svg_path_data.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -1,5 +1,5 @@
 /// Poles between samples, told from peaks and steps.
-#include "problems/reading/poles.hpp"
+#include "problems/function/poles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/reading/jumps.hpp"
+#include "problems/function/jumps.hpp"
 
 namespace cognate::problems::reading {
 namespace {

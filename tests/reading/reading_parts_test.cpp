@@ -11,12 +11,12 @@
 #include <set>
 #include <string>
 
+#include "problems/linkage/class_feasibility.hpp"
 #include "problems/names.hpp"
-#include "problems/reading/class_feasibility.hpp"
-#include "problems/reading/expression.hpp"
-#include "problems/reading/interpolation.hpp"
-#include "problems/reading/nearest.hpp"
-#include "problems/reading/text_check.hpp"
+#include "problems/toml/expression.hpp"
+#include "problems/toml/interpolation.hpp"
+#include "problems/toml/nearest.hpp"
+#include "problems/toml/text_check.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
-#include "problems/mechanism_metrics.hpp"
+#include "problems/linkage/mechanism_metrics.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 

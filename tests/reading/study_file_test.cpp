@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/read_study.hpp"
-#include "problems/reading/key_path.hpp"
+#include "problems/study/key_path.hpp"
+#include "problems/study/read.hpp"
 
 namespace cognate::problems {
 namespace {

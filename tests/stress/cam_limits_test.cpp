@@ -2,9 +2,9 @@
 /// large as its least radius, cusps, very many segments, any size.
 #include <gtest/gtest.h>
 
-#include "problems/cam/cam_extremes.hpp"
-#include "problems/verify.hpp"
-#include "tests/unit/cam_problems.hpp"
+#include "problems/cam/extremes.hpp"
+#include "problems/linkage/verify.hpp"
+#include "tests/support/cam_problems.hpp"
 
 namespace cognate {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 
 namespace cognate::stress {
 namespace {

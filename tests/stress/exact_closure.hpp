@@ -7,7 +7,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "analysis/closure.hpp"
+#include "analysis/linkage/closure.hpp"
 
 namespace cognate::stress {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "analysis/slider_crank.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 #include "problems/problem.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::stress {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "problems/analysis/analysis_result.hpp"
+#include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/stress/force_brute.hpp"
 

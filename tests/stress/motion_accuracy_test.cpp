@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/motion.hpp"
+#include "analysis/linkage/motion.hpp"
 #include "tests/stress/accuracy.hpp"
 #include "tests/stress/closure_families.hpp"
 

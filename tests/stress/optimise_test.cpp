@@ -8,11 +8,11 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/mobility.hpp"
-#include "analysis/motion.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
-#include "tests/unit/planted_path.hpp"
+#include "tests/support/planted_path.hpp"
 
 namespace cognate::problems {
 namespace {

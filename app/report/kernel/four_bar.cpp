@@ -1,5 +1,5 @@
 /// @file The four-bar in a page. `four_bar` takes a linkage, the other calls evaluate it.
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "analysis/defects.hpp"
-#include "analysis/mobility.hpp"
-#include "analysis/motion.hpp"
+#include "analysis/linkage/defects.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
 #include "app/report/design_motion.hpp"
 #include "app/report/kernel/nearest.hpp"
 #include "app/report/kernel/numbers.hpp"
@@ -71,8 +71,9 @@ COGNATE_EXPORT(four_bar) int take_four_bar() {
 /// Takes `count` crank angles at which the linkage is used (radians from the x axis), and after
 /// them `travel` more between which it moves; `sequence` is one of Sequence. Gives class, excess of
 /// Grashof's sum, whether it is a change point, whether the crank turns fully, least, greatest and
-/// least acute transmission angle over the motion used (as problems/verify.hpp has it), time ratio,
-/// the three defects, and from where to where that motion goes (from A→D; NaN: all of it).
+/// least acute transmission angle over the motion used (as problems/linkage/verify.hpp has it),
+/// time ratio, the three defects, and from where to where that motion goes (from A→D; NaN: all of
+/// it).
 COGNATE_EXPORT(four_bar_facts) int four_bar_facts(int count, int travel, int sequence) {
   const Lengths<double> links = lengths(linkage);
   const auto stations = taken(0, count);

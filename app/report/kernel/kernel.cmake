@@ -70,23 +70,23 @@ endfunction()
 
 set(COGNATE_PAGE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/kernel.base64")
 cognate_page_kernel(kernel
-  analysis/defects.cpp
-  analysis/four_bar.cpp
-  analysis/frame_axes.cpp
-  analysis/mobility.cpp
-  analysis/motion.cpp
+  analysis/linkage/defects.cpp
+  analysis/linkage/four_bar.cpp
+  analysis/linkage/frame_axes.cpp
+  analysis/linkage/mobility.cpp
+  analysis/linkage/motion.cpp
   app/report/design_motion.cpp
   app/report/kernel/four_bar.cpp
   app/report/kernel/nearest.cpp)
 set(COGNATE_MECHANISM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/mechanism_kernel.base64")
 cognate_page_kernel(mechanism_kernel
-  analysis/change_point.cpp
-  analysis/double_slider.cpp
-  analysis/double_slider_travel.cpp
-  analysis/four_bar.cpp
-  analysis/frame_axes.cpp
-  analysis/guide_bar.cpp
-  analysis/guide_bar_mobility.cpp
+  analysis/linkage/change_point.cpp
+  analysis/linkage/double_slider.cpp
+  analysis/linkage/double_slider_travel.cpp
+  analysis/linkage/four_bar.cpp
+  analysis/linkage/frame_axes.cpp
+  analysis/linkage/guide_bar.cpp
+  analysis/linkage/guide_bar_mobility.cpp
   analysis/mechanism/circuit_range.cpp
   analysis/mechanism/course.cpp
   analysis/mechanism/course_probe.cpp
@@ -97,19 +97,19 @@ cognate_page_kernel(mechanism_kernel
   analysis/mechanism/sliding_pairs.cpp
   analysis/mechanism/transmission_extremes.cpp
   analysis/mechanism/travel.cpp
-  analysis/mobility.cpp
-  analysis/slider_crank.cpp
-  analysis/slider_crank_mobility.cpp
+  analysis/linkage/mobility.cpp
+  analysis/linkage/slider_crank.cpp
+  analysis/linkage/slider_crank_mobility.cpp
   app/report/convex_hull.cpp
   app/report/kernel/mechanism.cpp
   app/report/mechanism_poses.cpp
   app/report/mechanism_shapes.cpp
-  problems/analysis/joint_names.cpp
-  problems/analysis/motion_summary.cpp
-  problems/analysis/named_mechanism.cpp
-  problems/analysis/output_travel.cpp
-  problems/analysis/simple_parts.cpp
-  problems/analysis/type_facts.cpp
-  problems/analysis/whole_motion.cpp
+  problems/mechanism/joint_names.cpp
+  problems/evaluation/motion_summary.cpp
+  problems/mechanism/named_mechanism.cpp
+  problems/evaluation/output_travel.cpp
+  problems/mechanism/simple_parts.cpp
+  problems/evaluation/type_facts.cpp
+  problems/evaluation/whole_motion.cpp
   problems/deadline.cpp
   problems/names.cpp)

@@ -10,9 +10,9 @@
 #include "app/report/kernel/numbers.hpp"
 #include "app/report/mechanism_poses.hpp"
 #include "app/report/mechanism_shapes.hpp"
-#include "problems/analysis/motion_summary.hpp"
-#include "problems/analysis/type_facts.hpp"
-#include "problems/analysis/whole_motion.hpp"
+#include "problems/evaluation/motion_summary.hpp"
+#include "problems/evaluation/type_facts.hpp"
+#include "problems/evaluation/whole_motion.hpp"
 
 namespace cognate::page {
 namespace {

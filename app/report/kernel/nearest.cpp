@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/golden_section.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::page {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/motion.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/motion.hpp"
 
 namespace cognate::page {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::synthesis {
 

@@ -15,7 +15,7 @@
 
 #include <span>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "synthesis/exact/few.hpp"
 #include "synthesis/exact/function/precision_point.hpp"
 

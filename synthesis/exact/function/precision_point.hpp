@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::synthesis {
 

@@ -6,11 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/double_slider.hpp"
-#include "analysis/four_bar.hpp"
-#include "analysis/guide_bar.hpp"
+#include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/guide_bar.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 #include "analysis/mechanism/mechanism.hpp"
-#include "analysis/slider_crank.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 
 namespace cognate::synthesis {

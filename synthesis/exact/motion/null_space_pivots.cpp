@@ -1,6 +1,6 @@
 #include "synthesis/exact/motion/null_space_pivots.hpp"
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/motion/conic_pair.hpp"
 
 namespace cognate::synthesis {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "synthesis/exact/freudenstein.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 

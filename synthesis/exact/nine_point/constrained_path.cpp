@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "analysis/parallel.hpp"
+#include "analysis/numbers/parallel.hpp"
 #include "synthesis/exact/nine_point/generic_set.hpp"
 #include "synthesis/exact/nine_point/path_system.hpp"
 

@@ -2,7 +2,7 @@
 /// not contract expressions (-ffp-contract=off).
 #pragma once
 
-#include "analysis/compensated.hpp"
+#include "analysis/numbers/compensated.hpp"
 
 namespace cognate::synthesis::nine_point {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "analysis/parallel.hpp"
+#include "analysis/numbers/parallel.hpp"
 #include "synthesis/exact/nine_point/number_file.hpp"
 
 namespace cognate::synthesis::constrained {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 #include "synthesis/exact/nine_point/side_condition.hpp"
 

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "analysis/batch/instruction_set.hpp"
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/nine_point/path_equations.hpp"
 
 namespace cognate::synthesis {

@@ -9,7 +9,7 @@
 #ifdef COGNATE_DOUBLE_DOUBLE
 #include "synthesis/exact/nine_point/double_double.hpp"
 #else
-#include "synthesis/lane_numbers.hpp"
+#include "synthesis/lanes/lane_numbers.hpp"
 #endif
 
 namespace cognate::synthesis::nine_point::COGNATE_ISA {

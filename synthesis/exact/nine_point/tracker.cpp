@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/parallel.hpp"
+#include "analysis/numbers/parallel.hpp"
 
 namespace cognate::synthesis::nine_point {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/angle.hpp"
-#include "analysis/guide_bar_mobility.hpp"
+#include "analysis/linkage/guide_bar_mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 
 namespace cognate::synthesis {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis/guide_bar.hpp"
+#include "analysis/linkage/guide_bar.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 
 namespace cognate::synthesis {

@@ -1,7 +1,7 @@
 /// @file The crank pivot seen from the limits of the stroke: coordinates, and how well determined.
 #pragma once
 
-#include "analysis/vec2.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate::synthesis {
 

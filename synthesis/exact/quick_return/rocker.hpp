@@ -27,8 +27,8 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/four_bar.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 
 namespace cognate::synthesis {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/angle.hpp"
 #include "analysis/mechanism/output_limits.hpp"
+#include "analysis/numbers/angle.hpp"
 
 namespace cognate::synthesis {
 namespace {

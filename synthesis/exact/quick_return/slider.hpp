@@ -12,8 +12,8 @@
 
 #include <vector>
 
-#include "analysis/slider_crank.hpp"
-#include "analysis/slider_crank_mobility.hpp"
+#include "analysis/linkage/slider_crank.hpp"
+#include "analysis/linkage/slider_crank_mobility.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 
 namespace cognate::synthesis {

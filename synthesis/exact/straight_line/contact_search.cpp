@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/mechanism/zeros.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::synthesis {
 namespace {

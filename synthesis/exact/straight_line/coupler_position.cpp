@@ -5,10 +5,10 @@
 #include <iterator>
 #include <numbers>
 
-#include "analysis/change_point.hpp"
+#include "analysis/linkage/change_point.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "analysis/motion.hpp"
-#include "analysis/slider_crank_mobility.hpp"
 
 namespace cognate::synthesis {
 namespace {

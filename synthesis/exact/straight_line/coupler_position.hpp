@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "analysis/coupler_curve/contact.hpp"
-#include "analysis/four_bar.hpp"
-#include "analysis/mobility.hpp"
-#include "analysis/slider_crank.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 
 namespace cognate::synthesis {
 

@@ -9,12 +9,12 @@
 #include <random>
 #include <vector>
 
-#include "problems/cam/cam_result.hpp"
-#include "problems/cam/cam_search.hpp"
+#include "problems/cam/result.hpp"
+#include "problems/cam/search.hpp"
 #include "synthesis/exact/cam/half_planes.hpp"
 #include "synthesis/exact/cam/smallest_cam.hpp"
 #include "tests/bench/kernel/measure.hpp"
-#include "tests/unit/cam_problems.hpp"
+#include "tests/support/cam_problems.hpp"
 
 namespace cognate::bench {
 namespace {

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "analysis/gear/involute.hpp"
-#include "problems/gear/gear_pair_search.hpp"
-#include "problems/gear/gear_result.hpp"
+#include "problems/gear/pair_search.hpp"
+#include "problems/gear/result.hpp"
 
 namespace cognate::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "synthesis/exact/freudenstein.hpp"
-#include "synthesis/search/function_fit.hpp"
+#include "synthesis/lanes/function_fit.hpp"
 
 namespace cognate::synthesis {
 namespace {

@@ -13,10 +13,10 @@
 #include <random>
 #include <vector>
 
-#include "problems/path_model.hpp"
-#include "problems/path_starts.hpp"
+#include "problems/path/model.hpp"
+#include "problems/path/starts.hpp"
+#include "synthesis/lanes/path_fit.hpp"
 #include "synthesis/optimise/solver.hpp"
-#include "synthesis/search/path_fit.hpp"
 
 namespace cognate::problems {
 namespace {

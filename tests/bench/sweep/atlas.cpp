@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "analysis/mobility.hpp"
-#include "problems/atlas_starts.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "problems/path/atlas_starts.hpp"
 
 namespace cognate::bench {
 namespace {

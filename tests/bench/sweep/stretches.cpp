@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/closed_stretch.hpp"
-#include "analysis/mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
 
 namespace cognate::bench {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/study/block_message.hpp"
-#include "app/study/study_database.hpp"
-#include "tests/unit/study_samples.hpp"
+#include "app/study/database.hpp"
+#include "tests/support/study_samples.hpp"
 
 namespace {
 

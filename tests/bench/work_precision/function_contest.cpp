@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "analysis/mobility.hpp"
-#include "problems/function_designs.hpp"
-#include "problems/function_model.hpp"
-#include "problems/function_samples.hpp"
-#include "problems/function_starts.hpp"
-#include "problems/verify.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "problems/function/designs.hpp"
+#include "problems/function/model.hpp"
+#include "problems/function/samples.hpp"
+#include "problems/function/starts.hpp"
+#include "problems/linkage/verify.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/bench/work_precision/contest.hpp"
 

@@ -16,7 +16,7 @@
 #include <fstream>
 #include <limits>
 
-#include "problems/backend_choice.hpp"
+#include "problems/linkage/backend_choice.hpp"
 #include "problems/names.hpp"
 #include "problems/read.hpp"
 #include "synthesis/optimise/solver.hpp"

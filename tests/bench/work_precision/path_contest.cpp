@@ -1,9 +1,9 @@
 #include <limits>
 
-#include "problems/path_model.hpp"
-#include "problems/path_scale.hpp"
-#include "problems/path_starts.hpp"
-#include "problems/verify.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/model.hpp"
+#include "problems/path/scale.hpp"
+#include "problems/path/starts.hpp"
 #include "tests/bench/work_precision/contest.hpp"
 
 namespace cognate::bench {

@@ -1,6 +1,6 @@
 // A problem stated and solved in C++: a point passes through eight places of a known coupler curve.
 #include <cmath>
-#include <cognate/analysis/motion.hpp>
+#include <cognate/analysis/linkage/motion.hpp>
 #include <cognate/problems/problem.hpp>
 #include <cognate/problems/result.hpp>
 #include <cstdio>

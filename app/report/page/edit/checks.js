@@ -1,5 +1,5 @@
 // Whether a changed four-bar keeps to the constraints that its design was checked against: what
-// problems/constraint_checks.cpp says of them, for those that lengths, angles and defects settle.
+// problems/linkage/constraint_checks.cpp says of them, for those that lengths, angles and defects settle.
 
 const CHECK_TOLERANCE = 1e-9;
 const DEGREE_TOLERANCE = CHECK_TOLERANCE / RADIANS;

@@ -1,4 +1,4 @@
-// The closure of the four-bar, by the formulas of analysis/closure.hpp: products of sums of lengths
+// The closure of the four-bar, by the formulas of analysis/linkage/closure.hpp: products of sums of lengths
 // in place of differences of squares, so that no digits are lost near limit positions.
 
 class Closure {

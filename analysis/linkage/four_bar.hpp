@@ -1,0 +1,47 @@
+/// @file The four-bar linkage A–B–C–D as data.
+#pragma once
+
+#include <optional>
+
+#include "analysis/numbers/vec2.hpp"
+
+namespace cognate {
+
+/// The four link lengths: crank A–B, coupler B–C, rocker C–D, frame A–D. One unit of length for
+/// all.
+template <class T>
+struct Lengths {
+  T crank{};
+  T coupler{};
+  T rocker{};
+  T frame{};
+};
+
+/// On which side of the directed line B→D the joint C lies: `open` to the left,
+/// (D − B) × (C − B) > 0, `crossed` to the right.
+enum class Assembly { open, crossed };
+
+/// +1 for `open`, −1 for `crossed`: the sign of (D − B) × (C − B).
+constexpr double sign(Assembly assembly) {
+  return assembly == Assembly::open ? 1.0 : -1.0;
+}
+
+/// A four-bar in the plane. `coupler_point` is (u, v) in the coupler's frame: origin B, first axis
+/// from B to C. Lengths are positive and in the unit of the pivots.
+struct FourBar {
+  Vec2d pivot_a;
+  Vec2d pivot_d;
+  double crank = 0;
+  double coupler = 0;
+  double rocker = 0;
+  Assembly assembly = Assembly::open;
+  std::optional<Vec2d> coupler_point;
+};
+
+/// The link lengths of `linkage`, the frame being |D − A|.
+Lengths<double> lengths(const FourBar& linkage);
+
+/// The direction of A→D as an angle from the x axis, in (−π, π].
+double frame_angle(const FourBar& linkage);
+
+}  // namespace cognate

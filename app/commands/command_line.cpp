@@ -1,0 +1,117 @@
+#include "app/commands/command_line.hpp"
+
+#include <array>
+#include <utility>
+
+#include "app/commands/help_texts.hpp"
+#include "app/documents/version.hpp"
+
+namespace cognate::app {
+namespace {
+
+/// What the help calls the parts of a command line, for CLI11's own words.
+constexpr std::array<std::pair<const char*, const char*>, 4> kLabels = {
+    {{"SUBCOMMAND", "COMMAND"}, {"Positionals", "Arguments"}, {"REQUIRED", ""}, {"TEXT", ""}}};
+
+void add_common_options(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--json", arguments.json, "print a JSON document and nothing else");
+  app.add_option("--seed", arguments.seed, "start of all random choices (default 1)")
+      ->type_name("N");
+  app.add_option("--threads", arguments.threads, "threads to use (default: all processors)")
+      ->type_name("N");
+  app.add_option("--time-limit", arguments.time_limit, "stop then, and report what was found")
+      ->type_name("SECONDS");
+  app.add_flag("--quiet", arguments.quiet, "print neither progress nor table");
+}
+
+void add_folder(CLI::App& command, Arguments& arguments) {
+  command.add_option("--out", arguments.out, "folder of the files (default: the current one)")
+      ->type_name("DIR");
+}
+
+void add_export_options(CLI::App& command, Arguments& arguments) {
+  const auto add = [&](const char* name, auto& value, const char* unit, const char* what) {
+    command.add_option(name, value, what)->type_name(unit);
+  };
+  ExportTexts& texts = arguments.exporting;
+  add("--format", texts.format, "dxf|svg|csv|json|dot", "what to write");
+  add("--row", arguments.row, "ID", "of a study file: the design with this id");
+  add("--design", texts.design, "N", "which design, from 1 (default 1, the best)");
+  add("--chord-tolerance", texts.chord_tolerance, "T", "of polygons (default 1e-4 of the size)");
+  add("--dxf-version", texts.dxf_version, "r12|2000", "of the DXF file (default 2000)");
+  add("--curve", texts.curve, "profile|pitch|cutter",
+      "profile (default), path of roller centre or cutter");
+  add("--cutter-radius", texts.cutter_radius, "R", "of the cutter, for --curve cutter");
+  add("--position", texts.position, "DEG", "of a linkage's drive (default: the first possible)");
+  add("--steps", texts.steps, "N", "of a linkage: rows of the table, less one");
+  command.add_flag("--parts", texts.parts, "of a linkage: its links as flat parts to cut");
+  add("--hole", texts.hole, "D", "of parts: diameter of the holes");
+  add("--width", texts.width, "W", "of parts: width of the bars");
+  add("--thickness", texts.thickness, "T", "of parts: of the sheet, for the lengths of pins");
+  add("--clearance", texts.clearance, "C", "of parts: of pins in slots (default 0)");
+  add("--gap", texts.gap, "G", "of parts: between them (default half the width)");
+}
+
+}  // namespace
+
+CLI::App& CommandLine::add_command(const char* name, const char* purpose, const char* footer) {
+  CLI::App& command = *app.add_subcommand(name, purpose);
+  command.get_option("--help")->description("print this help");
+  add_common_options(command, arguments);
+  command.group("Commands");
+  command.footer(footer);
+  return command;
+}
+
+CLI::App& CommandLine::add_file_command(const char* name, const char* purpose, const char* footer,
+                                        const char* file, std::vector<std::string> read) {
+  CLI::App& command = add_command(name, purpose, footer);
+  command.add_option("FILE", arguments.file, file)->required();
+  endings[name] = std::move(read);
+  return command;
+}
+
+/// Those that packagers call and a user once.
+void CommandLine::add_hidden_commands() {
+  auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
+  completion.group("");
+  completion.get_option("--help")->description("print this help");
+  completion.add_option("SHELL", arguments.shell, "which shell is to be taught")
+      ->type_name("bash|zsh|fish")
+      ->required();
+  completion.footer(kCompletionFooter);
+  auto& manual = *app.add_subcommand("manual", "Print the manual page, source for man.");
+  manual.group("");
+  manual.get_option("--help")->description("print this help");
+  manual.footer(kManualFooter);
+}
+
+CommandLine::CommandLine() : app(kDescription, "cognate") {
+  app.footer(kFooter);
+  app.set_version_flag("--version", "cognate " + std::string(version()), "print the version");
+  app.require_subcommand(1);
+  app.get_option("--help")->description("print this help");
+  for (const auto& [label, shown] : kLabels) app.get_formatter()->label(label, shown);
+  add_common_options(app, arguments);
+  add_folder(add_file_command("solve", "Find designs for a problem.", kSolveFooter,
+                              "the problem, a TOML file", {".toml"}),
+             arguments);
+  add_folder(add_file_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
+                              "the mechanism and its drive, a TOML file", {".toml"}),
+             arguments);
+  add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
+                              "the study, a TOML file", {".toml"}),
+             arguments);
+  auto& exporting = add_file_command("export", "Write a result for CAD, as a picture or a table.",
+                                     kExportFooter, "NAME.result.json, or a study, NAME.study.db",
+                                     {".result.json", ".study.db"});
+  add_folder(exporting, arguments);
+  add_export_options(exporting, arguments);
+  add_file_command("check", "Validate a file without solving it.", kCheckFooter,
+                   "a problem, mechanism or study, a TOML file", {".toml"});
+  auto& list = add_command("list", "Say what can be asked for, and by which keys.", kListFooter);
+  list.add_flag("--metrics", arguments.metrics, "every number of a result, with its unit");
+  add_hidden_commands();
+}
+
+}  // namespace cognate::app

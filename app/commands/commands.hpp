@@ -1,0 +1,56 @@
+/// @file The commands of the program. Each says what there is to say and returns how to end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "app/console/exit_status.hpp"
+#include "app/console/options.hpp"
+#include "app/export/export_options.hpp"
+
+namespace cognate::app {
+
+/// Solves the problem in `file`: prints the table of designs (with `--json` the result document,
+/// with `--quiet` nothing) and writes NAME.result.json and NAME.report.html, NAME being the file's
+/// stem, to the folder `--out`, else to the current one; with `--json` only where `--out` is given.
+/// Whether they can be written is found out before anything is solved.
+ExitStatus solve_command(const std::filesystem::path& file, const Options& options);
+
+/// Evaluates the mechanism in `file` over its drive: prints the facts of its motion (with `--json`
+/// the result document, with `--quiet` nothing) and writes NAME.result.json, NAME.csv and
+/// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
+/// cannot be assembled anywhere.
+ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);
+
+class StudyProcesses;
+
+/// Evaluates the designs of the study in `file` that are not yet in NAME.study.db, NAME being the
+/// file's stem, in the folder `--out`, else the current one, and stores their rows there; prints
+/// the counts and the best rows (with `--json` the document `cognate-study/1`, with `--quiet`
+/// nothing) and writes NAME.report.html (with `--json` only where `--out` is given). The status is
+/// that of no design where no row was kept. Of several `processes` all are called; the first talks.
+ExitStatus sweep_command(const std::filesystem::path& file, const Options& options,
+                         StudyProcesses& processes);
+
+/// Writes the base file of the study file `file` with the numbers of design `row` as NAME.ROW.toml
+/// to the folder `--out`, else to the current one, NAME being the name of the study file without
+/// `.study.db`. Says which file was written, as `export_command` does.
+ExitStatus export_row_command(const std::filesystem::path& file, std::int64_t row,
+                              const Options& options);
+
+/// Writes a design of the result document in `file`, a linkage or a cam, as `exporting` says, to
+/// the folder `--out`, else to the current one; NAME of the files is that of the result without
+/// `.result.json`. Says which files were written (with `--json` as a document `cognate-export/1`,
+/// with `--quiet` nothing).
+ExitStatus export_command(const std::filesystem::path& file, const ExportOptions& exporting,
+                          const Options& options);
+
+/// Reads the problem in `file` without solving it and says what it is, or every fault in it; with
+/// `--json` as a document `cognate-check/1`.
+ExitStatus check_command(const std::filesystem::path& file, const Options& options);
+
+/// Prints the kinds of problems, mechanisms, solvers and options, or with `metrics` every metric
+/// and every column with its unit; with `--json` as a document.
+ExitStatus list_command(bool metrics, const Options& options);
+
+}  // namespace cognate::app

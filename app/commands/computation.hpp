@@ -1,0 +1,47 @@
+/// @file What every command that computes does about its computation: steers it, writes its files,
+/// prints, and says how it ended.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "app/console/exit_status.hpp"
+#include "app/console/options.hpp"
+#include "app/console/screen.hpp"
+#include "problems/read.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::app {
+
+/// A file that a command writes beside NAME.result.json: NAME followed by `ending`. `text` is made
+/// of the result document.
+struct OutputFile {
+  std::string ending;
+  std::function<std::string(const nlohmann::ordered_json& document)> text;
+};
+
+/// What one command does differently from another; called in the order in which it stands here.
+struct Computation {
+  std::function<problems::Status(const problems::Run& run)> run;
+  std::function<tl::expected<nlohmann::ordered_json, std::string>()> document;
+  std::vector<OutputFile> files;
+  std::string when_interrupted;  ///< said after an interrupt: what is reported nevertheless
+  std::function<std::string(const Screen& screen)> table;
+  std::function<ExitStatus()> exit_status;
+};
+
+/// Says the faults of `file`; the status is that of bad input.
+ExitStatus refuse(const std::filesystem::path& file, const std::vector<problems::Fault>& faults);
+
+/// Runs `computation` of the problem in `file` as `options` say: with progress and interrupts,
+/// writes NAME.result.json and its files, NAME being the file's stem, and prints the table (with
+/// `--json` the document, with `--quiet` nothing). Whether the files can be written is found out
+/// before anything is computed; with `--json` they are written only where `--out` is given.
+ExitStatus compute(const std::filesystem::path& file, const Options& options,
+                   const Computation& computation);
+
+}  // namespace cognate::app

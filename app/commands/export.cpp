@@ -1,0 +1,98 @@
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "app/commands/commands.hpp"
+#include "app/console/messages.hpp"
+#include "app/console/terminal.hpp"
+#include "app/documents/output_files.hpp"
+#include "app/documents/result_json.hpp"
+#include "app/export/exported.hpp"
+
+namespace cognate::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// NAME of NAME.result.json.
+std::string stem_of(const fs::path& file) {
+  const fs::path stem = file.stem();
+  return stem.extension() == ".result" ? stem.stem().string() : stem.string();
+}
+
+FileResult write_files(const fs::path& folder, const std::vector<ExportedFile>& files) {
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.name);
+  auto written = prepare_folder(folder, names);
+  for (std::size_t i = 0; written && i < files.size(); ++i) {
+    written = write_file(folder / files[i].name, files[i].text);
+  }
+  return written;
+}
+
+nlohmann::ordered_json export_document(const fs::path& file, const Exported& made,
+                                       const std::vector<std::string>& paths) {
+  nlohmann::ordered_json document = {
+      {"format", "cognate-export/1"}, {"result", file.string()}, {"files", paths}};
+  document.update(made.facts);
+  document["notes"] = made.notes;
+  return document;
+}
+
+ExitStatus complain_that(const std::string& what) {
+  complain(what);
+  return exit_bad_input;
+}
+
+/// Says `message`, which begins with a file's name.
+ExitStatus refuse_file(const std::string& message) {
+  write_standard_error(printable(message) + '\n');
+  return exit_bad_input;
+}
+
+ExitStatus write_and_tell(const fs::path& file, const Exported& made, const Options& options) {
+  const fs::path folder = options.out.value_or(".");
+  if (const auto written = write_files(folder, made.files); !written) {
+    return complain_that(written.error());
+  }
+  std::vector<std::string> paths;
+  for (const auto& each : made.files) {
+    paths.push_back((folder / each.name).lexically_normal().string());
+  }
+  if (options.json) return print(write_json(export_document(file, made, paths)));
+  for (const auto& note : made.notes) complain("note: " + note);
+  if (options.quiet) return exit_done;
+  std::string text;
+  for (const auto& path : paths) text += "wrote " + printable(path) + '\n';
+  return print(text + made.summary + '\n');
+}
+
+}  // namespace
+
+ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
+                          const Options& options) {
+  const auto design = read_result_design(file, exporting.design);
+  if (!design) return refuse_file(design.error());
+  tl::expected<Exported, std::string> made;
+  const std::string type = text_under(design->table["mechanism"], "type");
+  if (type == "equivalent") {
+    return refuse_file(design->name +
+                       ": designs[0]: mechanism.type is \"equivalent\", a machine given by its "
+                       "inertia and torque, which has no shape; one with a [mechanism] is wanted");
+  }
+  if (type == "cam") {
+    const auto cam = result_cam(*design);
+    if (!cam) return refuse_file(cam.error());
+    made = export_cam(*cam, exporting, stem_of(file));
+  } else if (type == "gear" || type == "gear-pair") {
+    const auto gears = result_gears(*design);
+    if (!gears) return refuse_file(gears.error());
+    made = export_gears(*gears, exporting, stem_of(file));
+  } else {
+    const auto linkage = result_linkage(*design);
+    if (!linkage) return refuse_file(linkage.error());
+    made = export_linkage(*linkage, exporting, stem_of(file), options);
+  }
+  return made ? write_and_tell(file, *made, options) : complain_that(made.error());
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,197 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/computation.hpp"
+#include "app/console/interrupt.hpp"
+#include "app/console/messages.hpp"
+#include "app/console/progress.hpp"
+#include "app/console/terminal.hpp"
+#include "app/documents/output_files.hpp"
+#include "app/documents/result_json.hpp"
+#include "app/documents/version.hpp"
+#include "app/report/study_report.hpp"
+#include "app/study/database.hpp"
+#include "app/study/evaluator.hpp"
+#include "app/study/lock.hpp"
+#include "app/study/metrics.hpp"
+#include "app/study/processes.hpp"
+#include "app/study/read_rows.hpp"
+#include "app/study/run.hpp"
+#include "app/study/summary.hpp"
+#include "problems/toml/file_text.hpp"
+
+namespace cognate::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kReportedRows = 5000;
+
+/// One sweep: its input and where its files go.
+struct Sweep {
+  const problems::Study& study;
+  StudyOrigin origin;
+  const Options& options;
+  fs::path folder;
+  std::string stem;
+
+  fs::path path(const char* ending) const { return folder / (stem + ending); }
+};
+
+ExitStatus complain_that(const std::string& what) {
+  complain(what);
+  return exit_bad_input;
+}
+
+EvaluatorMaker evaluators(const problems::Study& study, std::uint64_t seed) {
+  return [&study, seed](const std::atomic<bool>* stopped) {
+    return study_evaluator(study, seed, stopped);
+  };
+}
+
+/// Evaluates what is missing in `database`.
+StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& processes) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto before = database.counts().evaluated;
+  const auto total = problems::design_count(sweep.study);
+  WorkList work(database.missing(), block_size(sweep.study));
+  StudySummary summary{.seed = sweep.origin.seed};
+  {
+    const auto crew =
+        processes.crew(evaluators(sweep.study, sweep.origin.seed), work, sweep.options.threads);
+    const auto& interrupted = catch_interrupts();
+    Progress progress(sweep.options.quiet, interrupted, before, total);
+    summary.threads = crew->size();
+    summary.end = run_study(database, *crew,
+                            {.interrupted = interrupted,
+                             .time_limit = sweep.options.time_limit,
+                             .progress = [&] { progress.update(database.counts().evaluated); }});
+  }
+  summary.counts = database.counts();
+  summary.evaluated = summary.counts.evaluated - before;
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (before > 0) {
+    summary.notes.push_back(
+        before == total ? "every design had been evaluated before; nothing was left to do"
+                        : fmt::format("went on from {} designs evaluated before", grouped(before)));
+  }
+  if (database.unchecked_blocks() > 0) {
+    summary.notes.push_back(
+        fmt::format("{} blocks of rows have no checksums, having been stored without; whether "
+                    "they changed since is not known",
+                    grouped(database.unchecked_blocks())));
+  }
+  return summary;
+}
+
+/// What an unfinished run leaves, and how to go on.
+void say_end(const Sweep& sweep, const StudySummary& summary) {
+  if (summary.end == StudyEnd::done) return;
+  complain(fmt::format("{} after {} of {} designs; the same command goes on from there",
+                       summary.end == StudyEnd::interrupted ? "interrupted" : "time limit reached",
+                       grouped(summary.counts.evaluated),
+                       grouped(problems::design_count(sweep.study))));
+}
+
+ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& summary) {
+  const auto& options = sweep.options;
+  summary.best = best_rows(database.connection(), sweep.study, kListedRows);
+  const auto document = study_document(sweep.study, summary);
+  const bool has_report = !options.json || options.out;
+  if (has_report) {
+    const auto rows = report_rows(database.connection(), sweep.study, kReportedRows);
+    const auto written =
+        write_file(sweep.path(".report.html"), study_report_html(document, sweep.study, rows));
+    if (!written) return complain_that(written.error());
+  }
+  say_end(sweep, summary);
+  std::string text;
+  if (options.json) {
+    text = write_json(document);
+  } else if (!options.quiet) {
+    const Screen screen = standard_output();
+    text = study_table(sweep.study, summary, screen);
+    text += fmt::format("wrote {} and {}\n",
+                        printable(sweep.path(".study.db").lexically_normal().string()),
+                        printable(sweep.path(".report.html").lexically_normal().string()));
+    text = fitted(text, screen);
+  }
+  const ExitStatus printed = print(text);
+  if (printed != exit_done) return printed;
+  return summary.counts.kept > 0 ? exit_done : exit_no_design;
+}
+
+/// The part of the process that stores the rows.
+ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
+  const auto ready =
+      prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".report.html"});
+  const auto file = final_target(sweep.path(".study.db"));
+  const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());
+  std::optional<StudyDatabase> database;
+  std::string fault = lock ? "" : lock.error();
+  if (lock) {
+    try {
+      database.emplace(file, sweep.study, sweep.origin);
+    } catch (const StudyFileError& error) {
+      fault = error.what();
+    }
+  }
+  if (!processes.agree(database.has_value(), input)) {
+    return fault.empty() ? exit_bad_input : complain_that(fault);
+  }
+  try {
+    auto summary = run(sweep, *database, processes);
+    return report(sweep, *database, summary);
+  } catch (const StudyFileError& error) {
+    return complain_that(error.what());
+  } catch (const SqliteError& error) {
+    return complain_that(
+        fmt::format("cannot read '{}': {}", database->file().string(), error.what()));
+  }
+}
+
+fs::path folder_of(const fs::path& file) {
+  std::error_code error;
+  return fs::absolute(file, error).parent_path();
+}
+
+tl::expected<problems::Study, std::vector<problems::Fault>> unreadable(const std::string& why) {
+  return tl::unexpected(std::vector<problems::Fault>{{1, 1, why}});
+}
+
+}  // namespace
+
+ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProcesses& processes) {
+  // A file that may not grow is then an error of writing like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  // Once: a pipe gives its text no second time. Ctrl-C ends the program while it waits for one.
+  const auto text = problems::reading::text_of(file);
+  const auto study = text ? problems::parse_study(*text, folder_of(file), study_metrics)
+                          : unreadable(text.error());
+  if (!study) {
+    processes.agree(false, "");
+    return refuse(file, study.error());
+  }
+  catch_interrupts();
+  const Sweep sweep{
+      .study = *study,
+      .origin = {.text = *text, .version = std::string(version()), .seed = options.seed},
+      .options = options,
+      .folder = options.out.value_or("."),
+      .stem = file.stem().string()};
+  const auto input = fmt::format("{}\n{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,
+                                 sweep.origin.text, study->base_text, study->drawing);
+  if (processes.is_first()) return direct(sweep, processes, input);
+  if (!processes.agree(true, input)) return exit_bad_input;
+  processes.serve(evaluators(*study, options.seed), options.threads);
+  return exit_done;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,28 @@
+/// @file Messages to the user that more than one command gives.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/console/exit_status.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::app {
+
+/// `text` with every control character replaced by '?', so that a file's text cannot move the
+/// cursor or change colours. Text is UTF-8.
+std::string printable(std::string_view text);
+
+/// One line for each fault: `FILE:LINE:COLUMN: what is wrong; what is allowed`.
+std::string fault_lines(const std::filesystem::path& file,
+                        const std::vector<problems::Fault>& faults);
+
+/// Says `message` on standard error, after the program's name.
+void complain(std::string_view message);
+
+/// Writes `text` to standard output. Where that fails says so, and the status is that of bad input.
+ExitStatus print(std::string_view text);
+
+}  // namespace cognate::app

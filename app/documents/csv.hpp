@@ -1,0 +1,24 @@
+/// @file The table of an analysis as CSV (RFC 4180).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problems/evaluation/result.hpp"
+
+namespace cognate::app {
+
+/// A column of words that stands before all others; none where its name is empty.
+struct CsvWords {
+  std::string name{};
+  std::vector<std::string> cells{};  ///< one for each row
+};
+
+/// A header line with the columns' names, then one line for each row; lines end in CR LF. A name
+/// that holds a comma, a quote or a line break is quoted. Numbers are the shortest that read back
+/// to the same double, with a decimal point whatever the locale; what is not a number is an empty
+/// cell.
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words = {});
+
+}  // namespace cognate::app

@@ -1,0 +1,77 @@
+#include "app/documents/json_values.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::Box;
+using problems::Range;
+
+bool is_finite(const Range& range) {
+  return std::isfinite(range.min) && std::isfinite(range.max);
+}
+
+}  // namespace
+
+ordered_json to_json(const Vec2d& point) {
+  return ordered_json::array({point.x, point.y});
+}
+
+ordered_json to_json(const Range& range) {
+  if (is_finite(range)) return ordered_json::array({range.min, range.max});
+  ordered_json sides = ordered_json::object();
+  if (std::isfinite(range.min)) sides["min"] = range.min;
+  if (std::isfinite(range.max)) sides["max"] = range.max;
+  return sides;
+}
+
+ordered_json to_json_deg(const Range& range) {
+  return to_json(Range{degrees(range.min), degrees(range.max)});
+}
+
+ordered_json to_json(const Box& box) {
+  const Range x{box.min.x, box.max.x};
+  const Range y{box.min.y, box.max.y};
+  if (!is_finite(x) || !is_finite(y)) return {{"x", to_json(x)}, {"y", to_json(y)}};
+  return ordered_json::array({to_json(box.min), to_json(box.max)});
+}
+
+ordered_json to_json(const FourBar& linkage) {
+  ordered_json table = {
+      {"type", "four-bar"},
+      {"fixed_pivots", ordered_json::array({to_json(linkage.pivot_a), to_json(linkage.pivot_d)})},
+      {"crank", linkage.crank},
+      {"coupler", linkage.coupler},
+      {"rocker", linkage.rocker},
+      {"assembly", problems::to_string(linkage.assembly)}};
+  if (linkage.coupler_point) table["coupler_point"] = to_json(*linkage.coupler_point);
+  return table;
+}
+
+void add_facts(ordered_json& table, std::span<const problems::Fact> facts) {
+  for (const auto& fact : facts) {
+    const auto value = std::visit([](const auto& any) { return ordered_json(any); }, fact.value);
+    const auto dot = fact.name.find('.');
+    if (dot == std::string::npos) {
+      table[fact.name] = value;
+    } else {
+      table[fact.name.substr(0, dot)][fact.name.substr(dot + 1)] = value;
+    }
+  }
+}
+
+std::optional<std::string> find_non_finite(const ordered_json& document) {
+  if (document.is_number_float() && !std::isfinite(document.get<double>())) return "";
+  if (!document.is_structured()) return std::nullopt;
+  for (const auto& [key, value] : document.items()) {
+    if (const auto below = find_non_finite(value)) return "/" + key + *below;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,231 @@
+#include "app/documents/result_json.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "app/documents/json_values.hpp"
+#include "app/documents/problem_json.hpp"
+#include "app/documents/version.hpp"
+#include "app/kinds/evaluation/problem_json.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::to_string;
+
+ordered_json error_json(const problems::TargetError& error, bool angular) {
+  ordered_json table = {
+      {"sum_of_squares", error.sum_of_squares}, {"rms", error.rms}, {"max", error.max}};
+  if (angular) {
+    table["rms_deg"] = degrees(error.rms);
+    table["max_deg"] = degrees(error.max);
+  }
+  return table;
+}
+
+void set_finite(ordered_json& table, const char* key, const std::optional<double>& value) {
+  if (value && std::isfinite(*value)) table[key] = *value;
+}
+
+ordered_json metrics_json(const problems::Metrics& metrics) {
+  ordered_json table = ordered_json::object();
+  if (metrics.mobility) table["class"] = to_string(*metrics.mobility);
+  add_finite_facts(table, metrics.facts);
+  table["change_point"] = metrics.change_point;
+  table["transmission_angle_deg"] = {{"min", degrees(metrics.transmission_min)},
+                                     {"max", degrees(metrics.transmission_max)},
+                                     {"acute_min", degrees(metrics.transmission_acute_min)}};
+  table["time_ratio"] = metrics.time_ratio ? ordered_json(*metrics.time_ratio) : nullptr;
+  table["defects"] = ordered_json::array();
+  for (const auto defect : metrics.defects) table["defects"].push_back(to_string(defect));
+  set_finite(table, "peak_acceleration", metrics.peak_acceleration);
+  set_finite(table, "torque_ripple", metrics.torque_ripple);
+  set_finite(table, "speed_fluctuation", metrics.speed_fluctuation);
+  set_finite(table, "flywheel_inertia", metrics.flywheel_inertia);
+  set_finite(table, "motor_power", metrics.motor_power);
+  if (metrics.input_start) table["input_start_deg"] = degrees(*metrics.input_start);
+  if (metrics.output_start) table["output_start_deg"] = degrees(*metrics.output_start);
+  set_finite(table, "precision_residual", metrics.precision_residual);
+  set_finite(table, "condition", metrics.condition);
+  return table;
+}
+
+/// The JSON of one side of a check; infinite numbers, which JSON cannot hold, give null.
+struct CheckedValue {
+  ordered_json operator()(double value) const {
+    return std::isfinite(value) ? ordered_json(value) : nullptr;
+  }
+  ordered_json operator()(const std::string& value) const { return value; }
+  ordered_json operator()(const problems::Range& value) const { return to_json(value); }
+};
+
+bool is_angular(const problems::Problem& problem) {
+  const auto* function = std::get_if<problems::FunctionProblem>(&problem);
+  return function && function->type == problems::MechanismType::four_bar;
+}
+
+ordered_json design_json(const problems::Design& design, bool angular) {
+  ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
+  const bool slides =
+      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
+  auto& stations = table[slides ? "slide" : "crank_deg"] = ordered_json::array();
+  for (const double at : design.crank_angles) stations.push_back(slides ? at : degrees(at));
+  table["error"] = error_json(design.error, angular);
+  table["metrics"] = metrics_json(design.metrics);
+  table["constraints"] = ordered_json::array();
+  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
+  table["origin"] = design.origin;
+  if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
+  if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
+  return table;
+}
+
+/// A branch ends where a point is not finite, and another begins after it.
+ordered_json locus_json(const problems::Locus& locus) {
+  ordered_json branches = ordered_json::array();
+  for (const auto& branch : locus.branches) {
+    ordered_json points = ordered_json::array();
+    for (const Vec2d& point : branch) {
+      if (std::isfinite(point.x) && std::isfinite(point.y)) {
+        points.push_back(to_json(point));
+      } else if (!points.empty()) {
+        branches.push_back(std::exchange(points, ordered_json::array()));
+      }
+    }
+    if (!points.empty()) branches.push_back(points);
+  }
+  return {{"name", locus.name}, {"branches", branches}};
+}
+
+ordered_json family_json(const problems::Family& family) {
+  ordered_json columns = ordered_json::array();
+  for (const auto& column : family.columns) {
+    ordered_json values = ordered_json::array();
+    for (const double value : column.values) {
+      values.push_back(std::isfinite(value) ? ordered_json(value) : nullptr);
+    }
+    columns.push_back({{"name", column.name}, {"values", values}});
+  }
+  return {{"name", family.name}, {"columns", columns}};
+}
+
+/// What a synthesis tells of itself in single numbers; tables that would be empty are left out.
+void add_facts_and_proof(ordered_json& document, const problems::Result& result) {
+  if (!result.facts.empty()) add_finite_facts(document["facts"], result.facts);
+  if (const auto& proof = result.certificate) {
+    document["certificate"] = {{"lower_bound", proof->lower_bound},
+                               {"upper_bound", proof->upper_bound},
+                               {"gap_relative", proof->gap_relative},
+                               {"complete", proof->complete},
+                               {"boxes", proof->boxes},
+                               {"domain", proof->domain}};
+  }
+}
+
+/// What a synthesis tells besides its designs; tables that would be empty are left out.
+void add_findings(ordered_json& document, const problems::Result& result) {
+  for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
+  for (const auto& family : result.families) document["families"].push_back(family_json(family));
+  add_facts_and_proof(document, result);
+}
+
+bool is_row(const ordered_json& value) {
+  return value.is_array() && std::ranges::none_of(value, &ordered_json::is_structured);
+}
+
+/// Appends the text of `value`; `line` is a line break and the present indentation.
+void append_json(std::string& text, const ordered_json& value, const std::string& line) {
+  if (!value.is_structured() || value.empty() || is_row(value)) {
+    text += value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    return;
+  }
+  const std::string inner = line + "  ";
+  text += value.is_object() ? '{' : '[';
+  bool first = true;
+  for (const auto& [key, member] : value.items()) {
+    if (!first) text += ',';
+    first = false;
+    text += inner;
+    if (value.is_object()) {
+      text += ordered_json(key).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+      text += ": ";
+    }
+    append_json(text, member, inner);
+  }
+  text += line;
+  text += value.is_object() ? '}' : ']';
+}
+
+}  // namespace
+
+tl::expected<ordered_json, std::string> result_document(const problems::Problem& problem,
+                                                        const problems::Result& result,
+                                                        std::uint64_t seed) {
+  const bool angular = is_angular(problem);
+  ordered_json document = {{"format", "cognate-result/1"},
+                           {"version", version()},
+                           {"seed", seed},
+                           {"status", to_string(result.status)},
+                           {"problem", to_json(problem)}};
+  document["designs"] = ordered_json::array();
+  for (const auto& design : result.designs) {
+    document["designs"].push_back(design_json(design, angular));
+  }
+  add_findings(document, result);
+  document["notes"] = result.notes;
+  document["work"] = to_json(result.work);
+  if (const auto where = find_non_finite(document)) {
+    return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
+  }
+  return document;
+}
+
+ordered_json best_design_json(const problems::Problem& problem, const problems::Result& result) {
+  ordered_json table = ordered_json::object();
+  if (!result.designs.empty()) table = design_json(result.designs.front(), is_angular(problem));
+  add_facts_and_proof(table, result);
+  return table;
+}
+
+void add_finite_facts(ordered_json& table, std::vector<problems::Fact> facts) {
+  std::erase_if(facts, [](const problems::Fact& fact) {
+    const auto* number = std::get_if<double>(&fact.value);
+    return number != nullptr && !std::isfinite(*number);
+  });
+  add_facts(table, facts);
+}
+
+ordered_json to_json(const problems::ConstraintCheck& check) {
+  return {{"name", check.name},
+          {"value", std::visit(CheckedValue{}, check.value)},
+          {"bound", std::visit(CheckedValue{}, check.bound)},
+          {"satisfied", check.satisfied}};
+}
+
+ordered_json to_json(const problems::Work& work) {
+  return {{"seconds", work.seconds},
+          {"threads", work.threads},
+          {"candidates", work.candidates},
+          {"positions", work.positions},
+          {"velocities", work.velocities},
+          {"accelerations", work.accelerations},
+          {"reactions", work.reactions},
+          {"gradients", work.gradients},
+          {"solver_iterations", work.solver_iterations},
+          {"skipped", work.skipped}};
+}
+
+std::string write_json(const ordered_json& document) {
+  std::string text;
+  append_json(text, document, "\n");
+  return text + '\n';
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,222 @@
+#include "app/kinds/cam/catalogue.hpp"
+
+#include "problems/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using cam::MotionLaw;
+
+constexpr Entry kTranslatingRoller[] = {
+    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"offset",
+     "of the follower's line from the cam's centre; positive helps the rise; 0 with constant "
+     "breadth"},
+    {"roller_radius", "in [mechanism] or [follower]"}};
+constexpr Entry kTranslatingFlat[] = {
+    {"base_radius", "least distance of the face from the cam's centre"},
+    {"offset", "of the follower's line, without effect on the cam (default 0)"}};
+constexpr Entry kTranslatingKnife[] = {
+    {"base_radius", "least distance of the edge from the cam's centre"},
+    {"offset", "of the follower's line from the cam's centre; positive helps the rise"}};
+constexpr Entry kOscillatingRoller[] = {
+    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"centre_distance", "of the follower's pivot from the cam's centre"},
+    {"arm", "from the pivot to the roller's centre; in [mechanism] or [follower]"},
+    {"roller_radius", "in [mechanism] or [follower]"}};
+constexpr Entry kOscillatingFlat[] = {
+    {"base_radius", "least distance of the face from the cam's centre"},
+    {"centre_distance", "of the follower's pivot from the cam's centre"},
+    {"face_offset", "by how much the face lies nearer to the cam than its pivot (default 0)"}};
+
+constexpr KeyedEntry kFollowers[] = {
+    {"translating-roller", "a roller on a slide", kTranslatingRoller},
+    {"translating-flat", "a face square to its slide", kTranslatingFlat},
+    {"translating-knife", "an edge on a slide", kTranslatingKnife},
+    {"oscillating-roller", "a roller on a swinging arm", kOscillatingRoller},
+    {"oscillating-flat", "a swinging face", kOscillatingFlat}};
+
+constexpr Entry kFollower[] = {
+    {"type", "one of the followers above"},
+    {"side", "oscillating: \"trailing\" (default) or \"leading\""},
+    {"closure",
+     "\"force\" (default), \"groove\", \"conjugate\" (rollers) or \"constant-breadth\" "
+     "(translating)"},
+    {"breadth",
+     "translating conjugate and constant-breadth: between both contacts; free if left "
+     "out"},
+    {"arms_deg", "oscillating conjugate: angle between the arms"},
+    {"mass", "translating; inertia: oscillating, about the pivot; with drive.speed"},
+    {"spring_rate", "by length, or by radian of an oscillating follower"},
+    {"preload",
+     "of the spring at displacement 0; left out: the least that keeps contact; wanted "
+     "where angles or shares of the motion are free and forces limited or least"},
+    {"load", "constant, against the rise: a force, or a moment about the pivot"}};
+
+constexpr Entry kMotion[] = {
+    {"law", "one of the motion laws below"},
+    {"over_deg", "of the cam; [min, max]: free within. All add up to 360"},
+    {"rise", "translating; rise_deg: oscillating; negative in a return, none in a dwell"},
+    {"sine, constant, cosine",
+     "universal: shares of the acceleration's course, 1 together at most, the rest at constant "
+     "velocity; [min, max]: free within"},
+    {"conditions",
+     "polynomial: [{at_deg, displacement | velocity | acceleration | jerk}, ...], with both ends "
+     "16 at most; derivatives by the cam's angle in radians; displacement_deg: oscillating"},
+    {"points",
+     "spline: [[at_deg, displacement], ...] inside, displacement in degrees: oscillating"},
+    {"degree", "spline: 3 or 5 (default)"},
+    {"velocity", "spline: [begin, end] (default 0), acceleration: likewise, of degree 5"},
+    {"periodic", "spline of a whole turn: true: its ends join smoothly"}};
+
+constexpr Entry kMechanism[] = {
+    {"base_radius, offset, roller_radius, centre_distance, arm, face_offset",
+     "of the follower's type; what is left out is found"},
+    {"rotation", "\"ccw\" (default) or \"cw\""}};
+
+constexpr Entry kBounds[] = {
+    {"base_radius, offset, roller_radius, centre_distance, arm, face_offset",
+     "[min, max]; inf leaves a side open"}};
+
+constexpr Entry kTarget[] = {
+    {"objective",
+     "what is least: \"size\" (the base radius, default), \"pressure-angle\", \"contact-force\", "
+     "\"torque\" or \"contact-stress\"; of conjugate cams neither contact force nor stress"}};
+
+constexpr Entry kConstraints[] = {
+    {"pressure_angle_deg_max", "of either sign, everywhere"},
+    {"pressure_angle_deg_max_rise", "of either sign, in the rises, their ends included"},
+    {"pressure_angle_deg_max_return", "of either sign, in the returns, their ends included"},
+    {"pressure_angle_deg_max_rise_working",
+     "in the rises, only on the side to which the cam pushes"},
+    {"pressure_angle_deg_max_return_working", "in the returns, only on the other side"},
+    {"curvature_radius_min", "of the profile where it is convex (default 0)"},
+    {"no_undercut", "true (default); false allows it, without curvature_radius_min"},
+    {"concave_radius_min", "of the profile where it is concave (not flat faces)"},
+    {"face_width_max", "flat faces"},
+    {"profile_radius_min, profile_radius_max", "of the profile from the cam's centre"},
+    {"contact_force_max", "with masses, spring or load; not of rollers of constant breadth"},
+    {"torque_max", "that drives the cam, of either sense; with masses, spring or load"},
+    {"contact_stress_max", "with [contact] besides; not with constant breadth"},
+    {"no_separation", "true (default): the follower never lifts off; force closure"}};
+
+constexpr Entry kDrive[] = {{"speed", "of the cam, constant, rad/s"}};
+
+constexpr Entry kContact[] = {{"width", "of the line of contact"},
+                              {"elasticity", "[E1, E2] of cam and follower"},
+                              {"poisson", "[nu1, nu2] (default 0.3 each)"}};
+
+constexpr Entry kSolve[] = {{"solver, starts, tolerance", "as below; no solver for least squares"},
+                            {"designs", "1 to 100 (default 1)"}};
+
+constexpr KeyedEntry kTables[] = {
+    {"[follower]", "what the cam moves", kFollower},
+    {"[[motion]]", "a segment, in the order of the turn, from the base circle", kMotion},
+    {"[mechanism]", "its lengths", kMechanism},
+    {"[bounds]", "of lengths", kBounds},
+    {"[target]", "what is sought", kTarget},
+    {"[constraints]", "on the cam", kConstraints},
+    {"[drive]", "how it runs", kDrive},
+    {"[contact]", "materials, for contact stress", kContact},
+    {"[solve]", "how it is found", kSolve}};
+
+std::string_view meaning(MotionLaw law) {
+  switch (law) {
+    case MotionLaw::dwell:
+      return "the follower stays where it is";
+    case MotionLaw::constant_velocity:
+      return "knocks at its ends";
+    case MotionLaw::constant_acceleration:
+      return "parabolic: the least acceleration, which jumps";
+    case MotionLaw::harmonic:
+      return "half a cosine: acceleration jumps against a dwell";
+    case MotionLaw::cycloidal:
+      return "acceleration a full sine: smooth at dwells";
+    case MotionLaw::polynomial_345:
+      return "polynomial without velocity and acceleration at its ends";
+    case MotionLaw::polynomial_4567:
+      return "and without jerk there";
+    case MotionLaw::modified_sine:
+      return "low torque at dwells";
+    case MotionLaw::modified_trapezoid:
+      return "low acceleration, smooth at dwells";
+    case MotionLaw::modified_constant_velocity:
+      return "constant over the middle half of the segment";
+    case MotionLaw::double_harmonic:
+      return "smooth at the dwell below, not above, where the return follows";
+    case MotionLaw::universal:
+      return "sine, constant, cosine and zero acceleration by shares";
+    case MotionLaw::polynomial:
+      return "by conditions";
+    case MotionLaw::spline:
+      return "through points";
+  }
+  return {};
+}
+
+bool has_parameters(MotionLaw law) {
+  return law == MotionLaw::universal || law == MotionLaw::polynomial || law == MotionLaw::spline;
+}
+
+constexpr Metric kCamMetrics[] = {
+    {"stroke", "length", "greatest displacement of a translating follower"},
+    {"swing_deg", "deg", "of an oscillating one"},
+    {"pressure_angle_deg_max", "deg", "greatest of either sign"},
+    {"pressure_angle_deg_max_rise", "deg", "in the rises, of either sign"},
+    {"pressure_angle_deg_max_return", "deg", "in the returns, of either sign"},
+    {"pressure_angle_deg_max_rise_working", "deg",
+     "in the rises, on the side to which the cam pushes"},
+    {"pressure_angle_deg_max_return_working", "deg", "in the returns, on the other side"},
+    {"curvature_radius_min", "length", "of the profile where it is convex; negative: undercut"},
+    {"concave_radius_min", "length", "of the profile where it is concave"},
+    {"undercut", "boolean", "whether the profile cannot guide its follower everywhere"},
+    {"profile_radius_min, profile_radius_max", "length", "distance of the profile from the centre"},
+    {"face_width", "length", "of a flat face that the contact passes over"},
+    {"breadth", "length", "of parallel contacts, constant"},
+    {"second_cam_base_radius", "length", "of the other cam of a conjugate pair"},
+    {"second_cam_pressure_angle_deg_max", "deg", "of that cam"},
+    {"second_cam_curvature_radius_min", "length", "of that cam"},
+    {"second_cam_contact_force_max", "N", "of that cam, which takes what the first cannot"},
+    {"second_cam_contact_stress_max", "Pa", "of that cam"},
+    {"roller_speed_max", "rad/s", "of the roller about its axis, as seen from the follower"},
+    {"roller_speed_ratio_max", "1", "the same over the cam's speed, where none is given"},
+    {"follower_velocity_max", "length/s or rad/s", "at the cam's speed"},
+    {"follower_acceleration_max", "length/s² or rad/s²", "at the cam's speed"},
+    {"follower_jerk_max", "length/s³ or rad/s³", "at the cam's speed"},
+    {"preload", "N or N·m", "of the follower: given, or the least that keeps contact"},
+    {"preload_min", "N or N·m", "the least that keeps contact"},
+    {"demand_min", "N or N·m", "least push along the motion; negative: lifts off"},
+    {"contact_force_max", "N", "along the normal"},
+    {"torque_max", "N·m", "that drives the cam, the greatest of either sense"},
+    {"contact_stress_max", "Pa", "Hertzian pressure of the line contact"},
+    {"..._at_deg", "deg", "of an extreme NAME, as NAME_at_deg: the cam angle where it is"}};
+
+}  // namespace
+
+std::span<const KeyedEntry> cam_followers() {
+  return kFollowers;
+}
+
+std::span<const KeyedEntry> cam_tables() {
+  return kTables;
+}
+
+std::vector<MotionLawEntry> motion_laws() {
+  std::vector<MotionLawEntry> all;
+  for (const auto& [name, law] : problems::names<MotionLaw>()) {
+    MotionLawEntry entry{name, meaning(law), std::nullopt, cam::handbook_factors(law)};
+    if (law == MotionLaw::dwell) {
+      entry.handbook.reset();
+    } else if (!has_parameters(law)) {
+      entry.factors = cam::peak_factors({.law = law, .over = 1, .rise = 1});
+    }
+    all.push_back(entry);
+  }
+  return all;
+}
+
+std::span<const Metric> cam_metrics() {
+  return kCamMetrics;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,113 @@
+#include "app/kinds/machine/catalogue.hpp"
+
+namespace cognate::app {
+namespace {
+
+constexpr Entry kLoad[] = {
+    {"value",
+     "what force and torque are multiplied by: an expression in phi, w, t, s, v (s: travel of the "
+     "body, along its slide, or rad from the end of its swing, or its angle where it turns fully; "
+     "v: "
+     "its rate), or [[crank_deg, value], ...]"},
+    {"interpolation", "of such a table: \"linear\" (default) or \"smooth\""}};
+constexpr Entry kEquivalent[] = {
+    {"inertia", "kg m2 at the drive: a number, an expression in phi, or [[deg, inertia], ...]"},
+    {"torque",
+     "N m at the drive: a number, an expression in phi, w and t, or [[deg, torque], ...]"},
+    {"interpolation", "of these tables: \"linear\" (default) or \"smooth\""}};
+constexpr Entry kMotor[] = {
+    {"torque", "N m: a number, or an expression in its speed w, the drive's phi, and t"},
+    {"line", "or: {stall_torque, no_load_speed}, straight between and beyond them"},
+    {"table", "or: [[speed, torque], ...], constant beyond its ends"},
+    {"interpolation", "of the table: \"linear\" (default) or \"smooth\""},
+    {"ratio", "motor speed over drive speed (default 1)"},
+    {"efficiency", "of the gears between them while the motor drives (default 1)"},
+    {"inertia", "kg m2, of the rotor about its own axis (default 0)"}};
+constexpr Entry kFlywheel[] = {
+    {"inertia", "kg m2 at the drive"},
+    {"fluctuation", "or: (greatest - least)/mean speed that the flywheel to be found shall leave"}};
+constexpr Entry kBrake[] = {{"torque", "N m at the drive, against the motion, the motor off"}};
+constexpr Entry kRun[] = {
+    {"tasks", "which of \"steady\", \"start\", \"stop\" (default [\"steady\"])"},
+    {"start_deg", "the drive's angle where a start begins (default 0)"},
+    {"start_speed", "rad/s, of the drive where it begins (default 0)"},
+    {"speed_end", "rad/s, at which it ends"},
+    {"time_max", "s, after which a start or a stop ends; until then a machine at rest waits"},
+    {"turns_max", "of the drive, after which a start or a stop ends"},
+    {"steps",
+     "rows of the table for a turn of the steady motion, or for a whole start or stop, 12 to "
+     "100000 "
+     "(default 360)"},
+    {"tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)"}};
+
+constexpr KeyedEntry kTables[] = {
+    {"[[load]]", "as of an analysis, and besides", kLoad},
+    {"[equivalent]", "at the drive, instead of a [mechanism] or besides it", kEquivalent},
+    {"[motor]", "what drives the machine", kMotor},
+    {"[flywheel]", "on the drive", kFlywheel},
+    {"[brake]", "of a stop", kBrake},
+    {"[run]", "which motions are wanted", kRun}};
+
+constexpr Metric kMetrics[] = {
+    {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of greatest and least"},
+    {"speed_max_rad_s", "rad/s", "greatest speed of the drive"},
+    {"speed_max_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
+    {"speed_min_rad_s", "rad/s", "least speed of the drive"},
+    {"speed_min_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
+    {"fluctuation", "1", "(greatest - least)/mean of the speed"},
+    {"fluctuation_without_flywheel", "1", "where a flywheel is to be found: without it"},
+    {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is what is wanted, exactly"},
+    {"flywheel_inertia_approximate_kg_m2", "kg m2",
+     "by the textbooks' formula, for comparison: excess work over mean speed squared and "
+     "fluctuation, less the equivalent inertia"},
+    {"greatest_excess_work_J", "J", "on which that formula stands, of the motion without flywheel"},
+    {"period_s", "s", "of the steady motion"},
+    {"energy_swing_J", "J", "greatest less least kinetic energy in a period"},
+    {"multiplier", "1", "what is left of a small deviation after a period; below 1: stable"},
+    {"energy_residual", "1",
+     "balance of the works in a period, relative, by a second integration of other equations"},
+    {"motor_work_J", "J", "of the motor in a period"},
+    {"motor_power_mean_W", "W", "of the motor over a period"},
+    {"motor_power_max_W", "W", "its greatest"},
+    {"start_time_s", "s",
+     "of the start: until speed_end is reached, else until the speed is within 1 % of the steady "
+     "one "
+     "at the same angle"},
+    {"start_turns", "1", "turns of the drive meanwhile"},
+    {"start_end_speed_rad_s", "rad/s", "speed at its end"},
+    {"stop_time_s", "s", "of the stop"},
+    {"stop_turns", "1", "turns of the drive meanwhile"},
+    {"stop_end_speed_rad_s", "rad/s", "speed at its end"}};
+
+constexpr Metric kColumns[] = {
+    {"task", "", "in the CSV, before the others: which motion the row is of"},
+    {"time_s", "s", "since the motion began"},
+    {"crank_deg", "deg", "the drive's angle, going on from turn to turn"},
+    {"speed_rad_s", "rad/s", "of the drive"},
+    {"acceleration_rad_s2", "rad/s2", "of the drive"},
+    {"inertia_kg_m2", "kg m2", "equivalent at the drive, flywheel and rotor included"},
+    {"inertia_slope_kg_m2", "kg m2", "its derivative by the drive's angle in radians"},
+    {"motor_N_m", "N m", "torque of the motor at the drive"},
+    {"load_N_m", "N m", "equivalent torque of loads and weights; against the motion negative"},
+    {"motor_power_W", "W", "of the motor"},
+    {"load_power_W", "W", "of loads and weights"},
+    {"motor_work_J", "J", "of the motor since the motion began"},
+    {"load_work_J", "J", "of loads and weights since then"},
+    {"kinetic_energy_J", "J", "of all that moves"},
+    {"excess_work_J", "J", "of all torques since the motion began"}};
+
+}  // namespace
+
+std::span<const KeyedEntry> machine_tables() {
+  return kTables;
+}
+
+std::span<const Metric> machine_metrics() {
+  return kMetrics;
+}
+
+std::span<const Metric> machine_columns() {
+  return kColumns;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,32 @@
+/// @file The metrics that a study may ask for.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "app/documents/catalogue.hpp"
+#include "problems/study/read.hpp"
+
+namespace cognate::app {
+
+/// The names that a study of `base` may use: those of `cognate list --metrics`, and every number
+/// and word of the best design in the result document by its place there ("error.rms",
+/// "mechanism.coupler").
+problems::MetricNames study_metrics(const problems::Task& base);
+
+/// The study in `file` with these metrics, or every fault found in it.
+tl::expected<problems::Study, std::vector<problems::Fault>> read_study(
+    const std::filesystem::path& file);
+
+/// What a study may ask of the designs of a problem besides its metrics, for `cognate list`.
+std::span<const Metric> study_extras();
+
+/// The single keys that a catalogue lists in one entry: "a_at_1, _at_2" is a_at_1 and a_at_2,
+/// "slide_1, slide_2, ..." slide_1 to slide_20.
+std::vector<std::string> single_keys(std::string_view listed);
+
+}  // namespace cognate::app

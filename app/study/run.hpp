@@ -1,0 +1,27 @@
+/// @file Running a study: from a crew's blocks to the study file.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+
+#include "app/study/crew.hpp"
+#include "app/study/database.hpp"
+
+namespace cognate::app {
+
+enum class StudyEnd { done, interrupted, time_limit };
+
+/// How a run is steered from outside.
+struct StudySteering {
+  const std::atomic<bool>& interrupted;
+  std::optional<double> time_limit;  ///< seconds
+  std::function<void()> progress;    ///< called some times a second
+};
+
+/// Stores the blocks of `crew` until there are no more, or it is interrupted, or the time is over.
+/// What was stored until then is committed. `done` where all designs of the study are; interrupted,
+/// too, where some of the crew gave up by themselves. Throws as StudyDatabase and the crew do.
+StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering& steering);
+
+}  // namespace cognate::app

@@ -1,9 +1,0 @@
-#include "app/version.hpp"
-
-namespace cognate::app {
-
-std::string_view version() {
-  return COGNATE_VERSION;
-}
-
-}  // namespace cognate::app

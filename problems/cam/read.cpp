@@ -1,0 +1,71 @@
+#include "problems/cam/read.hpp"
+
+#include <fmt/core.h>
+
+#include "problems/cam/read_bounds.hpp"
+#include "problems/cam/read_constraints.hpp"
+#include "problems/cam/read_follower.hpp"
+#include "problems/cam/read_lengths.hpp"
+#include "problems/cam/read_motion.hpp"
+#include "problems/cam/read_operation.hpp"
+#include "problems/linkage/read_constraints.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+/// The tables of the file but those of its operation.
+struct Tables {
+  TableReader follower, mechanism, bounds, target, constraints, solve;
+};
+
+void read_rotation(TableReader& mechanism, CamProblem& problem) {
+  constexpr std::string_view kSenses[] = {"ccw", "cw"};
+  problem.clockwise = mechanism.choice_of("rotation", kSenses).value_or(0) == 1;
+}
+
+void read_solve(TableReader& solve, CamProblem& problem) {
+  problem.solve = reading::read_solve(solve, {}, false);
+  if (!solve.has("designs")) problem.solve.designs = 1;
+  const SolverChoice solver = problem.solve.solver;
+  if (solver != SolverChoice::ceres && solver != SolverChoice::gauss_newton) return;
+  solve.fault("solver", fmt::format("is \"{}\", which minimises sums of squares, and a cam's "
+                                    "objective is none; \"auto\" or a solver of NLopt or Ipopt is "
+                                    "wanted",
+                                    to_string(solver)));
+}
+
+void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
+  const std::size_t before = document.faults().size();
+  CamLengthTables lengths{tables.follower, tables.mechanism, tables.bounds};
+  read_rotation(tables.mechanism, problem);
+  read_cam_lengths(lengths, problem);
+  read_cam_operation(document, tables.follower, problem);
+  read_cam_motion(document, problem);
+  read_cam_objective(tables.target, problem);
+  read_cam_constraints(tables.constraints, problem);
+  read_solve(tables.solve, problem);
+  for (TableReader* table : {&tables.follower, &tables.mechanism, &tables.bounds, &tables.target,
+                             &tables.constraints, &tables.solve}) {
+    table->finish();
+  }
+  if (document.faults().size() > before) return;  // what follows takes the rest for granted
+  check_cam_assembly(lengths, problem);
+  check_cam_size(tables.mechanism, problem);
+  check_preload(tables.follower, problem);
+}
+
+}  // namespace
+
+CamProblem read_cam_problem(TableReader& document) {
+  CamProblem problem;
+  Tables tables{document.table("follower"), document.table("mechanism"),   document.table("bounds"),
+                document.table("target"),   document.table("constraints"), document.table("solve")};
+  if (read_follower(tables.follower, problem)) {
+    read_tables(document, tables, problem);
+  } else {
+    document.know({"motion", "drive", "contact"});
+  }
+  return problem;
+}
+
+}  // namespace cognate::problems::reading

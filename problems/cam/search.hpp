@@ -1,0 +1,40 @@
+/// @file The best cam from a start, by optimisation under limits that hold at every position.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/cam/cam.hpp"
+#include "problems/cam/variables.hpp"
+#include "problems/deadline.hpp"
+#include "problems/result.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// The cam at `x`; nothing where it cannot be put together or its motion has no pieces.
+std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const double> x);
+
+/// Where a search ended.
+struct CamCandidate {
+  std::vector<double> x;
+  double objective = 0;          ///< in the file's unit (rad for angles), exact over the turn
+  double violation = 0;          ///< the worst of all margins below 0, exact over the turn
+  synthesis::Backend backend{};  ///< which came here
+};
+
+/// Limits at every position are infinitely many. They are kept by exchange (Blankenship & Falk
+/// 1976): the problem is solved with some positions, those where its solution breaks a limit most
+/// (all local extremes, found exactly) are added, until none does. Nothing where `start` has no
+/// value.
+std::optional<CamCandidate> search_cam(const CamVariables& variables, std::vector<double> start,
+                                       synthesis::Backend backend, const Deadline& deadline,
+                                       Work& work);
+
+/// Whether `a` is the better: feasible before infeasible, then by the objective, or the violation.
+bool is_better(const CamCandidate& a, const CamCandidate& b);
+
+/// What counts as no violation: solvers reach constraints to about this.
+inline constexpr double kCamFeasibility = 1e-10;
+
+}  // namespace cognate::problems

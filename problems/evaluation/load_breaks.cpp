@@ -1,0 +1,84 @@
+#include "problems/evaluation/load_breaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/mechanism/output_limits.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/zeros.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Where the travel passes the value `target` in `run`. Between `limits` it goes one way.
+class Passages {
+ public:
+  Passages(const Mechanism<double>& mechanism, const Course& course, const Travel& travel)
+      : motion_(mechanism, course), travel_(travel) {}
+
+  void find(const CourseRun& run, const std::vector<OutputValue>& limits, double target,
+            std::vector<double>& found) {
+    std::vector<double> places = crowded(run.from, run.to, motion_.course().cells(run));
+    for (const OutputValue& limit : limits) places.push_back(limit.drive);
+    std::ranges::sort(places);
+    const auto f = [&](double drive) { return beyond(drive, target); };
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const double a = places[i - 1], b = places[i];
+      const double at_a = f(a), at_b = f(b);
+      if (!(a < b && at_a * at_b < 0) || std::abs(at_a - at_b) > kTurn / 2) continue;
+      found.push_back(better_end(f, bracket_zero(f, a, at_a, b, at_b)));
+    }
+  }
+
+ private:
+  /// How far the travel is beyond `target`, of an angle by the shorter way.
+  double beyond(double drive, double target) {
+    if (!motion_.move_to(drive)) return std::nan("");
+    const double difference = travelled<1>(travel_, motion_.bodies()) - target;
+    return travel_.slides ? difference : std::remainder(difference, kTurn);
+  }
+
+  FollowedMotion<1> motion_;
+  Travel travel_;
+};
+
+/// The ends of an interval of the drive, in every turn of a drive that turns.
+void add_interval_ends(const Course& course, bool turns, const std::pair<double, double>& interval,
+                       std::vector<double>& breaks) {
+  const auto [low, high] = std::minmax(course.start, course.end);
+  for (double end : {interval.first, interval.second}) {
+    if (!turns) {
+      breaks.push_back(end);
+      continue;
+    }
+    for (end = low + in_one_turn(end - low); end < high; end += kTurn) breaks.push_back(end);
+  }
+}
+
+}  // namespace
+
+std::vector<double> load_breaks(const Mechanism<double>& mechanism, const Course& course,
+                                const LoadRule& rule, const Stroke& stroke) {
+  std::vector<double> breaks;
+  const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  if (rule.between) add_interval_ends(course, turns, *rule.between, breaks);
+  if (rule.sense == LoadSense::always && !rule.within_stroke) return breaks;
+  const Travel travel = travels(mechanism)[static_cast<std::size_t>(rule.at.body)];
+  const auto range = output_range(mechanism, course, travel);
+  if (!range) return breaks;
+  for (const OutputValue& limit : range->limits) breaks.push_back(limit.drive);
+  if (!rule.within_stroke) return breaks;
+  Passages passages(mechanism, course, travel);
+  for (const double part : {rule.within_stroke->first, rule.within_stroke->second}) {
+    const double target = stroke.least + part * (stroke.greatest - stroke.least);
+    for (const CourseRun& run : course.runs) passages.find(run, range->limits, target, breaks);
+  }
+  return breaks;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,209 @@
+#include "problems/evaluation/motion_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include "analysis/linkage/guide_bar_mobility.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/mechanism/circuit_range.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/mechanism/output_limits.hpp"
+#include "analysis/mechanism/transmission_extremes.hpp"
+#include "problems/evaluation/output_travel.hpp"
+#include "problems/evaluation/whole_motion.hpp"
+#include "problems/mechanism/joint_names.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegrees = 180 / kPi;
+
+using Facts = std::vector<Fact>;
+
+/// The time ratio by the type's dimensions, where there is a formula; from the motion else, and at
+/// change points, where the formula's limits may be passed.
+struct TimeRatio {
+  const AnalysisProblem& problem;
+  const Travel& travel;
+  const Deadline& deadline;
+
+  std::optional<double> operator()(const FourBar& linkage) const {
+    return is_change_point(lengths(linkage)) ? of_motion() : time_ratio(lengths(linkage));
+  }
+  std::optional<double> operator()(const SliderCrank& dimensions) const {
+    return is_change_point(dimensions) ? of_motion() : time_ratio(dimensions);
+  }
+  std::optional<double> operator()(const GuideBar& dimensions) const {
+    return is_change_point(dimensions) ? of_motion() : time_ratio(dimensions);
+  }
+  std::optional<double> operator()(const FixedBlock& dimensions) const {
+    return (*this)(as_slider_crank(dimensions));
+  }
+  std::optional<double> operator()(const OscillatingBlock& dimensions) const {
+    return (*this)(as_guide_bar(dimensions));
+  }
+  template <class Other>
+  std::optional<double> operator()(const Other&) const {
+    return of_motion();
+  }
+
+  std::optional<double> of_motion() const {
+    const auto& mechanism = problem.mechanism.mechanism;
+    const Course course = whole_motion(problem, deadline);
+    const auto range = output_range(mechanism, course, travel);
+    return range ? time_ratio(mechanism, course, *range) : std::nullopt;
+  }
+};
+
+/// Goes through one motion and collects what it says.
+class Summary {
+ public:
+  Summary(const AnalysisProblem& problem, const Course& course, const Deadline& deadline)
+      : problem_(problem),
+        deadline_(deadline),
+        mechanism_(problem.mechanism.mechanism),
+        course_(course),
+        travel_(output_travel(problem.mechanism)),
+        motion_(mechanism_, course) {}
+
+  MotionSummary collect() {
+    add_course_points();
+    add_transmission();
+    add_output();
+    std::ranges::stable_sort(summary_.landmarks, [this](const Landmark& a, const Landmark& b) {
+      return course_.start <= course_.end ? a.drive < b.drive : a.drive > b.drive;
+    });
+    return std::move(summary_);
+  }
+
+ private:
+  void add_landmark(std::string kind, const std::string& of, double drive) {
+    const bool found = motion_.move_to(drive);
+    const double value =
+        found ? travelled<0>(travel_, motion_.bodies()) : std::numeric_limits<double>::quiet_NaN();
+    summary_.landmarks.push_back({std::move(kind), of, drive, value});
+  }
+
+  void add_course_points() {
+    const auto names = dyad_names(problem_.mechanism);
+    for (const CoursePoint& point : course_.points) {
+      add_landmark(kind_of(point), names[static_cast<std::size_t>(point.dyad)], point.drive);
+    }
+  }
+
+  static std::string kind_of(const CoursePoint& point) {
+    switch (point.kind) {
+      case CoursePointKind::dead_point:
+        return "dead point";
+      case CoursePointKind::change_point:
+        return "change point";
+      case CoursePointKind::undetermined:
+        return "undetermined change point";
+      case CoursePointKind::parallel_guides:
+        return "end of range";
+    }
+    return "";
+  }
+
+  void add_transmission() {
+    const auto names = dyad_names(problem_.mechanism);
+    TransmissionAngles all{kPi, 0, kPi};
+    std::optional<double> pressure;
+    for (std::size_t i = 0; i < mechanism_.dyads.size(); ++i) {
+      if (deadline_.reached()) return;
+      const auto angles = transmission_extremes(mechanism_, course_, static_cast<int>(i));
+      if (!angles) return;
+      all = {std::min(all.min, angles->least.angle), std::max(all.max, angles->greatest.angle),
+             std::min(all.acute_min, angles->acute_least())};
+      if (!std::holds_alternative<Rrr<double>>(mechanism_.dyads[i])) {
+        pressure = std::max(pressure.value_or(0), angles->greatest_pressure());
+      }
+      constexpr double kConstant = 1e-9;  // radians
+      if (angles->greatest.angle - angles->least.angle < kConstant) continue;
+      add_landmark("least transmission angle", names[i], angles->least.drive);
+      add_landmark("greatest transmission angle", names[i], angles->greatest.drive);
+    }
+    if (mechanism_.dyads.empty()) return;
+    if (problem_.mechanism.four_bar) all = by_diagonal(*problem_.mechanism.four_bar);
+    add("transmission_angle_deg.min", kDegrees * all.min);
+    add("transmission_angle_deg.max", kDegrees * all.max);
+    add("transmission_angle_deg.acute_min", kDegrees * all.acute_min);
+    if (pressure) add("pressure_angle_max_deg", kDegrees * *pressure);
+  }
+
+  /// The angles of a four-bar by its diagonal, over the ranges of the course.
+  TransmissionAngles by_diagonal(const FourBar& linkage) const {
+    const auto links = lengths(linkage);
+    const double frame = frame_angle(linkage);
+    TransmissionAngles all{kPi, 0, kPi};
+    for (const CourseRun& run : course_.runs) {
+      const bool whole = run.to - run.from >= 2 * kPi && crank_rotates(links);
+      const auto part = whole ? transmission_angles(links)
+                              : transmission_angles(links, {run.from - frame, run.to - frame});
+      all = {std::min(all.min, part.min), std::max(all.max, part.max),
+             std::min(all.acute_min, part.acute_min)};
+    }
+    return all;
+  }
+
+  void add_output() {
+    const auto& name = problem_.mechanism.bodies[static_cast<std::size_t>(travel_.body)];
+    const auto range = output_range(mechanism_, course_, travel_);
+    if (!range) return;
+    summary_.facts.push_back({"output", name});
+    for (const OutputValue& limit : range->limits)
+      add_landmark("limit position", name, limit.drive);
+    add_strokes(*range);
+    const auto ratio =
+        std::visit(TimeRatio{problem_, travel_, deadline_}, problem_.mechanism.description);
+    if (ratio && std::isfinite(*ratio)) add("time_ratio", *ratio);
+  }
+
+  /// The output's stroke or swing in the range driven, the first of the course, and on the whole
+  /// circuit; none where the range is a whole turn in which the output turns too.
+  void add_strokes(const OutputRange& all) {
+    const bool is_one = course_.runs.size() == 1;
+    Course driven = course_;
+    driven.runs = {course_.start <= course_.end ? course_.runs.front() : course_.runs.back()};
+    const auto own = is_one ? all : output_range(mechanism_, driven, travel_);
+    const double unit = travel_.slides ? 1 : kDegrees;
+    if (own && (travel_.slides || own->stroke() < kFullTurn)) {
+      add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
+    } else if (own) {
+      return;
+    }
+    const auto stop = [this] { return deadline_.reached(); };
+    const auto circuit = circuit_range(mechanism_, driven.runs.front(), travel_, stop);
+    if (circuit) {
+      add(travel_.slides ? "circuit_stroke" : "circuit_swing_deg", unit * circuit->stroke);
+    }
+  }
+
+  static constexpr double kFullTurn = 2 * kPi * (1 - 1e-12);
+
+  void add(const char* name, double value) { summary_.facts.push_back({name, value}); }
+
+  const AnalysisProblem& problem_;
+  const Deadline& deadline_;
+  const Mechanism<double>& mechanism_;
+  const Course& course_;
+  Travel travel_;
+  FollowedMotion<0> motion_;
+  MotionSummary summary_;
+};
+
+}  // namespace
+
+MotionSummary summarise(const AnalysisProblem& problem, const Course& course,
+                        const Deadline& deadline) {
+  if (course.runs.empty()) return {};
+  return Summary(problem, course, deadline).collect();
+}
+
+}  // namespace cognate::problems

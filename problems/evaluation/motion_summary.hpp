@@ -1,0 +1,26 @@
+/// @file What holds of a motion as a whole.
+#pragma once
+
+#include <vector>
+
+#include "analysis/mechanism/course.hpp"
+#include "problems/deadline.hpp"
+#include "problems/evaluation/result.hpp"
+
+namespace cognate::problems {
+
+struct MotionSummary {
+  std::vector<Fact> facts;
+  std::vector<Landmark> landmarks;
+};
+
+/// Over `course`: extremes of transmission and pressure angles, the output's stroke or swing (in
+/// the range driven, the first of several, and on the whole circuit) and
+/// the time ratio (in closed form where the type has one; of the crank's whole turn), with the
+/// places where they stand, dead points and change points as landmarks in the order of the motion.
+/// Nothing where the mechanism can be assembled nowhere. Once `deadline` is reached it is not of
+/// the whole motion.
+MotionSummary summarise(const AnalysisProblem& problem, const Course& course,
+                        const Deadline& deadline);
+
+}  // namespace cognate::problems

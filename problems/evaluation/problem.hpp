@@ -1,0 +1,63 @@
+/// @file What an analysis file (`kind = "analysis"`) says, as values. Angles are in radians.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/mechanism/forces.hpp"
+#include "analysis/mechanism/mechanism.hpp"
+#include "problems/mechanism/load_sense.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
+
+namespace cognate::problems {
+
+/// `[drive]`: `steps` equal steps from `start` to `end`, both included (`steps` + 1 rows). For a
+/// driving slider the coordinate is a length, else an angle from the x axis.
+struct DriveSweep {
+  double start = 0;
+  double end = 0;
+  int steps = 360;
+  DriveRate rate;
+};
+
+/// `[[load]]`.
+struct LoadRule {
+  Attached<double> at;
+  Vec2d force{};
+  double torque = 0;
+  LoadSense sense = LoadSense::always;
+  /// Drive angles between which it acts, counter-clockwise from first to second; empty: all.
+  std::optional<std::pair<double, double>> between;
+  /// The part of the body's stroke in which it acts, as fractions 0…1 of the stroke; empty: all.
+  std::optional<std::pair<double, double>> within_stroke;
+};
+
+/// `[output]`: what is wanted; what is not is not computed.
+struct AnalysisOutput {
+  bool position = true;
+  bool velocity = true;
+  bool acceleration = true;
+  bool transmission = true;
+  bool curvature = false;  ///< of the paths of the named points, and their landmarks
+  bool reactions = false;
+  bool torque = false;
+  std::vector<int> points;  ///< indices of the named points to report; all that move when empty
+  std::vector<int> instant_geometry;  ///< the bodies whose poles and circles are wanted
+  bool curve = false;                 ///< measures of a four-bar's coupler curve over its circuit
+  bool cognates = false;              ///< Roberts' cognates of a four-bar with a coupler point
+};
+
+/// `kind = "analysis"`.
+struct AnalysisProblem {
+  std::string title;
+  NamedMechanism mechanism;
+  DriveSweep drive;
+  AnalysisOutput output;
+  std::vector<Inertia> inertias;  ///< one for each body; all zero where the file gives none
+  std::vector<LoadRule> loads;
+  Vec2d gravity{};
+};
+
+}  // namespace cognate::problems

@@ -1,0 +1,129 @@
+#include "problems/evaluation/read_output.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+struct Quantity {
+  std::string_view key;
+  bool AnalysisOutput::*wanted;
+};
+
+constexpr Quantity kQuantities[] = {{"position", &AnalysisOutput::position},
+                                    {"velocity", &AnalysisOutput::velocity},
+                                    {"acceleration", &AnalysisOutput::acceleration},
+                                    {"transmission", &AnalysisOutput::transmission},
+                                    {"curvature", &AnalysisOutput::curvature},
+                                    {"reactions", &AnalysisOutput::reactions},
+                                    {"torque", &AnalysisOutput::torque}};
+
+constexpr std::string_view kWant = "want";
+constexpr std::string_view kPoints = "points";
+constexpr std::string_view kInstantGeometry = "instant_geometry";
+
+void add_point_wanted(const PartNames& names, const Mention& mention, AnalysisOutput& output,
+                      FaultList& faults) {
+  const auto point = find_point(names, mention, faults);
+  if (!point) return;
+  const int index = static_cast<int>(*point);
+  if (std::ranges::find(output.points, index) == output.points.end()) {
+    output.points.push_back(index);
+  }
+}
+
+const Quantity* find_quantity(std::string_view word) {
+  const auto* const found = std::ranges::find(kQuantities, word, &Quantity::key);
+  return found == std::end(kQuantities) ? nullptr : found;
+}
+
+// A word of `want` that is neither a quantity nor a point.
+void fault_word(const PartNames& names, const Mention& mention, FaultList& faults) {
+  if (fault_briefly(mention, faults)) return;
+  std::vector<std::string_view> known;
+  for (const Quantity& quantity : kQuantities) known.push_back(quantity.key);
+  const std::string allowed = quoted_list(known);
+  const std::string points = point_list(names);
+  std::ranges::copy(names.all_points(), std::back_inserter(known));
+  const auto meant = nearest(mention.name, known);
+  faults.add(mention.where,
+             fmt::format("{} has {}{}; allowed are {} and the points {}", mention.called,
+                         in_quotes(mention.name), meant ? ", perhaps for " + in_quotes(*meant) : "",
+                         allowed, points));
+}
+
+void read_wanted(TableReader& table, const PartNames& names, AnalysisOutput& output) {
+  const auto wanted = read_mentions(table, kWant, {1, 10000, "words"});
+  if (!wanted) return;
+  const bool quantities = std::ranges::any_of(
+      *wanted, [](const Mention& mention) { return find_quantity(mention.name) != nullptr; });
+  for (const Quantity& quantity : kQuantities) {
+    if (quantities) output.*quantity.wanted = false;
+  }
+  for (const Mention& mention : *wanted) {
+    if (const auto* quantity = find_quantity(mention.name)) {
+      output.*quantity->wanted = true;
+    } else if (names.is_announced(mention.name)) {
+      add_point_wanted(names, mention, output, table.faults());
+    } else {
+      fault_word(names, mention, table.faults());
+    }
+  }
+}
+
+void read_instant_geometry(TableReader& table, const PartNames& names, AnalysisOutput& output) {
+  const auto bodies = read_mentions(table, kInstantGeometry, {1, 10000, "bodies"});
+  for (const Mention& mention : bodies.value_or(std::vector<Mention>{})) {
+    const auto body = find_body(names, mention, table.faults());
+    if (!body) continue;
+    if (*body == 0) {
+      table.faults().add(mention.where, fmt::format("{} has \"frame\", which does not move; a "
+                                                    "moving body is wanted",
+                                                    mention.called));
+    } else if (std::ranges::find(output.instant_geometry, *body) == output.instant_geometry.end()) {
+      output.instant_geometry.push_back(*body);
+    }
+  }
+}
+
+void read_keys(TableReader& table, AnalysisOutput& output) {
+  for (const Quantity& quantity : kQuantities) {
+    output.*quantity.wanted = table.boolean(quantity.key).value_or(output.*quantity.wanted);
+    if (!table.has(kWant) || !table.has(quantity.key)) continue;
+    table.fault(quantity.key, fmt::format("is given beside output.{0}; give {0} = [...] or a key "
+                                          "for each quantity",
+                                          kWant));
+  }
+}
+
+}  // namespace
+
+AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces) {
+  AnalysisOutput output;
+  output.reactions = forces;
+  output.torque = forces;
+  read_keys(table, output);
+  read_wanted(table, names, output);
+  const auto points = read_mentions(table, kPoints, {1, 10000, "points"});
+  for (const Mention& mention : points.value_or(std::vector<Mention>{})) {
+    add_point_wanted(names, mention, output, table.faults());
+  }
+  read_instant_geometry(table, names, output);
+  output.cognates = table.boolean(kCognates).value_or(false);
+  output.curve = table.boolean(kCurve).value_or(false);
+  const bool any = std::ranges::any_of(
+      kQuantities, [&](const Quantity& quantity) { return output.*quantity.wanted; });
+  if (!any && !table.has(kInstantGeometry) && !output.cognates && !output.curve) {
+    table.faults().add(table.where(), "[output] asks for nothing; at least one quantity is wanted");
+  }
+  table.finish();
+  return output;
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,21 @@
+/// @file `[output]`: what of an analysis is wanted.
+#pragma once
+
+#include <string_view>
+
+#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/part_names.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+/// The key that asks for Roberts' cognates.
+inline constexpr std::string_view kCognates = "cognates";
+inline constexpr std::string_view kCurve = "curve";
+
+/// What `table` asks for, by `want = [...]`, a list of quantities and points, or by a key for each
+/// quantity and `points = [...]`; by `instant_geometry` the names of bodies, and `cognates`.
+/// `forces`: whether reactions and torque are wanted where the file does not say.
+AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces);
+
+}  // namespace cognate::problems::reading

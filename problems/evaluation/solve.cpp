@@ -1,0 +1,191 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "analysis/linkage/cognates.hpp"
+#include "analysis/numbers/parallel.hpp"
+#include "problems/evaluation/curve_landmarks.hpp"
+#include "problems/evaluation/curve_metrics.hpp"
+#include "problems/evaluation/drive_rows.hpp"
+#include "problems/evaluation/force_extremes.hpp"
+#include "problems/evaluation/instant_geometry.hpp"
+#include "problems/evaluation/load_strokes.hpp"
+#include "problems/evaluation/motion_facts.hpp"
+#include "problems/evaluation/motion_summary.hpp"
+#include "problems/evaluation/open_rows.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/evaluation/sweep.hpp"
+#include "problems/evaluation/type_facts.hpp"
+#include "problems/evaluation/whole_motion.hpp"
+
+namespace cognate::problems {
+namespace {
+
+int closed_rows(const Sweep& sweep) {
+  return static_cast<int>(std::ranges::count(sweep.rows, kNone, &RowState::open_dyad));
+}
+
+Status status_of(const Sweep& sweep, const Deadline& deadline, bool whole) {
+  if (!whole) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  return closed_rows(sweep) > 0 ? Status::solved : Status::no_solution;
+}
+
+/// Where the table was ended early; nothing where it is whole.
+std::optional<std::string> ended_note(const AnalysisProblem& problem, const Sweep& sweep,
+                                      const Deadline& deadline) {
+  const int wanted = row_count(problem.drive);
+  if (sweep.rows.size() >= static_cast<std::size_t>(wanted)) return std::nullopt;
+  const char* what = deadline.interrupted() ? "the interruption ended the table"
+                                            : "the time limit ended the table";
+  return fmt::format("{} after {} of {} positions", what, sweep.rows.size(), wanted);
+}
+
+std::vector<std::string> skipped(const AnalysisOutput& wanted) {
+  std::vector<std::string> names;
+  const auto unless = [&](bool asked, const char* name) {
+    if (!asked) names.emplace_back(name);
+  };
+  const int order = needed_order(wanted);
+  unless(order >= 1, "velocities");
+  unless(order >= 2, "accelerations");
+  unless(order >= 3, "third derivatives");
+  unless(wanted.curvature, "curvature");
+  unless(wanted.transmission, "transmission");
+  unless(wanted.torque, "torque");
+  unless(wanted.reactions, "reactions");
+  return names;
+}
+
+Work work_of(const AnalysisProblem& problem, const Sweep& sweep, const Run& run,
+             const Deadline& deadline) {
+  const int order = needed_order(problem.output);
+  const std::uint64_t rows = sweep.rows.size();
+  Work work;
+  work.seconds = deadline.spent();
+  work.threads = thread_count(run.threads);
+  work.positions = rows;
+  work.velocities = order >= 1 ? rows : 0;
+  work.accelerations = order >= 2 ? rows : 0;
+  work.reactions = problem.output.reactions ? rows : 0;
+  work.skipped = skipped(problem.output);
+  return work;
+}
+
+/// The course of the rows, or of its first two turns, after which every motion repeats itself (an
+/// antiparallelogram takes two).
+Course summarised_course(const AnalysisProblem& problem, const Sweep& sweep,
+                         const Deadline& deadline) {
+  const double most = 4 * std::numbers::pi;
+  const double length = problem.drive.end - problem.drive.start;
+  const auto& drive = problem.mechanism.mechanism.drive;
+  const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+  if (slides || std::abs(length) <= most) return sweep.course;
+  const double start = problem.drive.start;
+  return follow_until(problem, start, start + std::copysign(most, length), deadline);
+}
+
+/// Adds whole turns to the output's angles at landmarks, so that they are those of the rows.
+void count_with_rows(std::vector<Landmark>& landmarks, const AnalysisProblem& problem,
+                     const Sweep& sweep) {
+  const auto is_output = [&](const BodyColumns& body) {
+    return body.body == problem.mechanism.output && body.angle.position != kNone;
+  };
+  const auto found = std::ranges::find_if(sweep.plan.bodies, is_output);
+  if (found == sweep.plan.bodies.end()) return;
+  const auto& angles = sweep.plan.columns[static_cast<std::size_t>(found->angle.position)].values;
+  const auto& [start, end, steps, rate] = problem.drive;
+  for (Landmark& landmark : landmarks) {
+    const double row = std::round((landmark.drive - start) / (end - start) * steps);
+    if (!(row >= 0 && row < static_cast<double>(angles.size()))) continue;
+    const double there = angles[static_cast<std::size_t>(row)] * std::numbers::pi / 180;
+    if (std::isfinite(there)) {
+      landmark.value = there + std::remainder(landmark.value - there, 2 * std::numbers::pi);
+    }
+  }
+}
+
+void append(std::vector<Fact>& facts, std::vector<Fact> more) {
+  std::ranges::move(more, std::back_inserter(facts));
+}
+
+/// In the order of the motion.
+void append(std::vector<Landmark>& landmarks, std::vector<Landmark> more, const Course& course) {
+  std::ranges::move(more, std::back_inserter(landmarks));
+  std::ranges::stable_sort(landmarks, [&](const Landmark& a, const Landmark& b) {
+    return course.start <= course.end ? a.drive < b.drive : a.drive > b.drive;
+  });
+}
+
+/// Those that exist, of the mechanism where its drive starts.
+std::vector<Cognate> cognates(const AnalysisProblem& problem) {
+  const auto& four_bar = problem.mechanism.four_bar;
+  if (!problem.output.cognates || !four_bar) return {};
+  const double start = problem.drive.start;
+  std::vector<Cognate> all;
+  if (const auto timed = timed_cognate(*four_bar)) {
+    all.push_back({true, *timed, start - frame_angle(*four_bar) + frame_angle(*timed)});
+  }
+  if (const auto by_coupler = coupler_cognate(*four_bar, start)) {
+    all.push_back({false, by_coupler->linkage, by_coupler->crank_angle});
+  }
+  return all;
+}
+
+/// Adds the extremes of forces: over the whole motion, or of the rows alone where the time does not
+/// suffice.
+void add_forces(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
+                const Deadline& deadline) {
+  std::optional<ForceExtremes> refined;
+  const bool asked = problem.output.torque || problem.output.reactions;
+  if (asked && !deadline.reached()) {
+    const Course course = summarised_course(problem, rows, deadline);
+    refined = force_extremes(problem, course, load_strokes(problem, deadline), deadline);
+  }
+  auto [facts, notes] = force_facts(problem, rows, refined);
+  append(result.facts, std::move(facts));
+  std::ranges::move(notes, std::back_inserter(result.notes));
+}
+
+/// Adds what holds of the motion as a whole; nothing, and false, if the time does not suffice.
+bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
+                    const Deadline& deadline) {
+  if (rows.rows.size() < static_cast<std::size_t>(row_count(problem.drive))) return false;
+  const Course course = summarised_course(problem, rows, deadline);
+  auto [facts, landmarks] = summarise(problem, course, deadline);
+  append(landmarks, curve_landmarks(problem, course, deadline), course);
+  if (deadline.reached()) return false;
+  count_with_rows(landmarks, problem, rows);
+  append(result.facts, std::move(facts));
+  append(result.facts, curve_facts(problem));
+  result.landmarks = std::move(landmarks);
+  result.cognates = cognates(problem);
+  return true;
+}
+
+}  // namespace
+
+AnalysisResult analyse(const AnalysisProblem& problem, const Run& run) {
+  const Deadline deadline(run);
+  Sweep rows = sweep(problem, run, deadline);
+  AnalysisResult result;
+  result.closed_rows = closed_rows(rows);
+  result.notes = open_row_notes(problem, rows);
+  if (const auto note = ended_note(problem, rows, deadline)) result.notes.push_back(*note);
+  append(result.facts, type_facts(problem.mechanism, problem.drive.start));
+  const bool whole = summarise_into(result, problem, rows, deadline);
+  result.status = status_of(rows, deadline, whole);
+  add_forces(result, problem, rows, deadline);
+  append(result.facts, check_facts(rows));
+  result.work = work_of(problem, rows, run, deadline);
+  result.columns = std::move(rows.plan.columns);
+  std::erase_if(result.columns, [](const Column& column) {
+    return is_inflection_line(column) &&
+           std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
+  });
+  return result;
+}
+
+}  // namespace cognate::problems

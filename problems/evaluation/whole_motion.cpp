@@ -1,0 +1,21 @@
+#include "problems/evaluation/whole_motion.hpp"
+
+#include <numbers>
+#include <variant>
+
+namespace cognate::problems {
+
+Course follow_until(const AnalysisProblem& problem, double start, double end,
+                    const Deadline& deadline) {
+  return follow(problem.mechanism.mechanism, start, end, [&] { return deadline.reached(); });
+}
+
+Course whole_motion(const AnalysisProblem& problem, const Deadline& deadline) {
+  const auto& drive = problem.mechanism.mechanism.drive;
+  const double start = problem.drive.start;
+  const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+  const double end = slides ? problem.drive.end : start + 2 * std::numbers::pi;
+  return follow_until(problem, start, end, deadline);
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,158 @@
+#include "problems/function/exact.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "problems/function/designs.hpp"
+#include "problems/function/exact_family.hpp"
+#include "problems/function/exact_generators.hpp"
+#include "problems/function/exact_notes.hpp"
+#include "problems/function/parallelogram_generator.hpp"
+#include "problems/function/respacing.hpp"
+#include "problems/linkage/prevailing_side.hpp"
+#include "problems/linkage/verify.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Above it derivatives found numerically are no basis for a design.
+constexpr double kDerivativeTolerance = 1e-4;
+
+/// Best first: those that keep every constraint by their error, then the others by what they
+/// violate. Of either those with links at the limit of length come last.
+void sort_by_merit(std::vector<Design>& designs) {
+  std::ranges::stable_sort(designs, [](const Design& a, const Design& b) {
+    const auto rank = [](const Design& design) {
+      return std::tuple(violation(design.constraints), is_limiting(design),
+                        design.error.sum_of_squares);
+    };
+    return rank(a) < rank(b);
+  });
+}
+
+/// How many of the solutions of the equations are real.
+void note_real_ones(std::size_t real, std::size_t count, std::vector<std::string>& notes) {
+  const std::size_t all = count == 5 ? 3 : count == 4 ? 2 : 1;
+  if (real == 0 && all > 1) {
+    notes.push_back(
+        fmt::format("None of the {} solutions is real: no mechanism passes through "
+                    "these positions. Another start may have one.",
+                    all == 3 ? "three" : "two"));
+  } else if (real < all) {
+    notes.push_back(fmt::format("{} of the {} solutions is real; the others are complex.",
+                                real == 1 ? "One" : "Two", all == 3 ? "three" : "two"));
+  }
+}
+
+Result solve_for_points(const FunctionProblem& problem, const FunctionSamples& wanted) {
+  Result result;
+  auto found = exact_designs(problem, wanted, {problem.input_start, problem.output_start});
+  const std::size_t count = condition_count(wanted.precision);
+  result.designs = std::move(found.designs);
+  result.notes = std::move(found.notes);
+  sort_by_merit(result.designs);
+  if (found.dependent) {
+    result.notes.push_back(
+        fmt::format("The {} do not determine a linkage: the equations for its ratios are "
+                    "dependent to within rounding.",
+                    conditions_in_words(wanted)));
+  } else {
+    note_real_ones(found.solutions, count, result.notes);
+  }
+  if (problem.spacing == PointSpacing::equal_peaks) level_peaks(problem, wanted, result);
+  result.work.positions = result.designs.size() * (wanted.samples.size() + wanted.precision.size());
+  return result;
+}
+
+/// The one design that is a parallelogram.
+Result solve_by_parallelogram(const FunctionProblem& problem, const FunctionSamples& wanted,
+                              FunctionGenerator generator) {
+  const auto positions = sides_at(generator, wanted.precision);
+  generator.assembly = prevailing_side(positions, &CrankPosition::side);
+  std::vector<synthesis::AnglePair> pairs;
+  for (const auto& point : wanted.precision) pairs.push_back({point.input, point.output[0]});
+  Result result;
+  Design design = function_design(problem, wanted, generator, positions, "exact:parallelogram");
+  design.metrics.precision_residual = largest_error(generator, pairs, positions);
+  result.designs.push_back(std::move(design));
+  result.notes.push_back(
+      "The output turns with the input by the same angle: any parallelogram does so exactly, "
+      "whatever its frame, of which this one is an example. Where crank and frame lie in one line "
+      "it may change into an antiparallelogram; start angles left free keep it away from there.");
+  result.work.positions = wanted.samples.size() + wanted.precision.size();
+  return result;
+}
+
+/// Linkages of which nothing but the conditions is known.
+Result solve_conditions(const FunctionProblem& problem, const FunctionSamples& wanted, bool family,
+                        const Deadline& deadline) {
+  const auto turning = problem.type == MechanismType::four_bar ? equal_turning(wanted)
+                                                               : std::optional<EqualTurning>{};
+  if (turning && turning->sense > 0) {
+    const auto generator = parallelogram(problem, wanted, turning->offset);
+    if (generator) return solve_by_parallelogram(problem, wanted, *generator);
+  }
+  Result result =
+      family ? solve_exact_family(problem, wanted, deadline) : solve_for_points(problem, wanted);
+  if (turning) result.notes.push_back(equal_turning_note(*turning));
+  return result;
+}
+
+}  // namespace
+
+std::string conditions_in_words(const FunctionSamples& wanted) {
+  const std::size_t count = condition_count(wanted.precision);
+  const bool pairs = wanted.range.empty() && count == wanted.precision.size();
+  return count_word(count) + (pairs ? " pairs" : " conditions");
+}
+
+std::string count_word(std::size_t count) {
+  constexpr std::array<const char*, 6> kWords{"no", "one", "two", "three", "four", "five"};
+  return kWords[std::min<std::size_t>(count, 5)];
+}
+
+void note_once(std::vector<std::string>& notes, std::string sentence) {
+  if (std::ranges::count(notes, sentence) == 0) notes.push_back(std::move(sentence));
+}
+
+ExactDesigns exact_designs(const FunctionProblem& problem, const FunctionSamples& wanted,
+                           const synthesis::GivenStart& start) {
+  return problem.type == MechanismType::slider_crank ? exact_slider_cranks(problem, wanted, start)
+                                                     : exact_four_bars(problem, wanted, start);
+}
+
+Result solve_exactly(const FunctionProblem& problem, const Deadline& deadline) {
+  const FunctionSamples wanted = function_samples(problem);
+  Result result;
+  if (wanted.derivative_error > kDerivativeTolerance) {
+    result.notes.push_back(
+        "The function is not smooth at a precision point of higher multiplicity: its derivatives "
+        "there cannot be found from its values. Give pairs with their derivatives instead.");
+    return result;
+  }
+  const std::size_t unknown = 3 + std::size_t{!problem.input_start} + !problem.output_start;
+  const bool family = condition_count(wanted.precision) < unknown;
+  result = solve_conditions(problem, wanted, family, deadline);
+  note_designs(wanted, result);
+  if (wanted.derivative_error > 0) {
+    result.notes.push_back(fmt::format(
+        "Derivatives of the function were found from its values, to {:.0e} of their size.",
+        wanted.derivative_error));
+  }
+  if (deadline.reached() && family) {
+    result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
+    return result;
+  }
+  if (result.designs.empty()) return result;
+  result.status =
+      all_satisfied(result.designs.front().constraints) ? Status::solved : Status::infeasible;
+  return result;
+}
+
+}  // namespace cognate::problems

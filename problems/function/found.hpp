@@ -1,0 +1,79 @@
+/// @file Minima of a function search on their way: their order, their merging, their refinement.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "problems/deadline.hpp"
+#include "problems/function/generator.hpp"
+#include "problems/function/model.hpp"
+#include "problems/function/samples.hpp"
+#include "problems/function/starts.hpp"
+#include "problems/result.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// Violations up to this count as none.
+inline constexpr double kFunctionFeasibility = 1e-9;
+
+/// The problem as it stands and with each class whose crank turns fully.
+class ConfinedFunctions {
+ public:
+  explicit ConfinedFunctions(const FunctionProblem& problem);
+
+  const FunctionProblem& plain() const { return plain_; }
+  /// The problem that a search from a linkage of these lengths keeps to: see `confining_class`.
+  const FunctionProblem& of(const Lengths<double>& links) const;
+
+ private:
+  FunctionProblem plain_, crank_rocker_, double_crank_;
+};
+
+/// A start, or what has been made of it, and the problem it is confined to.
+struct FunctionFound {
+  FunctionGenerator generator;
+  StartOrigin origin = StartOrigin::search;
+  const FunctionProblem* problem = nullptr;
+  LimitedMotion limited = LimitedMotion::sweep;
+  double objective = 0;
+  double violation = 0;
+  bool valid = false;
+  int hits = 1;  ///< how many starts have come here
+  /// Work not yet counted.
+  std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
+};
+
+/// Feasible ones first, then by objective or violation.
+bool is_better(const FunctionFound& a, const FunctionFound& b);
+
+/// Drops those without a value, sorts, and merges those that are closer than `tolerance` in the
+/// logarithms of lengths and in angles.
+void sort_and_merge(std::vector<FunctionFound>& all, double tolerance);
+
+/// Refines minima of one problem. What it is made of must outlive it.
+class FunctionRefiner {
+ public:
+  FunctionRefiner(const Solve& asked, const Run& run, const Deadline& deadline)
+      : asked_(asked), run_(run), deadline_(deadline) {}
+
+  /// Goes on from where `found` stands, by the loss that the problem asks for; keeps the result
+  /// unless it is worse by the same objective.
+  void refine(FunctionFound& found, const FunctionSamples& wanted, synthesis::Objective objective,
+              synthesis::Backend backend, int iterations) const;
+
+  /// All of them, progress going from `shares.min` to `shares.max`.
+  void refine_all(std::vector<FunctionFound>& all, const FunctionSamples& wanted,
+                  synthesis::Objective objective, synthesis::Backend backend, int iterations,
+                  Range shares) const;
+
+ private:
+  const Solve& asked_;
+  const Run& run_;
+  const Deadline& deadline_;
+};
+
+/// Moves the work of all into `work`.
+void count_work(std::vector<FunctionFound>& all, std::size_t samples, Work& work);
+
+}  // namespace cognate::problems

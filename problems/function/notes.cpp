@@ -1,0 +1,77 @@
+#include "problems/function/notes.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion_within.hpp"
+#include "analysis/linkage/slider_crank_mobility.hpp"
+#include "problems/degrees.hpp"
+#include "problems/function/jumps.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A transmission angle nearer to 0 or 180° than this, in radians, is that of a dead point.
+constexpr double kDead = 1e-3;
+
+constexpr int kIntervals = 1000;  ///< in which a function is searched for jumps
+
+/// min(μ, π − μ) at a crank angle.
+double acute_transmission(const Design& design, double angle) {
+  if (const auto* slider = std::get_if<SliderCrank>(&design.mechanism.description)) {
+    return kPi / 2 - std::abs(pressure_angle(*slider, angle).value_or(kPi / 2));
+  }
+  return transmission_angles(lengths(four_bar(design)), {angle, angle}).acute_min;
+}
+
+/// The first input of the motion, from its start, at a dead point: at its ends, or where the
+/// transmission angle is extreme. Empty where there is none, or no such motion.
+std::optional<double> dead_input(const Design& design, const Range& sweep) {
+  const bool slider = std::holds_alternative<SliderCrank>(design.mechanism.description);
+  const auto ranges = slider ? crank_ranges(std::get<SliderCrank>(design.mechanism.description))
+                             : crank_ranges(lengths(four_bar(design)));
+  const double start = *design.metrics.input_start, first = slider ? kPi / 2 : 0;
+  const double from = start + sweep.min, to = start + sweep.max;
+  if (!motion_within(ranges, {from, to})) return std::nullopt;
+  std::vector<double> angles{from};
+  for (double k = std::ceil((from - first) / kPi); first + k * kPi < to; ++k) {
+    angles.push_back(first + k * kPi);
+  }
+  angles.push_back(to);
+  for (const double angle : angles) {
+    if (acute_transmission(design, angle) <= kDead) return angle - start;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void note_motions(const FunctionProblem& problem, const FunctionSamples& wanted, Result& result) {
+  for (std::size_t i = 0; i < result.designs.size(); ++i) {
+    const auto input = dead_input(result.designs[i], wanted.sweep);
+    if (!input) continue;
+    result.notes.push_back(fmt::format(
+        "Design {}: the transmission angle is 0 or 180 degrees at an input of {:.4g} degrees, a "
+        "dead point or change point within the motion: the output may lock there or go on in the "
+        "other assembly.",
+        i + 1, degrees(*input)));
+  }
+  const auto* function = std::get_if<FunctionOfX>(&problem.target);
+  if (!function || function->text.empty()) return;
+  const auto jumps = reading::find_jumps(function->y, function->domain, kIntervals);
+  if (jumps.empty()) return;
+  result.notes.push_back(
+      fmt::format("The function jumps at x = {:.6g}: no linkage follows it there, and the maximum "
+                  "error is at least half of the jump.",
+                  jumps.front()));
+}
+
+}  // namespace cognate::problems

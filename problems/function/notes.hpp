@@ -1,0 +1,15 @@
+/// @file What has to be said of any function generator: dead points on its way, jumps of its
+/// target.
+#pragma once
+
+#include "problems/function/samples.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// Adds sentences on the designs of `result`, in the order in which they stand there, that pass or
+/// reach a dead point or a change point, and on a function that jumps within its domain.
+void note_motions(const FunctionProblem& problem, const FunctionSamples& wanted, Result& result);
+
+}  // namespace cognate::problems

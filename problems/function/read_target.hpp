@@ -1,0 +1,27 @@
+/// @file What a function generator shall generate: `function`, `table` or `pairs_deg`; of a
+/// slider-crank, whose output is a displacement, `pairs`.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "problems/problem.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+using FunctionTarget = std::variant<FunctionOfX, AnglePairs>;
+
+/// The key of pairs for a type of mechanism: "pairs_deg", or "pairs" for a slider-crank.
+std::string_view pairs_key(MechanismType type);
+
+/// What `[target]` gives, with its domain and ranges; empty where faults leave none to go on with.
+std::optional<FunctionTarget> read_function_target(TableReader& target, MechanismType type);
+
+/// "function" or "table", whichever `[target]` has.
+std::string_view target_key(TableReader& target);
+
+/// A value of the function in a message: "not a number (NaN)" where it is none.
+std::string value_in_words(double value);
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,222 @@
+#include "problems/function/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/function/explorer.hpp"
+#include "problems/function/found.hpp"
+#include "problems/linkage/backend_choice.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Backend;
+using synthesis::Objective;
+
+/// Iterations for the best minima, for those that turn minimax, and for another solver that
+/// finishes.
+constexpr int kDeepeningIterations = 2000;
+constexpr int kTurningIterations = 150;
+constexpr int kMinimaxIterations = 300;
+constexpr int kFinishingIterations = 500;
+/// How many of the best go on, beyond twice the designs wanted.
+constexpr std::size_t kDeepened = 16;
+constexpr std::size_t kFinished = 4;
+/// How many least-squares designs are turned into minimax ones, which are dearer to refine.
+constexpr std::size_t kMinimaxReserve = 64;
+/// Starts of a round that are refined minimax, and how many must have come to the best to end it.
+constexpr std::size_t kTurnedRound = 32;
+constexpr int kEnoughHits = 5;
+/// Rounds in which peaks between the samples join them.
+constexpr int kExchangeRounds = 5;
+/// Generators closer than this in the logarithms of lengths and in angles are one minimum.
+constexpr double kSameMinimum = 1e-5;
+
+/// Of the progress, that of the round behind `done` of so many starts.
+Range turning_shares(std::size_t done, std::size_t starts) {
+  const double share = 0.2 / double(starts + kTurnedRound), from = 0.5 + share * double(done);
+  return {from, from + share * double(kTurnedRound)};
+}
+
+/// The stages behind the exploration; each works on `all_` in place.
+class Search {
+ public:
+  Search(const FunctionProblem& problem, const FunctionSamples& wanted, const Run& run,
+         const Deadline& deadline, Work& work)
+      : confined_(problem),
+        wanted_(wanted),
+        run_(run),
+        deadline_(deadline),
+        refiner_(confined_.plain().solve, run, deadline),
+        backend_(finisher_of(problem)),
+        work_(work) {}
+
+  FunctionSearchResult take();
+
+ private:
+  /// `reserve` and twice the designs wanted.
+  std::size_t kept(std::size_t reserve) const {
+    return reserve + 2 * static_cast<std::size_t>(confined_.plain().solve.designs);
+  }
+  void keep_best(std::size_t reserve);
+  void refine_all(Objective objective, Backend backend, int iterations, Range shares) {
+    refiner_.refine_all(all_, wanted_, objective, backend, iterations, shares);
+  }
+  void finish_least_squares();
+  void turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness);
+  void finish_minimax();
+  void finish_by_choice(Objective objective);
+  void reassess(FunctionFound& found, Objective objective) const;
+  void exchange(FunctionFound& found) const;
+
+  ConfinedFunctions confined_;
+  const FunctionSamples& wanted_;
+  const Run& run_;
+  const Deadline& deadline_;
+  FunctionRefiner refiner_;
+  Backend backend_;
+  Work& work_;
+  std::vector<FunctionFound> all_;
+};
+
+void Search::keep_best(std::size_t reserve) {
+  count_work(all_, wanted_.samples.size(), work_);
+  sort_and_merge(all_, kSameMinimum);
+  if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
+}
+
+/// Puts the objective and the violated limits in place of what was known of another objective.
+void Search::reassess(FunctionFound& found, Objective objective) const {
+  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective,
+                            found.limited);
+  const std::vector<double> x = model.variables_of(found.generator);
+  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  found.generator = model.generator(x);
+  found.valid = model.residuals(x, residuals, {}, {});
+  if (!found.valid) return;
+  found.objective =
+      objective == Objective::sum_of_squares
+          ? std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0)
+          : std::abs(*std::ranges::max_element(residuals, {},
+                                               [](double residual) { return std::abs(residual); }));
+  model.constraints(x, limits, {});
+  found.violation = 0;
+  for (const double c : limits) found.violation = std::max(found.violation, -c);
+}
+
+/// Remez's exchange: the peaks of the error between the samples join them and the design is refined
+/// again, until the largest error at the samples is the largest over the domain.
+void Search::exchange(FunctionFound& found) const {
+  FunctionSamples denser = wanted_;
+  FunctionFound next = found;
+  double largest = StructuralError(found.generator).over(wanted_).max;
+  for (int round = 0; round < kExchangeRounds && !deadline_.reached(); ++round) {
+    const StructuralError error(next.generator);
+    const std::size_t before = denser.samples.size();
+    for (const auto& peak : error.peaks(wanted_)) {
+      const bool higher = std::abs(error.at(peak).value_or(0)) > next.objective * (1 + 1e-7);
+      if (higher) denser.samples.push_back(peak);
+    }
+    if (denser.samples.size() == before) return;
+    next.valid = false;  // its objective was over fewer samples
+    refiner_.refine(next, denser, Objective::max_abs, Backend::gauss_newton, kFinishingIterations);
+    if (backend_ != Backend::gauss_newton) {
+      refiner_.refine(next, denser, Objective::max_abs, backend_, kFinishingIterations);
+    }
+    if (!next.valid) return;
+    const double reached = StructuralError(next.generator).over(wanted_).max;
+    const double violation = std::max(found.violation, kFunctionFeasibility);
+    if (!(reached < largest) || next.violation > violation) continue;
+    largest = reached;
+    found = next;
+  }
+}
+
+void Search::finish_by_choice(Objective objective) {
+  if (backend_ == Backend::gauss_newton) return;
+  keep_best(kFinished);
+  refine_all(objective, backend_, kFinishingIterations, {0.9, 1});
+}
+
+void Search::finish_least_squares() {
+  keep_best(kDeepened);
+  if (confined_.plain().solve.loss == synthesis::Loss::none) {
+    for (FunctionFound& found : all_) reassess(found, Objective::sum_of_squares);
+  }
+  refine_all(Objective::sum_of_squares, Backend::gauss_newton, kDeepeningIterations, {0.7, 0.9});
+  finish_by_choice(Objective::sum_of_squares);
+}
+
+/// Least squares draws starts away from what is best in the other sense: beside its minima the
+/// starts themselves are refined, in rounds, until enough of them have come to the best.
+void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness) {
+  keep_best(kMinimaxReserve);
+  for (FunctionFound& found : all_) found.hits = 0;  // of another objective
+  std::vector<FunctionFound> round = std::exchange(all_, {});
+  std::size_t done = 0;
+  while (!deadline_.reached()) {
+    for (FunctionFound& found : round) reassess(found, Objective::max_abs);
+    refiner_.refine_all(round, wanted_, Objective::max_abs, Backend::gauss_newton,
+                        kTurningIterations, turning_shares(done, starts.size()));
+    std::ranges::move(round, std::back_inserter(all_));
+    keep_best(kMinimaxReserve);
+    const bool known = !all_.empty() && all_.front().hits >= kEnoughHits &&
+                       all_.front().violation <= kFunctionFeasibility;
+    if (done == starts.size() || known) break;
+    const std::size_t next = std::min(done + kTurnedRound, starts.size());
+    round.assign(starts.begin() + static_cast<std::ptrdiff_t>(done),
+                 starts.begin() + static_cast<std::ptrdiff_t>(next));
+    done = next;
+  }
+  if (done == 0 || all_.empty()) return;
+  thoroughness.starts = static_cast<int>(done);
+  thoroughness.best_hits = all_.front().hits;
+  const auto seen_once = std::ranges::count(all_, 1, &FunctionFound::hits);
+  thoroughness.unseen = chance_of_unseen(seen_once, thoroughness.starts);
+}
+
+void Search::finish_minimax() {
+  keep_best(kFinished);
+  refine_all(Objective::max_abs, Backend::gauss_newton, kMinimaxIterations, {0.7, 0.9});
+  finish_by_choice(Objective::max_abs);
+  if (!wanted_.at) return;
+  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int) { exchange(all_[i]); });
+}
+
+FunctionSearchResult Search::take() {
+  FunctionSearchResult result;
+  const bool minimax = confined_.plain().objective == FunctionObjective::minimax;
+  auto explored = explore_functions(confined_, wanted_, kept(minimax ? kMinimaxReserve : kDeepened),
+                                    run_, deadline_, work_, result.thoroughness);
+  all_ = std::move(explored.minima);
+  if (minimax) {
+    turn_minimax(std::move(explored.starts), result.thoroughness);
+    finish_minimax();
+  } else {
+    finish_least_squares();
+  }
+  keep_best(kDeepened);
+  for (const FunctionFound& found : all_) {
+    result.minima.push_back({found.generator, found.origin});
+  }
+  return result;
+}
+
+}  // namespace
+
+Backend finisher_of(const FunctionProblem& problem) {
+  const bool minimax = problem.objective == FunctionObjective::minimax;
+  const bool automatic = problem.solve.solver == SolverChoice::automatic;
+  return automatic && minimax ? Backend::slsqp : backend_of(problem.solve.solver);
+}
+
+FunctionSearchResult search_functions(const FunctionProblem& problem, const FunctionSamples& wanted,
+                                      const Run& run, const Deadline& deadline, Work& work) {
+  return Search(problem, wanted, run, deadline, work).take();
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,37 @@
+/// @file The global search for function generation: starts, their minima, and the best of those.
+#pragma once
+
+#include <vector>
+
+#include "problems/deadline.hpp"
+#include "problems/function/generator.hpp"
+#include "problems/function/samples.hpp"
+#include "problems/function/starts.hpp"
+#include "problems/linkage/thoroughness.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// The solver that has the last word. A minimax design with fewer peaks than unknowns lies in a
+/// valley that Gauss-Newton, knowing no curvature, walks slowly: there `auto` goes on with SLSQP.
+synthesis::Backend finisher_of(const FunctionProblem& problem);
+
+/// A local minimum and where its start came from.
+struct FoundFunction {
+  FunctionGenerator generator;
+  StartOrigin origin = StartOrigin::search;
+};
+
+struct FunctionSearchResult {
+  std::vector<FoundFunction> minima;  ///< best first, feasible ones before others
+  SearchThoroughness thoroughness;    ///< of the search for the objective's minima
+};
+
+/// Local minima of the objective; the same for any number of threads. Minimax designs have their
+/// peaks between the samples levelled too. Counts what was done in `work`.
+FunctionSearchResult search_functions(const FunctionProblem& problem, const FunctionSamples& wanted,
+                                      const Run& run, const Deadline& deadline, Work& work);
+
+}  // namespace cognate::problems

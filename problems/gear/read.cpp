@@ -1,0 +1,124 @@
+#include "problems/gear/read.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "problems/gear/rules.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg", kShift = "profile_shift",
+                           kReduction = "tip_reduction", kTipRadius = "tip_radius";
+constexpr int kMostPoints = 10000;
+
+// Bevel gears and worms are told by the pair that they are one of.
+Gearing read_gearing(TableReader& mechanism) {
+  const auto gearing = mechanism.choice<Gearing>("gearing").value_or(Gearing::spur);
+  if (gearing == Gearing::spur || gearing == Gearing::helical) return gearing;
+  mechanism.fault("gearing",
+                  fmt::format("is \"{}\", and such gears are made in pairs alone; \"spur\", "
+                              "\"helical\", or kind = \"gear-pair\" is wanted",
+                              to_string(gearing)));
+  return Gearing::spur;
+}
+
+// That something is left of the gear below its teeth.
+void check_root(TableReader& mechanism, const GearProblem& problem) {
+  const gear::SpurGear section = gear::transverse(problem.gear);
+  if (gear::root_radius(section) > 0) return;
+  mechanism.fault(
+      kTeethKey, fmt::format("is {:g}, so few that the rack cuts to beyond the gear's centre; more "
+                             "teeth, or a greater profile_shift, is wanted",
+                             problem.gear.normal.teeth));
+}
+
+void check_tip(TableReader& mechanism, const GearProblem& problem) {
+  const gear::SpurGear section = gear::transverse(problem.gear);
+  if (gear::tip_radius(section) > gear::root_radius(section)) return;
+  mechanism.fault(kReduction, fmt::format("is {:g}, which leaves no tooth above the root circle; "
+                                          "less is wanted",
+                                          problem.gear.normal.tip_reduction));
+}
+
+}  // namespace
+
+gear::BasicRack read_rack(TableReader& document) {
+  TableReader table = document.table("rack");
+  const std::size_t before = document.faults().size();
+  gear::BasicRack rack;
+  rack.pressure_angle = radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
+  rack.addendum = table.number("addendum", kRackAddendum).value_or(rack.addendum);
+  rack.clearance = table.number("clearance", kRackClearance).value_or(rack.clearance);
+  rack.corner_radius = table.number(kTipRadius, kRackTipRadius);
+  table.finish();
+  if (document.faults().size() > before) return rack;
+  const double greatest = gear::greatest_tip_radius(rack);
+  if (greatest < 0) {
+    document.fault("rack",
+                   fmt::format("has flanks that meet before its tip; addendum and clearance "
+                               "of at most {:.4g} modules together, or a lesser "
+                               "pressure_angle_deg, is wanted",
+                               std::numbers::pi / 4 / std::tan(rack.pressure_angle)));
+  } else if (rack.corner_radius && *rack.corner_radius > greatest) {
+    table.fault(kTipRadius,
+                fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "
+                            "which rounds it fully, is allowed",
+                            *rack.corner_radius, greatest));
+  }
+  return rack;
+}
+
+void refuse_keys(TableReader& table, std::initializer_list<std::string_view> keys,
+                 std::string_view why) {
+  for (const auto key : keys) {
+    // A key that is not there stays unknown, so that no list of allowed ones names it.
+    if (table.contains(key) && table.has(key))
+      table.fault(key, fmt::format("is given, but {}; leave it out", why));
+  }
+}
+
+double read_helix(TableReader& mechanism, Gearing gearing) {
+  if (gearing != Gearing::helical) {
+    refuse_keys(mechanism, {kHelixKey}, fmt::format("{} gears have none", to_string(gearing)));
+    return 0;
+  }
+  const auto helix = mechanism.number(kHelixKey, kHelix);
+  if (!mechanism.has(kHelixKey)) {
+    mechanism.fault(kHelixKey, fmt::format("is missing; {} is wanted", kHelix.allowed));
+  }
+  return radians(helix.value_or(0));
+}
+
+GearProblem read_gear_problem(TableReader& document) {
+  GearProblem problem;
+  const std::size_t before = document.faults().size();
+  TableReader mechanism = document.table("mechanism");
+  TableReader output = document.table("output");
+  problem.gearing = read_gearing(mechanism);
+  gear::SpurGear& gear = problem.gear.normal;
+  const auto teeth = mechanism.number(kTeethKey, kTeeth);
+  const auto module = mechanism.number("module", kLinkLength);
+  for (const auto& [key, wanted] : {std::pair{kTeethKey, "a whole number"},
+                                    std::pair{std::string_view("module"), "a length"}}) {
+    if (!mechanism.has(key)) mechanism.fault(key, fmt::format("is missing; {} is wanted", wanted));
+  }
+  gear.profile_shift = mechanism.number(kShift, kProfileShift).value_or(0);
+  gear.tip_reduction = mechanism.number(kReduction, kTipReduction).value_or(0);
+  problem.gear.helix = read_helix(mechanism, problem.gearing);
+  problem.gear.face_width = mechanism.number("face_width", kLinkLength).value_or(0);
+  gear.rack = read_rack(document);
+  problem.points = output.integer("points", 1, kMostPoints).value_or(problem.points);
+  mechanism.finish();
+  output.finish();
+  if (document.faults().size() > before || !teeth || !module) return problem;
+  gear.teeth = *teeth;
+  gear.module = *module;
+  check_root(mechanism, problem);
+  check_tip(mechanism, problem);
+  return problem;
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,49 @@
+/// @file What analysing a gear, and analysing or designing a gear pair, gives.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "problems/evaluation/result.hpp"
+#include "problems/gear/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// A gear: its facts, and a table of its flank.
+struct GearResult {
+  Status status = Status::no_solution;  ///< `infeasible`: an impossible gear, told by the notes
+  std::vector<Fact> metrics;
+  std::vector<Column> columns;  ///< radius, x, y, thickness… is_involute: one row for each point
+  Work work;
+  std::vector<std::string> notes;
+};
+
+/// A pair that was found, or given.
+struct GearPairDesign {
+  /// Transverse sections of spur and helical gears; of a bevel pair its virtual gears.
+  gear::SpurPair pair;
+  GearPairProblem settled;  ///< the problem with everything that it left free as this design has it
+  std::vector<Fact> metrics;
+  std::vector<ConstraintCheck> constraints;
+  std::string origin;
+};
+
+struct GearPairResult {
+  Status status = Status::no_solution;
+  std::vector<GearPairDesign> designs;  ///< best first
+  std::vector<Fact> facts;  ///< of the enumeration: how many were tested and why refused
+  Work work;
+  std::vector<std::string> notes;
+};
+
+GearResult analyse(const GearProblem& problem, const Run& run);
+
+/// Whether nothing is left to find.
+bool is_whole(const GearPairProblem& problem);
+
+/// The best pairs for `problem`; of one that is whole, what it is like.
+GearPairResult solve(const GearPairProblem& problem, const Run& run);
+
+}  // namespace cognate::problems

@@ -1,0 +1,228 @@
+#include "problems/guidance/least_squares.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/guidance/dyads.hpp"
+#include "problems/guidance/fit.hpp"
+#include "problems/guidance/scale.hpp"
+#include "problems/linkage/backend_choice.hpp"
+#include "problems/linkage/conflict.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/objectives.hpp"
+#include "problems/linkage/turn_metrics.hpp"
+#include "problems/linkage/verify.hpp"
+#include "synthesis/fit/body_motion.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::DyadKind;
+using synthesis::GuidingDyad;
+using synthesis::Pose;
+
+/// Starts with limits over the turn, of whose minima half as many were seen to miss the best.
+constexpr int kLimitedStarts = 1600;
+constexpr double kDefaultTolerance = 1e-13;
+/// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
+constexpr double kSameWithin = 1e-3;
+
+bool is_same(const GuidingDyad& a, const GuidingDyad& b, double size) {
+  if (a.kind != b.kind) return false;
+  const double turned = a.kind == DyadKind::rr ? 0 : std::abs(cross(a.direction, b.direction));
+  const double apart = std::max(
+      {norm(a.in_body - b.in_body), norm(a.fixed - b.fixed), std::abs(a.length - b.length)});
+  return turned <= kSameWithin && apart <= kSameWithin * (size + std::max(a.length, b.length));
+}
+
+/// Whichever dyad drives.
+bool is_same(const DyadPair& a, const DyadPair& b, double size) {
+  return (is_same(a.first, b.first, size) && is_same(a.second, b.second, size)) ||
+         (is_same(a.first, b.second, size) && is_same(a.second, b.first, size));
+}
+
+struct Candidate {
+  DyadPair pair;
+  Design design;
+  double violation = 0;
+};
+
+class Designs {
+ public:
+  Designs(const MotionProblem& problem, double size) : problem_(problem), size_(size) {}
+
+  void add(const DyadPair& pair, const std::vector<Pose>& reached, const std::string& origin) {
+    auto best = candidate(pair, reached, origin);
+    // The rocker may drive as well, if that mends what is wrong with the crank's driving.
+    if (pair.second.kind == DyadKind::rr && roles_are_alike(problem_) &&
+        (!best || best->violation > 0 || !problem_.constraints.required_class)) {
+      auto turned = candidate({pair.second, pair.first}, reached, origin);
+      if (turned && (!best || is_better(*turned, *best))) best = std::move(turned);
+    }
+    if (!best) return;
+    auto& list = best->violation > 0 ? violating_ : feasible_;
+    const bool known = std::ranges::any_of(
+        list, [&](const Candidate& other) { return is_same(other.pair, best->pair, size_); });
+    if (!known) list.push_back(std::move(*best));
+  }
+
+  bool any_feasible() const { return !feasible_.empty(); }
+
+  /// The best designs: feasible ones if there are any.
+  std::vector<Design> take() {
+    auto& all = feasible_.empty() ? violating_ : feasible_;
+    // Several searches may have added to them.
+    std::ranges::stable_sort(all, {}, [](const Candidate& c) {
+      return std::pair(c.violation, c.design.error.sum_of_squares);
+    });
+    const auto exact = std::stable_partition(all.begin(), all.end(), [&](const Candidate& c) {
+      return c.design.error.sum_of_squares <= kMetExactly * size_ * size_;
+    });
+    std::stable_sort(all.begin(), exact, [](const Candidate& a, const Candidate& b) {
+      return a.design.metrics.transmission_acute_min > b.design.metrics.transmission_acute_min;
+    });
+    std::vector<Design> designs;
+    for (Candidate& candidate : all) {
+      if (std::ssize(designs) == problem_.solve.designs) break;
+      designs.push_back(std::move(candidate.design));
+    }
+    return designs;
+  }
+
+ private:
+  static bool is_better(const Candidate& a, const Candidate& b) {
+    if (a.violation != b.violation) return a.violation < b.violation;
+    return a.design.metrics.transmission_acute_min > b.design.metrics.transmission_acute_min;
+  }
+
+  std::optional<Candidate> candidate(const DyadPair& pair, const std::vector<Pose>& reached,
+                                     const std::string& origin) const {
+    auto design = nearest_design(problem_, pair, reached, origin);
+    if (!design || !std::isfinite(design->error.sum_of_squares)) return std::nullopt;
+    check_error(problem_, *design);
+    const double amount = violation(design->constraints);
+    return Candidate{pair, std::move(*design), amount};
+  }
+
+  const MotionProblem& problem_;
+  double size_;
+  std::vector<Candidate> feasible_, violating_;
+};
+
+Status status_of(const Deadline& deadline, bool ended_early, const Designs& designs,
+                 const Result& result) {
+  if (ended_early) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  if (result.designs.empty()) return Status::no_solution;
+  return designs.any_feasible() ? Status::solved : Status::infeasible;
+}
+
+/// The searches that the problem asks for: pivots that are given do not say which dyad is driven.
+std::vector<MotionProblem> drives_of(const MotionProblem& problem) {
+  std::vector<MotionProblem> drives{problem};
+  MotionProblem without = problem;
+  without.fixed_pivots.clear();
+  without.moving_pivots.clear();
+  if (roles_are_alike(problem) || !roles_are_alike(without)) return drives;
+  drives.push_back(problem);
+  drives.back().first_is_driven = false;
+  return drives;
+}
+
+SearchThoroughness add_designs(const MotionProblem& problem, std::optional<int> starts,
+                               const Run& run, const Deadline& deadline, Designs& designs,
+                               Work& work) {
+  const MotionScale scale(problem);
+  const MotionProblem scaled = scale.into(problem);
+  const synthesis::Backend solver = backend_of(problem.solve.solver);
+  const double tolerance = problem.solve.tolerance.value_or(kDefaultTolerance);
+  std::vector<DyadPair> known;
+  for (const Design& design : run.known) {
+    if (const auto pair = pair_of(problem, design)) known.push_back(scale.into(*pair));
+  }
+  const auto found = search_motions(scaled, known, starts, solver, tolerance, run, deadline, work);
+  for (const MotionMinimum& minimum : found.minima) {
+    const MotionModel model(scaled, minimum.form);
+    std::vector<Pose> reached = model.reached(minimum.solution.x);
+    if (reached.empty()) continue;
+    for (Pose& pose : reached) pose = scale.out_of(pose);
+    designs.add(scale.out_of(model.pair(minimum.solution.x)), reached,
+                minimum.origin + refined_by(solver));
+  }
+  return found.thoroughness;
+}
+
+/// Of two searches for the same thing.
+SearchThoroughness together(const SearchThoroughness& a, const SearchThoroughness& b) {
+  const double starts = std::max(1, a.starts + b.starts);
+  return {a.starts + b.starts, std::max(a.best_hits, b.best_hits),
+          (a.starts * a.unseen + b.starts * b.unseen) / starts};
+}
+
+/// What is special about the motion as a whole, for the user; empty for most.
+std::string degeneracy(const MotionProblem& problem) {
+  constexpr double kNothing = 1e-12;
+  const auto& poses = problem.poses;
+  const double size = std::max(synthesis::extent(poses), problem.angle_weight);
+  const bool is_turned = std::ranges::any_of(poses, [&](const Pose& pose) {
+    return std::abs(std::sin(0.5 * (pose.angle - poses.front().angle))) > kNothing;
+  });
+  if (!is_turned && !(synthesis::extent(poses) > kNothing * size)) {
+    return "All poses are one: there is nothing to guide the body through.";
+  }
+  const auto told = [](synthesis::GuidanceStatus status) {
+    return fmt::format("A special motion: {}.", sentence(status));
+  };
+  if (!is_turned) return told(synthesis::GuidanceStatus::translation);
+  const bool rests = synthesis::resting_point(poses).travel <= kNothing * size;
+  return rests ? told(synthesis::GuidanceStatus::rotation) : "";
+}
+
+Result search(const MotionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  Designs designs(problem, MotionScale(problem).size());
+  const auto drives = drives_of(problem);
+  const int searches = static_cast<int>(drives.size());
+  std::optional<int> starts = problem.solve.starts;
+  if (!starts && limits_turn(problem.constraints)) starts = kLimitedStarts;
+  if (starts) starts = (*starts + searches - 1) / searches;
+  SearchThoroughness thoroughness;
+  for (const MotionProblem& drive : drives) {
+    thoroughness =
+        together(thoroughness, add_designs(drive, starts, run, deadline, designs, result.work));
+  }
+  result.facts = thoroughness.facts();
+  const bool ended_early = deadline.reached();
+  if (const std::string note = degeneracy(problem); !note.empty()) result.notes.push_back(note);
+  result.designs = designs.take();
+  result.status = status_of(deadline, ended_early, designs, result);
+  if (result.status == Status::no_solution) {
+    result.notes.push_back(
+        "No mechanism was found that closes at every pose; wider bounds or more starts may help.");
+  }
+  return result;
+}
+
+}  // namespace
+
+Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
+  const Deadline deadline(run);
+  Result result = solve_objectives(
+      problem, run, deadline,
+      [&](const MotionProblem& one, const Run& own) { return search(one, own, deadline); });
+  Run silent = run;
+  silent.progress = nullptr;
+  const auto solve_once = [&](const MotionProblem& other) {
+    return search(other, silent, deadline);
+  };
+  tell_conflict(problem, deadline, solve_once, result);
+  result.work.skipped = skipped_evaluations(problem.constraints);
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,63 @@
+/// @file What a file of kind = "motion-generation" says.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problems/linkage/linkage_limits.hpp"
+#include "synthesis/exact/motion/dyad.hpp"
+#include "synthesis/exact/motion/pose.hpp"
+
+namespace cognate::problems {
+
+/// `target.method`. `exact`: through each of two to five poses. `least_squares`: as near to three
+/// or more as can be.
+enum class MotionMethod { exact, least_squares };
+
+/// `kind = "motion-generation"`: a body is to be carried through poses, each the place of its
+/// origin and its angle in the fixed frame.
+struct MotionProblem {
+  std::string title;
+  MotionMethod method = MotionMethod::exact;
+  std::vector<synthesis::Pose> poses;
+  /// `target.segments`: where two points of the body stand at each pose, as written. The body's
+  /// origin is then at the first, its first axis towards the second. Empty for `target.poses`.
+  std::vector<std::array<Vec2d, 2>> segments;
+  /// Least squares: what an error of one radian counts, as a length. The error of a pose is
+  /// |Δp|² + (weight Δθ)².
+  double angle_weight = 1;
+
+  /// None, one or two pivots of each kind; moving ones in the body's axes. Exactly, each makes a
+  /// dyad, and with two or three segments and no pivot given the two points are the moving pivots.
+  /// By least squares the first of each kind belongs to one dyad, the second to the other.
+  std::vector<Vec2d> fixed_pivots, moving_pivots;
+  bool first_is_driven = true;  ///< least squares: whether the former is the driven dyad
+  std::optional<std::array<double, 3>> fixed_pivot_line;  ///< a x + b y = c
+  std::optional<double> crank, rocker;  ///< lengths of the links on the first and second pivot
+  /// Which dyads may be used; in the order of DyadKind, all different, at least one.
+  std::vector<synthesis::DyadKind> dyads;
+
+  Bounds bounds;  ///< lengths and fixed pivots
+  /// Least squares: where the moving pivots of the two dyads may lie, in the body's axes.
+  std::array<std::optional<Box>, 2> moving_bounds;
+  Constraints constraints;
+  Solve solve;
+  bool designs_given = false;  ///< whether the file limits how many designs are returned
+};
+
+/// Of the two dyads of a mechanism the driven one, or the other.
+enum class DyadRole { first = 0, second = 1 };
+
+/// The pivot out of `pivots` (fixed or moving ones of the problem) that is given for a dyad.
+std::optional<Vec2d> given_pivot(const MotionProblem& problem, const std::vector<Vec2d>& pivots,
+                                 DyadRole role);
+
+/// The weight that counts a radian as the poses' way: the root mean squared distance of the body's
+/// origin from its mean place, so that poses moved or enlarged give the same designs moved or
+/// enlarged; 1 where the origin stands still.
+double natural_angle_weight(std::span<const synthesis::Pose> poses);
+
+}  // namespace cognate::problems

@@ -1,0 +1,153 @@
+/// @file What a file gives, bounds and demands of a linkage, whatever it is for. Angles are in
+/// radians, lengths in the file's unit.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "analysis/linkage/four_bar.hpp"
+#include "problems/linkage/operation.hpp"
+#include "synthesis/optimise/loss.hpp"
+
+namespace cognate::problems {
+
+/// A closed interval; a side that is not limited is infinite.
+struct Range {
+  double min = 0;
+  double max = 0;
+};
+
+/// An axis-parallel rectangle.
+struct Box {
+  Vec2d min;
+  Vec2d max;
+};
+
+/// Dimensions that `[mechanism]` fixes. What is empty is found.
+struct Given {
+  std::optional<double> crank, coupler, rocker, frame, frame_angle;
+  std::optional<Vec2d> pivot_a, pivot_d, coupler_point;
+  std::optional<Assembly> assembly;
+};
+
+/// `[bounds]`. `length` has already been merged into the four links (the narrower limits hold).
+struct Bounds {
+  std::optional<Range> crank, coupler, rocker, frame, frame_angle;
+  std::optional<Box> pivot_a, pivot_d, coupler_point;
+};
+
+/// The classes that `constraints.class` may ask for. `grashof`: any with a fully turning link.
+enum class RequiredClass {
+  crank_rocker,
+  double_crank,
+  rocker_crank,
+  double_rocker,
+  triple_rocker,
+  grashof,
+  non_grashof
+};
+
+/// `[[constraints.clearance]]`: over the full turn of the crank a point stays inside a box (its
+/// working envelope) or outside (an obstacle). Sides may be infinite.
+struct Clearance {
+  MovingPoint point = MovingPoint::coupler_point;
+  bool inside = true;
+  Box box;
+};
+
+/// What a bound on the error limits: the root mean square (over the weights of a path, too) of a
+/// distance or of an angle, or the largest angle of a minimax problem.
+enum class ErrorMeasure { rms_length, rms_angle, largest_angle };
+
+/// `constraints.rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`: lengths or radians.
+struct ErrorLimit {
+  ErrorMeasure of = ErrorMeasure::rms_length;
+  double max = 0;
+};
+
+/// `[constraints]` common to linkages. The transmission angle is the angle BCD in [0, π].
+struct Constraints {
+  std::optional<RequiredClass> required_class;
+  std::optional<Range> transmission_angle;
+  std::optional<double> link_ratio_max;
+  std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
+  std::optional<Box> pivot_region;
+  /// Over the full turn of a crank of class crank_rocker or double_crank; see turn_limits.hpp.
+  std::vector<Clearance> clearances;
+  /// Infinite: known of designs, but not limited. The first of the coupler point (length/s²) or of
+  /// the rocker (rad/s²), the other the greatest less the least driving torque.
+  std::optional<double> peak_acceleration_max, torque_ripple_max;
+  /// Likewise: (ω_max − ω_min)/ω_m of the steady motion, the inertia of the least flywheel (kg·m²)
+  /// and the greatest power of the drive (W); see turn_energy.hpp.
+  std::optional<double> speed_fluctuation_max, flywheel_inertia_max, motor_power_max;
+  Operation operation;     ///< under which those are meant
+  bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
+  /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
+  /// the lengths; no key of the file, but what bounds leave of a path that may be enlarged.
+  std::optional<std::array<Range, 4>> proportions;
+  std::optional<ErrorLimit> error;
+  bool no_branch_defect = true;
+  bool no_order_defect = true;
+  bool no_circuit_defect = true;
+  bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve keeps to it
+};
+
+/// Whether a greatest value is given, and less than infinite.
+inline bool is_limit(const std::optional<double>& most) {
+  return most && std::isfinite(*most);
+}
+
+/// Whether a limit over the full turn of the crank is among them.
+inline bool limits_turn(const Constraints& constraints) {
+  return !constraints.clearances.empty() || is_limit(constraints.peak_acceleration_max) ||
+         is_limit(constraints.torque_ripple_max) || is_limit(constraints.speed_fluctuation_max) ||
+         is_limit(constraints.flywheel_inertia_max) || is_limit(constraints.motor_power_max);
+}
+
+/// `solve.solver`.
+enum class SolverChoice {
+  automatic,
+  gauss_newton,
+  ceres,
+  slsqp,
+  mma,
+  ccsaq,
+  cobyla,
+  bobyqa,
+  ags,
+  isres,
+  crs,
+  mlsl,
+  direct,
+  ipopt
+};
+
+/// `solve.objectives`: what of a design is to be best. See measures.hpp.
+enum class Measure {
+  error,
+  transmission_angle,
+  link_ratio,
+  size,
+  peak_acceleration,
+  torque_ripple,
+  speed_fluctuation,
+  flywheel_inertia,
+  motor_power
+};
+
+/// `[solve]`.
+struct Solve {
+  SolverChoice solver = SolverChoice::automatic;
+  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;                  ///< how many different designs to return, 1…100
+  std::vector<Measure> objectives;  ///< empty: the error alone
+  synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
+  double loss_scale = 1;            ///< the error from which the loss differs: length or radians
+  std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
+  bool certify = false;             ///< prove how near the best design is to the best possible
+  double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
+};
+
+}  // namespace cognate::problems

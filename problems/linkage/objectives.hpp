@@ -1,0 +1,70 @@
+/// @file Problems with more than the error to be best: Pareto fronts, and the best of a measure
+/// within a bound on the error.
+#pragma once
+
+#include <utility>
+
+#include "problems/deadline.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/pareto_front.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// How many local minima are asked for under each bound: those that are not the best are starts
+/// under others.
+inline constexpr int kMinima = 6;
+
+/// What of several objectives a file asks for besides the error; empty where nothing.
+std::optional<Measure> measure_of(const Solve& solve);
+
+/// What the file asks for and how its error is called.
+struct ObjectiveTask {
+  Measure measure;
+  bool with_error = true;  ///< a front; else the best measure alone
+  int designs = 12;        ///< points of a front
+  ErrorMeasure error;
+  std::optional<ErrorLimit> limit;
+};
+
+/// A front, best error first, its levels as a family "Pareto front"; or the one best design.
+Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const Run& run,
+                   const Deadline& deadline);
+
+/// Solves a problem for its `solve.objectives`. `solve_once(problem, run)` solves one whose only
+/// objective is the error; `deadline` is that of the whole.
+template <class AnyProblem, class SolveOnce>
+Result solve_objectives(const AnyProblem& problem, const Run& run, const Deadline& deadline,
+                        const SolveOnce& solve_once) {
+  const auto measure = measure_of(problem.solve);
+  if (!measure) return solve_once(problem, run);
+  const auto error = [&](const Design& design) { return error_of(problem, design); };
+  const auto solve = [&](const DesignLimits& limits, const std::vector<Design>& known,
+                         std::optional<std::uint64_t> seed) {
+    AnyProblem other = problem;
+    other.constraints = limits.constraints;
+    other.constraints.error.reset();
+    other.bounds = limits.bounds;
+    other.solve.objectives.clear();
+    other.solve.designs = kMinima;
+    if (!seed) other.solve.starts = 0;
+    Run own = run;
+    own.progress = nullptr;
+    own.known = known;
+    own.seed = seed.value_or(run.seed);
+    return solve_once(other, own);
+  };
+  const ObjectiveTask task{.measure = *measure,
+                           .with_error = problem.solve.objectives.size() > 1,
+                           .designs = problem.solve.designs,
+                           .error = error_measure(problem),
+                           .limit = problem.constraints.error};
+  return solve_front({.limits = {problem.constraints, problem.bounds},
+                      .rule = rule_of(*measure),
+                      .met = met_error(problem),
+                      .error = error,
+                      .solve = solve},
+                     task, run, deadline);
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,186 @@
+#include "problems/linkage/read_constraints.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "problems/linkage/read_linkage.hpp"
+#include "problems/names.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+// The four lengths, for a message: "crank 2, coupler 1 to 3, …".
+std::string in_words(const LengthLimits& limits) {
+  constexpr std::string_view kNames[] = {"crank", "coupler", "rocker", "frame"};
+  std::string text;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const auto& [min, max] = limits[i];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", kNames[i], min);
+    if (max != min) text += fmt::format(" to {}", max);
+  }
+  return text;
+}
+
+void read_class(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
+  constraints.required_class = table.choice<RequiredClass>("class");
+  if (!constraints.required_class || class_is_possible(limits, *constraints.required_class)) return;
+  table.fault("class", fmt::format("is \"{}\", which the lengths exclude ({}); widen [bounds] or "
+                                   "give fewer lengths",
+                                   to_string(*constraints.required_class), in_words(limits)));
+}
+
+void read_transmission_angle(TableReader& table, Constraints& constraints) {
+  constexpr std::string_view kKey = "transmission_angle_deg";
+  const auto range = table.range(kKey, kTransmissionAngle);
+  if (!range) return;
+  if (range->min == range->max) {
+    table.fault(kKey, fmt::format("allows only {} degrees, and no linkage keeps one transmission "
+                                  "angle; [min, max] with min < max is wanted",
+                                  range->min));
+    return;
+  }
+  constraints.transmission_angle = Range{radians(range->min), radians(range->max)};
+}
+
+void read_link_ratio(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
+  constraints.link_ratio_max = table.number("link_ratio_max", kRatio);
+  if (!constraints.link_ratio_max) return;
+  const double longest = std::ranges::max(limits, {}, &Range::min).min;
+  const double shortest = std::ranges::min(limits, {}, &Range::max).max;
+  if (longest > shortest * *constraints.link_ratio_max) {
+    table.fault("link_ratio_max",
+                fmt::format("is {}, which the lengths exclude ({}); at least {} "
+                            "is possible",
+                            *constraints.link_ratio_max, in_words(limits), longest / shortest));
+  }
+}
+
+// The limits of a crank-rocker's stroke are what a time ratio is about.
+void read_time_ratio(TableReader& table, Constraints& constraints) {
+  constexpr std::string_view kKey = "time_ratio";
+  constraints.time_ratio = table.range(kKey, kRatio);
+  if (constraints.time_ratio && constraints.required_class != RequiredClass::crank_rocker) {
+    table.fault(kKey, "is that of a crank-rocker; class = \"crank-rocker\" is wanted besides");
+  }
+}
+
+// What of `constraints` Ceres cannot honour, as a key; empty where it can.
+std::string_view beyond_bounds(const Constraints& constraints) {
+  if (constraints.required_class) return "constraints.class";
+  if (constraints.transmission_angle) return "constraints.transmission_angle_deg";
+  if (constraints.link_ratio_max) return "constraints.link_ratio_max";
+  if (constraints.time_ratio) return "constraints.time_ratio";
+  if (constraints.pivot_region) return "constraints.pivot_region";
+  if (limits_turn(constraints)) return "limits over the full turn";
+  return {};
+}
+
+void check_solver(TableReader& table, SolverChoice solver, const Constraints& constraints,
+                  bool minimax) {
+  if (solver != SolverChoice::ceres) return;
+  constexpr std::string_view kOthers = "every other solver can";
+  if (minimax) {
+    table.fault("solver", fmt::format("is \"ceres\", which minimises sums of squares, but the "
+                                      "objective is \"minimax\"; {}",
+                                      kOthers));
+  }
+  const std::string_view constraint = beyond_bounds(constraints);
+  if (!constraint.empty()) {
+    table.fault("solver", fmt::format("is \"ceres\", which honours bounds but not {}; {}",
+                                      constraint, kOthers));
+  }
+}
+
+}  // namespace
+
+void read_link_constraints(TableReader& table, const LengthLimits& limits,
+                           Constraints& constraints) {
+  read_class(table, limits, constraints);
+  read_transmission_angle(table, constraints);
+  read_link_ratio(table, limits, constraints);
+  read_time_ratio(table, constraints);
+  constraints.no_branch_defect = table.boolean("no_branch_defect").value_or(true);
+  constraints.no_order_defect = table.boolean("no_order_defect").value_or(true);
+  constraints.no_circuit_defect = table.boolean("no_circuit_defect").value_or(true);
+}
+
+void read_pivot_region(TableReader& table, const Given& given, Constraints& constraints) {
+  constexpr std::string_view kKey = "pivot_region";
+  constraints.pivot_region = table.box(kKey);
+  if (!constraints.pivot_region) return;
+  for (const auto& pivot : {given.pivot_a, given.pivot_d}) {
+    if (pivot && !contains(*constraints.pivot_region, *pivot)) {
+      table.fault(kKey, fmt::format("does not contain the given pivot [{}, {}]; a region that "
+                                    "contains every given pivot is wanted",
+                                    pivot->x, pivot->y));
+    }
+  }
+}
+
+Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
+                 int most_designs) {
+  constexpr int kMostStarts = 1'000'000;
+  Solve solve;
+  solve.solver = table.choice<SolverChoice>("solver").value_or(solve.solver);
+  solve.starts = table.integer("starts", 1, kMostStarts);
+  solve.designs = table.integer("designs", 1, most_designs).value_or(solve.designs);
+  solve.tolerance = table.number("tolerance", kTolerance);
+  check_solver(table, solve.solver, constraints, minimax);
+  return solve;
+}
+
+void check_unknown_count(TableReader& table, SolverChoice solver, int count) {
+  if (solver == SolverChoice::automatic || solver == SolverChoice::gauss_newton) return;
+  // The others know nothing of angles that touch one residual each: their matrices are full.
+  constexpr int kMostOfAgs = 10, kMost = 2000;
+  const int most = solver == SolverChoice::ags ? kMostOfAgs : kMost;
+  if (count <= most) return;
+  table.fault("solver",
+              fmt::format("is \"{}\", which takes {} unknowns at most, and there are {} (with a "
+                          "crank angle for each point or pose); \"auto\" takes any number",
+                          to_string(solver), most, count));
+}
+
+void read_loss(TableReader& table, std::string_view other, Solve& solve) {
+  constexpr std::string_view kLoss = "loss", kScale = "loss_scale";
+  solve.loss = table.choice<synthesis::Loss>(kLoss).value_or(solve.loss);
+  const auto scale = table.number(kScale, kErrorScale);
+  solve.loss_scale = scale.value_or(solve.loss_scale);
+  for (const std::string_view key : {kLoss, kScale}) {
+    if (other.empty() || !table.has(key)) continue;
+    table.fault(key, fmt::format("is given with {}, but a loss belongs to least squares; leave "
+                                 "it out",
+                                 other));
+  }
+  if (!other.empty()) return;
+  const bool robust = solve.loss != synthesis::Loss::none;
+  if (robust && !table.has(kScale)) {
+    table.fault(kLoss,
+                fmt::format("is \"{}\" without a scale; loss_scale is wanted, the error from "
+                            "which it differs from least squares: a length for paths, radians "
+                            "for functions",
+                            to_string(solve.loss)));
+  }
+  if (!robust && scale && !table.has(kLoss)) {
+    table.fault(kScale,
+                "is given without a loss; add loss = \"huber\" or another, or leave it out");
+  }
+}
+
+void read_certificate(TableReader& table, std::string_view refusal, Solve& solve) {
+  solve.certify = table.boolean("certify").value_or(false);
+  const auto gap = table.number("certify_gap", kTolerance);
+  if (gap && !solve.certify) {
+    table.fault("certify_gap", "is given without certify; add certify = true or leave it out");
+  }
+  if (solve.certify && !refusal.empty()) table.fault("certify", std::string(refusal));
+  if (solve.certify && solve.loss != synthesis::Loss::none) {
+    table.fault("certify",
+                "is true with a loss, but only sums of squares can be certified; leave "
+                "one of them out");
+  }
+  solve.certify_gap = gap.value_or(solve.certify_gap);
+}
+
+}  // namespace cognate::problems::reading

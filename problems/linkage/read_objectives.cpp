@@ -1,0 +1,136 @@
+#include "problems/linkage/read_objectives.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "problems/names.hpp"
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr std::string_view kKey = "objectives";
+constexpr int kFrontDesigns = 12;
+
+void read_error_limit(TableReader& table, const ObjectiveScope& scope, Constraints& constraints) {
+  for (const auto& [key, of] : names<ErrorMeasure>()) {
+    if (of == scope.error) {
+      const auto most = table.number(key, kErrorScale);
+      if (!most) continue;
+      if (!scope.exact.empty()) table.fault(key, scope.exact);
+      constraints.error = ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
+    } else if (table.has(key)) {
+      table.fault(key,
+                  fmt::format("is of another error than this problem's; constraints.{} is wanted",
+                              to_string(scope.error)));
+    }
+  }
+}
+
+/// Each once, with faults for what is no measure.
+std::vector<Measure> read_measures(TableReader& table) {
+  std::vector<std::string_view> allowed;
+  for (const auto& named : names<Measure>()) allowed.push_back(named.name);
+  const auto words = table.texts(kKey, {1, 2, "objectives"});
+  std::vector<Measure> measures;
+  if (!words) return measures;
+  for (std::size_t i = 0; i < words->size(); ++i) {
+    const std::string& word = (*words)[i];
+    const auto measure = from_string<Measure>(word);
+    if (!measure) {
+      table.faults().add(table.where(kKey, i),
+                         fmt::format("solve.objectives has {}; allowed are {}", in_quotes(word),
+                                     quoted_list(allowed)));
+    } else if (std::ranges::count(measures, *measure) > 0) {
+      table.faults().add(
+          table.where(kKey, i),
+          fmt::format("solve.objectives has {} twice; each once is wanted", in_quotes(word)));
+    } else {
+      measures.push_back(*measure);
+    }
+  }
+  return measures.size() == words->size() ? measures : std::vector<Measure>{};
+}
+
+bool turns_fully(const Constraints& constraints) {
+  return constraints.required_class == RequiredClass::crank_rocker ||
+         constraints.required_class == RequiredClass::double_crank;
+}
+
+/// Whether the measure is one that the problem can have.
+void check_measure(TableReader& table, const ObjectiveScope& scope, const Constraints& constraints,
+                   Measure measure) {
+  if (measure == Measure::size && !scope.has_sizes) {
+    table.fault(kKey,
+                "has \"size\", but a function is one of ratios of lengths; \"link_ratio\" or "
+                "\"transmission_angle\" is wanted");
+  }
+  constexpr std::array kOverTurn{Measure::peak_acceleration, Measure::torque_ripple,
+                                 Measure::speed_fluctuation, Measure::flywheel_inertia,
+                                 Measure::motor_power};
+  const bool over_turn = std::ranges::count(kOverTurn, measure) > 0 ||
+                         (measure == Measure::transmission_angle && scope.needs_full_turn);
+  if (over_turn && !turns_fully(constraints)) {
+    table.fault(kKey, fmt::format("has \"{}\", which is taken over the full turn of the crank; "
+                                  "constraints.class = \"crank-rocker\" or \"double-crank\" is "
+                                  "wanted besides",
+                                  to_string(measure)));
+  }
+}
+
+/// What does not go with several objectives.
+void check_company(TableReader& table, const ObjectiveScope& scope, bool front, Solve& solve) {
+  const std::string_view refusal = scope.exact.empty() ? scope.refusal : scope.exact;
+  if (!refusal.empty()) table.fault(kKey, refusal);
+  if (solve.certify) {
+    table.fault("certify",
+                "is true with solve.objectives, but a certificate is about the error "
+                "alone; leave one of them out");
+  }
+  if (solve.loss != synthesis::Loss::none) {
+    table.fault("loss",
+                "is given with solve.objectives, whose error is that of least squares or "
+                "minimax; leave one of them out");
+  }
+  if (solve.solver == SolverChoice::ceres) {
+    table.fault("solver",
+                "is \"ceres\", which cannot keep to the bounds that several objectives "
+                "need; every other solver can");
+  }
+  if (front && table.has("designs") && solve.designs < 2) {
+    table.fault("designs", "is 1, but a front has two ends; at least 2 are wanted");
+  }
+  if (!front && table.has("designs") && solve.designs != 1) {
+    table.fault("designs",
+                "is more than 1 with an objective that one design has best; leave it out, or add "
+                "\"error\" to the objectives for a front");
+  }
+}
+
+}  // namespace
+
+void read_objectives(TableReader& constraints_table, TableReader& solve_table,
+                     const ObjectiveScope& scope, Constraints& constraints, Solve& solve) {
+  read_error_limit(constraints_table, scope, constraints);
+  solve.objectives = read_measures(solve_table);
+  const auto& all = solve.objectives;
+  const bool with_error = std::ranges::count(all, Measure::error) > 0;
+  if (all.empty() || (with_error && all.size() == 1)) return;
+  const bool front = with_error;
+  check_company(solve_table, scope, front, solve);
+  for (const Measure measure : all) check_measure(solve_table, scope, constraints, measure);
+  if (!with_error && all.size() > 1) {
+    solve_table.fault(kKey, "are two without \"error\"; \"error\" and one other are wanted");
+  } else if (!with_error && !constraints.error) {
+    solve_table.fault(kKey, fmt::format("does without \"error\", which is then to be bounded; "
+                                        "constraints.{} is wanted, or \"error\" besides",
+                                        to_string(scope.error)));
+  }
+  if (!solve_table.has("designs")) solve.designs = front ? kFrontDesigns : 1;
+}
+
+}  // namespace cognate::problems::reading

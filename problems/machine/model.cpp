@@ -1,0 +1,211 @@
+#include "problems/machine/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "problems/evaluation/load_breaks.hpp"
+#include "problems/evaluation/load_strokes.hpp"
+#include "problems/evaluation/whole_motion.hpp"
+#include "problems/machine/drive_gaps.hpp"
+#include "problems/machine/reduced_mechanism.hpp"
+#include "problems/machine/vanishing_inertia.hpp"
+#include "problems/mechanism/drive_angle.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// A part of the mechanism that is at infinity is so far away this near to that place that the
+/// drive does not get there.
+constexpr double kNearWall = 1e-6;
+
+/// The mechanism's problem with the loads that are functions among its own, in the order of
+/// strokes.
+AnalysisProblem with_all_loads(const AnalysisProblem& problem,
+                               const std::vector<MachineLoad>& loads) {
+  AnalysisProblem all = problem;
+  std::ranges::transform(loads, std::back_inserter(all.loads), &MachineLoad::rule);
+  return all;
+}
+
+/// Where a load with `load` may jump or bend besides where its function says: what depends on a
+/// body's travel is asked to tell one way from the other.
+LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoad>& loads,
+                        std::size_t load) {
+  LoadRule rule = all.loads[load];
+  const std::size_t own = all.loads.size() - loads.size();
+  if (load >= own && loads[load - own].of_travel) rule.sense = LoadSense::advance;
+  return rule;
+}
+
+/// Whether all bodies stand after a turn as they did before; `two_turns` is the motion from where a
+/// machine's course begins. Beside that place, since a change point may lie there.
+bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
+  constexpr double kBeside = 0.01, kSame = 1e-6;
+  FollowedMotion<0> first(mechanism, two_turns), second(mechanism, two_turns);
+  if (!first.move_to(two_turns.start + kBeside)) return true;
+  if (!second.move_to(two_turns.start + kTurn + kBeside)) return true;
+  const auto stand_alike = [](const auto& a, const auto& b) {
+    return squared_norm(a.direction - b.direction) < kSame;
+  };
+  return std::ranges::equal(first.bodies(), second.bodies(), stand_alike);
+}
+
+/// What a machine is made of, with the state of its mechanism.
+struct Parts {
+  std::optional<ReducedMechanism> mechanism;
+  std::optional<MachineFunction> inertia, torque;
+  std::optional<Motor> motor;
+  double constant_inertia = 0;
+  double brake = 0;
+  double period = 0;
+  std::vector<double> walls;
+  double phi = 0;
+  std::shared_ptr<std::uint64_t> evaluations;
+
+  bool is_in_wall() const {
+    return std::ranges::any_of(walls, [&](double wall) {
+      return std::abs(std::remainder(phi - wall, period)) < kNearWall;
+    });
+  }
+
+  machine::EquivalentInertia move_to(double angle) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    phi = angle;
+    ++*evaluations;
+    if (is_in_wall()) return {kNone, kNone};
+    machine::EquivalentInertia sum{constant_inertia, 0};
+    if (mechanism) {
+      const machine::EquivalentInertia of_bodies = mechanism->move_to(phi);
+      sum.value += of_bodies.value;
+      sum.slope += of_bodies.slope;
+    }
+    if (inertia) {
+      sum.value += inertia->value(phi, 0, 0);
+      if (inertia->slope) sum.slope += inertia->slope(phi);
+    }
+    return sum;
+  }
+
+  /// Gears take their share of the power, whichever way it flows.
+  double motor_torque(double omega, double time) const {
+    if (!motor) return 0;
+    const double torque = motor->ratio * motor->torque.value(phi, motor->ratio * omega, time);
+    const bool drives = (torque > 0) == (omega > 0);
+    return drives ? torque * motor->efficiency : torque / motor->efficiency;
+  }
+
+  machine::Torques torques(double omega, double time) {
+    double load = omega > 0 ? -brake : omega < 0 ? brake : 0;
+    if (torque) load += torque->value(phi, omega, time);
+    if (mechanism) load += mechanism->torque(omega, time);
+    return {motor_torque(omega, time), load};
+  }
+};
+
+}  // namespace
+
+MachineModel::MachineModel(const MachineProblem& problem, const Deadline& deadline)
+    : problem_(problem), period_(kTurn) {
+  if (problem.mechanism) prepare_mechanism(*problem.mechanism, deadline);
+  const auto add = [&](const MachineFunction& function) {
+    add_breaks(function.breaks);
+    depends_on_time_ = depends_on_time_ || function.of_time;
+  };
+  if (problem.inertia) add(*problem.inertia);
+  if (problem.torque) add(*problem.torque);
+  if (problem.motor) add(problem.motor->torque);
+  for (const MachineLoad& load : problem.loads) add(load.value);
+  std::ranges::sort(breaks_);
+}
+
+void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Deadline& deadline) {
+  AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
+  all.drive.start = in_one_turn(problem_.run.start_phi);
+  course_ = whole_motion(all, deadline);
+  gap_ = gap_in_words(course_);
+  if (turns() && !course_.runs.front().changes.empty()) {
+    Course two_turns = follow_until(all, course_.start, course_.start + 2 * kTurn, deadline);
+    if (!repeats(all.mechanism.mechanism, two_turns)) {
+      period_ = 2 * kTurn;
+      course_ = std::move(two_turns);
+    }
+  }
+  strokes_ = load_strokes(all, deadline);
+  for (std::size_t i = 0; i < all.loads.size(); ++i) {
+    const Stroke stroke = i < strokes_.size() ? strokes_[i] : Stroke{};
+    const LoadRule rule = rule_of_breaks(all, problem_.loads, i);
+    const auto more = load_breaks(all.mechanism.mechanism, course_, rule, stroke);
+    breaks_.insert(breaks_.end(), more.begin(), more.end());
+  }
+  for (const MachineLoad& load : problem_.loads) add_travel(all.mechanism.mechanism, load);
+  walls_ = walls(course_);
+  for (const double wall : walls_) {
+    breaks_.insert(breaks_.end(), {wall - kNearWall, wall + kNearWall});
+  }
+  for (double& place : breaks_) place = in_period(place, period_);
+}
+
+void MachineModel::add_travel(const Mechanism<double>& mechanism, const MachineLoad& load) {
+  const LoadTravel& travel = travels_.emplace_back(mechanism, course_, load.rule.at.body);
+  if (!load.of_travel || !travel.begins_anew()) return;
+  LoadRule whole_turn = load.rule;
+  whole_turn.within_stroke = {0, 1};
+  const auto begins = load_breaks(mechanism, course_, whole_turn, {0, kTurn});
+  breaks_.insert(breaks_.end(), begins.begin(), begins.end());
+}
+
+void MachineModel::add_breaks(const std::vector<double>& of_a_turn) {
+  for (double turn = 0; turn < period_; turn += kTurn) {
+    for (const double place : of_a_turn) breaks_.push_back(turn + place);
+  }
+}
+
+machine::Machine MachineModel::machine(const MachineParts& parts) const {
+  auto all = std::make_shared<Parts>();
+  if (problem_.mechanism) {
+    all->mechanism.emplace(*problem_.mechanism, problem_.loads, course_, strokes_, travels_);
+  }
+  all->inertia = problem_.inertia;
+  all->torque = problem_.torque;
+  all->constant_inertia = parts.flywheel;
+  if (problem_.motor) {
+    const Motor& motor = *problem_.motor;
+    all->constant_inertia += motor.inertia * motor.ratio * motor.ratio;
+    if (parts.motor) all->motor = motor;
+  }
+  all->brake = parts.brake;
+  all->period = period_;
+  all->walls = walls_;
+  all->evaluations = evaluations_;
+  return {.move_to = [all](double phi) { return all->move_to(phi); },
+          .torques = [all](double omega, double time) { return all->torques(omega, time); },
+          .period = period_,
+          .breaks = breaks_,
+          .depends_on_time = depends_on_time_};
+}
+
+bool MachineModel::always_has_inertia(double flywheel) const {
+  if (flywheel > 0 || problem_.inertia) return true;
+  if (problem_.motor && problem_.motor->inertia > 0) return true;
+  // The drive turns with the angle that counts.
+  return problem_.mechanism && problem_.mechanism->inertias.at(1).moment > 0;
+}
+
+std::optional<double> MachineModel::without_inertia(double flywheel) const {
+  if (!turns() || always_has_inertia(flywheel)) return std::nullopt;
+  return vanishing_inertia(machine({.flywheel = flywheel}));
+}
+
+bool MachineModel::depends_on_angle() const {
+  const auto of_phi = [](const auto& function) { return function && function->of_phi; };
+  return problem_.mechanism || of_phi(problem_.inertia) || of_phi(problem_.torque) ||
+         (problem_.motor && problem_.motor->torque.of_phi);
+}
+
+}  // namespace cognate::problems

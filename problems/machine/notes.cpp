@@ -1,0 +1,133 @@
+#include "problems/machine/notes.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "problems/mechanism/drive_angle.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr std::string_view kOutOfTime = "out of time";
+constexpr std::string_view kSteep =
+    "too many steps, as where torques change very steeply with speed or angle";
+constexpr std::string_view kManySteps =
+    "too many steps, as where the machine swings to and fro, or torques change very steeply with "
+    "speed or angle";
+
+}  // namespace
+
+std::string steady_note(const machine::SteadyState& steady, bool turns) {
+  using machine::NoSteadyState;
+  switch (steady.missing) {
+    case NoSteadyState::none:
+      return {};
+    case NoSteadyState::stalls:
+      return fmt::format(
+          "no steady state: the machine stalls, since motor and loads together take from it at "
+          "every speed looked at ({:.6g} J in a period)",
+          -steady.surplus);
+    case NoSteadyState::stands:
+      return "no steady state: the machine comes to rest within a turn in which, kept at an even "
+             "speed, it would gain as much as it loses; a greater flywheel helps, or a greater "
+             "start speed where torques do not depend on speed";
+    case NoSteadyState::runs_away:
+      return fmt::format(
+          "no steady state: the machine runs away, since motor and loads together give to it at "
+          "every speed looked at ({:.6g} J in a period)",
+          steady.surplus);
+    case NoSteadyState::any_speed:
+      return fmt::format(
+          "every speed is a steady one: torques do not depend on speed and do no work in a period; "
+          "{}",
+          steady.states.empty() ? "give run.start_speed" : "that of the start is taken");
+    case NoSteadyState::depends_on_time:
+      return "no steady state: motor or loads depend on time";
+    case NoSteadyState::open:
+      return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
+                   : "no steady state: the mechanism cannot be assembled all the way round";
+    case NoSteadyState::unsure:
+      return "no steady state is told: what is found with some steps is not so with others, as "
+             "where torques change too steeply with speed or angle, or act over too short a "
+             "stretch";
+    case NoSteadyState::stopped:
+    case NoSteadyState::gave_up:
+      break;
+  }
+  return fmt::format("the search for the steady state was ended before it was done: {}",
+                     steady.missing == NoSteadyState::stopped ? kOutOfTime : kSteep);
+}
+
+std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation) {
+  using machine::NoSteadyState;
+  switch (flywheel.why) {
+    case NoSteadyState::any_speed:
+      return "no flywheel can be found while every speed is a steady one; give run.start_speed";
+    case NoSteadyState::gave_up:
+    case NoSteadyState::stopped:
+    case NoSteadyState::unsure:
+      return fmt::format("the search for the flywheel was ended before it was done: {}",
+                         flywheel.why == NoSteadyState::stopped ? kOutOfTime : kSteep);
+    case NoSteadyState::none:
+    case NoSteadyState::stands:
+    case NoSteadyState::stalls:
+      return fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
+                         fluctuation);
+    default:
+      return "no flywheel: the machine has no steady state with any";
+  }
+}
+
+std::string ended_note(const EndedMotion& motion) {
+  using machine::RunStop;
+  const auto& [name, run, turns, awaited] = motion;
+  const machine::MachineState &first = run.states.front(), &last = run.states.back();
+  constexpr double kShown = 1e-3;
+  const double in_turn = in_period(last.phi, kTurn) * 360 / kTurn;
+  const double angle = in_turn < 360 - kShown ? in_turn : 0;
+  const std::string place = fmt::format("after {:.6g} s and {:.6g} turns, at {:.6g} rad/s",
+                                        last.time, (last.phi - first.phi) / kTurn, last.omega);
+  switch (run.stop) {
+    case RunStop::stalled:
+      return fmt::format("{} fails: the machine stands still and nothing moves it{}, {}", name,
+                         awaited ? "" : " yet; run.time_max says how long to wait for what does",
+                         place);
+    case RunStop::open:
+      if (turns) return fmt::format("{} fails: motor or loads have no value, {}", name, place);
+      if (last.time == first.time) {
+        return fmt::format(
+            "{} fails: the mechanism cannot be assembled where it begins, at {:.6g}°", name, angle);
+      }
+      return fmt::format("{} fails: the mechanism cannot be assembled further on than {:.6g}°, {}",
+                         name, angle, place);
+    case RunStop::gave_up:
+    case RunStop::stopped:
+      return fmt::format("{} was ended before it was done: {}, {}", name,
+                         run.stop == RunStop::stopped ? kOutOfTime : kManySteps, place);
+    case RunStop::at_rest:
+      return fmt::format("{} fails: the machine comes to rest, {}", name, place);
+    default:
+      return fmt::format("{} ended at its limit, {}", name, place);
+  }
+}
+
+std::string beyond_note(double wanted, const machine::SteadyState& steady) {
+  const std::string least = fmt::format("{:.6g}", steady.least.omega);
+  const std::string greatest = fmt::format("{:.6g}", steady.greatest.omega);
+  const std::string speeds =
+      least == greatest ? "at " + least : fmt::format("between {} and {}", least, greatest);
+  return fmt::format("the speed does not reach {:.6g} rad/s: it settles {} rad/s", wanted, speeds);
+}
+
+std::string coarse_note(const std::string& name, std::size_t rows, double turns) {
+  constexpr double kOfATurn = 12;
+  if (static_cast<double>(rows) >= kOfATurn * std::abs(turns)) return {};
+  return fmt::format(
+      "the table of {} has {} rows for {:.6g} turns: too few to show what happens within a turn; "
+      "a greater run.steps, or an earlier end, is wanted for that",
+      name, rows, std::abs(turns));
+}
+
+}  // namespace cognate::problems

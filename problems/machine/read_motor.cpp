@@ -1,0 +1,114 @@
+#include "problems/machine/read_motor.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+#include <vector>
+
+#include "problems/machine/read_function.hpp"
+#include "problems/mechanism/quantity_rules.hpp"
+#include "problems/toml/interpolation.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr std::string_view kTorque = "torque";
+constexpr std::string_view kLine = "line";
+constexpr std::string_view kTable = "table";
+
+constexpr NumberRule kPositive{is_positive_quantity, "a number from 1e-30 to 1e30"};
+constexpr NumberRule kGears{[](double x) { return x >= 1e-6 && x <= 1e6; },
+                            "motor speed over drive speed, from 1e-6 to 1e6,"};
+constexpr NumberRule kEfficiency{[](double x) { return x >= 1e-6 && x <= 1; },
+                                 "a fraction above 0, up to 1,"};
+
+bool has_exactly_one(TableReader& motor) {
+  std::string_view first;
+  for (const std::string_view key : {kTorque, kLine, kTable}) {
+    if (!motor.has(key)) continue;
+    if (!first.empty()) {
+      motor.fault(key, fmt::format("is given beside motor.{}; one of torque, line and table is "
+                                   "wanted",
+                                   first));
+      return false;
+    }
+    first = key;
+  }
+  if (!first.empty()) return true;
+  motor.fault(kTorque,
+              "is missing; a torque, a line = {stall_torque, no_load_speed} or a table = [[speed, "
+              "torque], ...] is wanted");
+  return false;
+}
+
+double require(TableReader& table, std::string_view key, std::string_view what) {
+  if (!table.has(key)) table.fault(key, fmt::format("is missing; {} is wanted", what));
+  return table.number(key, kPositive).value_or(1);
+}
+
+void read_line(TableReader& motor, Motor& read) {
+  TableReader line = motor.table(kLine);
+  MotorLine given;
+  given.stall_torque = require(line, "stall_torque", "the torque at standstill");
+  given.no_load_speed = require(line, "no_load_speed", "the speed at which it gives no torque");
+  line.finish();
+  read.line = given;
+  read.torque.of_speed = true;
+  read.torque.value = [given](double, double omega, double) {
+    return given.stall_torque * (1 - omega / given.no_load_speed);
+  };
+}
+
+void read_speed_table(TableReader& motor, Motor& read) {
+  const auto rows =
+      motor.each_two(kTable, kQuantity, "[speed, torque]", {2, kMostMachineRows, "rows"});
+  bool sound = true;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (!rows[i] || !rows[i - 1] || (*rows[i])[0] > (*rows[i - 1])[0]) continue;
+    motor.faults().add(motor.where(kTable, i),
+                       fmt::format("row {} of motor.table has the speed {} after {}; increasing "
+                                   "speeds are wanted",
+                                   i + 1, (*rows[i])[0], (*rows[i - 1])[0]));
+    sound = false;
+  }
+  const auto all = all_or_none(rows);
+  if (!sound || !all) return;
+  for (const auto& [speed, torque] : *all) read.torque.table.emplace_back(speed, torque);
+  read.torque.of_speed = true;
+  auto through =
+      read.torque.smooth ? interpolate(read.torque.table) : straight_lines(read.torque.table);
+  read.torque.value = [value = std::move(through)](double, double omega, double) {
+    return value(omega);
+  };
+}
+
+void read_torque(TableReader& motor, Motor& read) {
+  if (motor.has_array(kTorque)) {
+    motor.fault(kTorque,
+                "is an array; a number or an expression in phi, w and t is wanted, and speeds with "
+                "their torques under table = [[speed, torque], ...]");
+    return;
+  }
+  auto torque = read_machine_function(motor, kTorque, {}, false);
+  if (torque) read.torque = std::move(torque->function);
+}
+
+}  // namespace
+
+Motor read_motor(TableReader& table) {
+  Motor motor;
+  motor.torque.smooth = read_interpolation(table, {kTable});
+  table.know({kTorque, kLine, kTable});
+  if (has_exactly_one(table)) {
+    if (table.has(kLine)) read_line(table, motor);
+    if (table.has(kTable)) read_speed_table(table, motor);
+    if (table.has(kTorque)) read_torque(table, motor);
+  }
+  motor.ratio = table.number("ratio", kGears).value_or(1);
+  motor.efficiency = table.number("efficiency", kEfficiency).value_or(1);
+  motor.inertia = table.number("inertia", kMass).value_or(0);
+  table.finish();
+  return motor;
+}
+
+}  // namespace cognate::problems::reading

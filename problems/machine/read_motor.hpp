@@ -1,0 +1,12 @@
+/// @file `[motor]`: what drives a machine.
+#pragma once
+
+#include "problems/machine/problem.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+/// The motor in `table`, complete if no fault was added.
+Motor read_motor(TableReader& table);
+
+}  // namespace cognate::problems::reading

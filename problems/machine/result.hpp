@@ -1,0 +1,34 @@
+/// @file What a machine does.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/machine/flywheel.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/machine/problem.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+
+/// One of the motions that were asked for, as a table: time, drive, speed, inertia, torques, power,
+/// energies.
+struct MachineMotion {
+  MachineTask task = MachineTask::steady;
+  /// "time_s" first, then "crank_deg" (not reduced to a turn)…; the same for every task.
+  std::vector<Column> columns;
+};
+
+struct MachineResult {
+  Status status = Status::no_solution;  ///< `solved` where every motion asked for exists
+  std::vector<MachineMotion> motions;
+  std::vector<Fact> facts;
+  Work work;
+  std::vector<std::string> notes;
+};
+
+/// What the machine does, as far as it was asked for.
+MachineResult run_machine(const MachineProblem& problem, const Run& run);
+
+}  // namespace cognate::problems

@@ -1,0 +1,278 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "analysis/machine/flywheel.hpp"
+#include "problems/machine/model.hpp"
+#include "problems/machine/motion_table.hpp"
+#include "problems/machine/notes.hpp"
+#include "problems/machine/result.hpp"
+#include "problems/machine/steady_facts.hpp"
+#include "problems/mechanism/drive_angle.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using machine::Machine;
+using machine::MachineRun;
+using machine::MachineState;
+using machine::NoSteadyState;
+using machine::RunEnd;
+using machine::RunStop;
+using machine::SteadyState;
+
+/// A start is over as soon as the speed is as close to the steady one at the same angle, relative
+/// to it.
+constexpr double kStarted = 0.01;
+/// Turns after which a start or stop ends for which the file gives no limit.
+constexpr double kMostTurns = 1000;
+
+void append(std::vector<Fact>& facts, std::vector<Fact> more) {
+  std::ranges::move(more, std::back_inserter(facts));
+}
+
+class MachineTasks {
+ public:
+  MachineTasks(const MachineProblem& problem, const Run& run)
+      : problem_(problem), deadline_(run), model_(problem, deadline_) {
+    accuracy_.relative = problem.run.tolerance;
+    accuracy_.stop = [this] { return deadline_.reached(); };
+    flywheel_ = problem.flywheel;
+  }
+
+  MachineResult answer() {
+    if (const auto place = model_.without_inertia(flywheel_)) {
+      fail(fmt::format(
+          "the machine's inertia vanishes where the drive is at {:.6g}°, and any torque "
+          "would bring any speed at once there; give the crank, a flywheel or the motor "
+          "an inertia",
+          *place * 360 / kTurn));
+    } else {
+      do_tasks();
+    }
+    result_.status = status();
+    result_.work.seconds = deadline_.spent();
+    result_.work.positions = result_.work.velocities = result_.work.accelerations =
+        model_.evaluations();
+    return std::move(result_);
+  }
+
+ private:
+  void do_tasks() {
+    if (problem_.fluctuation && model_.turns()) find_flywheel();
+    for (const MachineTask task : problem_.run.tasks) {
+      if (task == MachineTask::steady) steady();
+      if (task == MachineTask::start) start();
+      if (task == MachineTask::stop) stop();
+    }
+  }
+
+  Status status() const {
+    if (deadline_.interrupted()) return Status::interrupted;
+    if (deadline_.expired()) return Status::time_limit;
+    if (result_.motions.empty()) return Status::no_solution;
+    return whole_ ? Status::solved : Status::infeasible;
+  }
+
+  void fail(std::string note) {
+    whole_ = false;
+    result_.notes.push_back(std::move(note));
+  }
+
+  machine::SteadyGuess guess() const {
+    const double phi = problem_.run.start_phi, speed = problem_.run.start_speed;
+    machine::SteadyGuess guess{.phi = in_period(phi, model_.period())};
+    if (speed > 0) guess.speed = speed;
+    return guess;
+  }
+
+  Machine machine(bool motor = true, double brake = 0) const {
+    return model_.machine({.flywheel = flywheel_, .motor = motor, .brake = brake});
+  }
+
+  void find_flywheel() {
+    const auto machine_with = [this](double inertia) {
+      return model_.machine({.flywheel = inertia});
+    };
+    machine::Flywheel found = machine::flywheel_for(machine_with, *problem_.fluctuation, guess(),
+                                                    accuracy_, problem_.run.steps);
+    if (found.found) {
+      flywheel_ = found.inertia;
+      append(result_.facts, flywheel_facts(found));
+      if (found.without.states.empty()) {
+        result_.notes.emplace_back(
+            "without a flywheel the machine does not get round, so that there is no fluctuation "
+            "of it, nor what the textbooks' formula makes of it");
+      }
+      steady_ = std::move(found.steady);
+      return;
+    }
+    fail(flywheel_note(found, *problem_.fluctuation));
+    is_told_ = found.why == found.without.missing && found.why != NoSteadyState::stalls;
+    steady_ = std::move(found.without);
+  }
+
+  /// The steady state, found once; not looked for where the drive cannot turn fully.
+  const SteadyState& steady_state() {
+    if (!model_.turns()) {
+      steady_ = SteadyState{.missing = NoSteadyState::open};
+    } else if (!steady_) {
+      steady_ = machine::steady_state(machine(), guess(), accuracy_, problem_.run.steps);
+    }
+    return *steady_;
+  }
+
+  bool is_steady() { return !steady_state().states.empty(); }
+
+  void steady() {
+    const SteadyState& found = steady_state();
+    if (!model_.turns()) tell_gap();
+    if (!is_steady()) {
+      whole_ = false;
+      if (!is_told_) tell_once(steady_note(found, model_.turns()));
+      if (found.missing == NoSteadyState::stalls && sets_out_backwards()) tell_backwards();
+      return;
+    }
+    if (found.missing == NoSteadyState::any_speed) {
+      result_.notes.push_back(steady_note(found, model_.turns()));
+    }
+    const Machine whole = machine();
+    result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
+    append(result_.facts, steady_facts(problem_, whole, found));
+  }
+
+  /// Whether motor and loads, in the mean over a period, push the drive backwards from rest.
+  bool sets_out_backwards() const {
+    constexpr int kSamples = 90;
+    constexpr double kNothing = 1e-9;
+    const Machine whole = machine();
+    double sum = 0, size = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      whole.move_to(whole.period * (i + 0.5) / kSamples);
+      const auto acting = whole.torques(-std::numeric_limits<double>::min(), 0);
+      sum += acting.sum();
+      size += std::abs(acting.motor) + std::abs(acting.load);
+    }
+    return sum < -kNothing * size;
+  }
+
+  void tell_backwards() {
+    tell_once("the machine goes backwards; a steady motion is looked for forwards alone");
+  }
+
+  void tell_gap() { tell_once(model_.gap()); }
+
+  void tell_once(const std::string& note) {
+    if (std::ranges::find(result_.notes, note) != result_.notes.end()) return;
+    result_.notes.push_back(note);
+  }
+
+  RunEnd limits() const {
+    RunEnd end;
+    end.time = problem_.run.time_max;
+    if (problem_.run.turns_max) end.travel = *problem_.run.turns_max * kTurn;
+    if (!end.time && !end.travel) end.travel = kMostTurns * kTurn;
+    return end;
+  }
+
+  /// Whether a motion ended where the file lets it end.
+  bool is_limit(RunStop stop) const {
+    return (stop == RunStop::time && problem_.run.time_max) ||
+           (stop == RunStop::travel && problem_.run.turns_max);
+  }
+
+  MachineRun follow(const Machine& machine, const MachineState& from, const RunEnd& end) const {
+    const auto rows = static_cast<std::size_t>(std::max(problem_.run.steps, 1)) - 1;
+    return machine::run(machine, from, end, accuracy_, rows);
+  }
+
+  void tell(MachineTask task, const Machine& machine, const MachineRun& run) {
+    result_.motions.push_back({task, motion_table(machine, run.states)});
+    const std::string name = task == MachineTask::start ? "start" : "stop";
+    const MachineState& last = run.states.back();
+    const double turns = (last.phi - run.states.front().phi) / kTurn;
+    result_.facts.push_back({name + "_time_s", last.time});
+    result_.facts.push_back({name + "_turns", turns});
+    result_.facts.push_back({name + "_end_speed_rad_s", last.omega});
+    const std::string coarse = coarse_note("the " + name, run.states.size(), turns);
+    if (model_.depends_on_angle() && !coarse.empty()) result_.notes.push_back(coarse);
+  }
+
+  /// Says where a motion ended; a failure unless that is all right.
+  void tell_end(const std::string& name, const MachineRun& run, bool is_right) {
+    const bool awaited = !model_.depends_on_time() || problem_.run.time_max;
+    const std::string note = ended_note({name, run, model_.turns(), awaited});
+    if (is_right) {
+      result_.notes.push_back(note);
+    } else {
+      fail(note);
+      if (run.stop == RunStop::open && !model_.turns()) tell_gap();
+    }
+  }
+
+  /// Whether a motion that settles comes past `speed` on its way.
+  bool passes(double speed) const {
+    const double from = problem_.run.start_speed;
+    return speed >= std::min(from, steady_->least.omega) &&
+           speed <= std::max(from, steady_->greatest.omega);
+  }
+
+  void start() {
+    const MachineRunRequest& wanted = problem_.run;
+    RunEnd end = limits();
+    const bool settles = is_steady() && steady_state().missing == NoSteadyState::none;
+    const bool beyond = settles && wanted.speed_end && !passes(*wanted.speed_end);
+    end.speed = wanted.speed_end;
+    if (settles && (!wanted.speed_end || beyond)) {
+      end.approach = {{steady_->states.front().omega, kStarted}};
+    }
+    const Machine whole = machine();
+    const MachineRun run =
+        follow(whole, {.phi = wanted.start_phi, .omega = wanted.start_speed}, end);
+    tell(MachineTask::start, whole, run);
+    if (run.states.back().omega < 0) tell_backwards();
+    if (run.stop == RunStop::speed) return;
+    if (run.stop != RunStop::approached) {
+      tell_end("the start", run, is_limit(run.stop) && !wanted.speed_end);
+    } else if (beyond) {
+      fail(beyond_note(*wanted.speed_end, *steady_));
+    }
+  }
+
+  void stop() {
+    const bool from_steady = is_steady();
+    const double speed = from_steady ? steady_->states.front().omega : problem_.run.start_speed;
+    if (speed == 0) {
+      fail("the stop has no speed to begin from: there is no steady state and no start speed");
+      return;
+    }
+    RunEnd end = limits();
+    end.at_rest = true;
+    const Machine whole = machine(false, problem_.brake.value_or(0));
+    const MachineRun run = follow(whole, {.phi = problem_.run.start_phi, .omega = speed}, end);
+    tell(MachineTask::stop, whole, run);
+    if (run.stop != RunStop::at_rest) tell_end("the stop", run, is_limit(run.stop));
+  }
+
+  const MachineProblem& problem_;
+  Deadline deadline_;
+  MachineModel model_;
+  machine::Accuracy accuracy_;
+  double flywheel_ = 0;
+  std::optional<SteadyState> steady_;
+  MachineResult result_;
+  bool is_told_ = false;  ///< why there is no steady state, with the flywheel
+  bool whole_ = true;
+};
+
+}  // namespace
+
+MachineResult run_machine(const MachineProblem& problem, const Run& run) {
+  return MachineTasks(problem, run).answer();
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,21 @@
+/// @file The names of a mechanism's joints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/mechanism/joints.hpp"
+#include "problems/evaluation/problem.hpp"
+
+namespace cognate::problems {
+
+/// One name for each joint of joints(mechanism). A turning joint has that of the point named there,
+/// on whichever of the bodies that it connects; without one, and for a sliding joint, the names of
+/// its two bodies: "block-bar".
+std::vector<std::string> joint_names(const NamedMechanism& mechanism);
+
+/// One name for each dyad: of RRR that of its inner joint, else of its second body (the slider, the
+/// bar).
+std::vector<std::string> dyad_names(const NamedMechanism& mechanism);
+
+}  // namespace cognate::problems

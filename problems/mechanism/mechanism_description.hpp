@@ -1,0 +1,85 @@
+/// @file A mechanism as `[mechanism]` describes it, defaults filled in, so that it can be written
+/// down again in the user's own terms. Angles are in radians.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/guide_bar.hpp"
+#include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/vec2.hpp"
+
+namespace cognate::problems {
+
+/// `[[pivot]]`: a point of the frame.
+struct PivotDescription {
+  std::string name;
+  Vec2d at{};
+};
+
+/// `slide = {through, direction_deg, offset, on}`: a straight guide on the body `on`. `through` is
+/// a point in that body's axes or the name of one of its points, `direction` an angle from its
+/// first axis.
+struct SlideDescription {
+  std::variant<Vec2d, std::string> through = Vec2d{};
+  double direction = 0;
+  double offset = 0;
+  std::string on = "frame";
+};
+
+/// `[crank]` of a chain: turns about the pivot `at` and carries the point `pin`.
+struct CrankDescription {
+  std::string at;
+  std::string pin;
+  double length = 0;
+  std::string name = "crank";
+};
+
+/// `[slider]` of a chain: driven along a guide of the frame, `pin` its origin.
+struct SliderDescription {
+  SlideDescription slide;
+  std::string pin;
+  std::string name = "slider";
+};
+
+enum class DyadType { rrr, rrp, rpr, prp, rpp };
+
+/// `[[dyad]]`. What the type does not have is empty or zero.
+struct DyadDescription {
+  DyadType type = DyadType::rrr;
+  std::vector<std::string> joins;        ///< RRR, RPR two points; RRP, RPP one; PRP none
+  std::vector<double> lengths;           ///< RRR two, RRP one
+  std::vector<SlideDescription> slides;  ///< PRP two; RRP, RPP one
+  double offset = 0;                     ///< RPR: of the bar from its pivot
+  double slot = 0;                       ///< RPP: of the slot from the guide
+  Assembly assembly = Assembly::open;    ///< RRR, RRP, RPR
+  std::string new_point;                 ///< `new`: the inner joint (RPP: where slot and guide
+                                         ///< cross); empty for RPR
+  std::array<std::string, 2> names;      ///< of its two bodies
+};
+
+/// `[[point]]`: `at` in the axes of a body. `on` holds its name, or the names of two of its points,
+/// the first the origin, the second on the first axis.
+struct PointDescription {
+  std::string name;
+  std::vector<std::string> on;
+  Vec2d at{};
+};
+
+/// `type = "chain"`.
+struct ChainDescription {
+  std::vector<PivotDescription> pivots;
+  std::variant<CrankDescription, SliderDescription> drive;
+  std::vector<DyadDescription> dyads;
+};
+
+/// What `[mechanism]` says, by its type: the alternatives are in the order of `MechanismType`.
+using MechanismDescription =
+    std::variant<FourBar, SliderCrank, GuideBar, OscillatingBlock, FixedBlock, ScotchYoke,
+                 TangentGenerator, EllipticTrammel, OldhamCoupling, ChainDescription>;
+
+}  // namespace cognate::problems

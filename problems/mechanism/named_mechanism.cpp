@@ -1,0 +1,46 @@
+#include "problems/mechanism/named_mechanism.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "problems/mechanism/simple_parts.hpp"
+
+namespace cognate::problems {
+namespace {
+
+void set_parts(NamedMechanism& mechanism, const NamedParts& parts) {
+  for (const Body& body : parts.bodies) mechanism.bodies.push_back(body.name);
+  for (const PlacedPoint& point : parts.points) {
+    mechanism.points.push_back({point.name, point.on.front()});
+  }
+}
+
+}  // namespace
+
+NamedMechanism named(const MechanismDescription& description) {
+  NamedMechanism mechanism;
+  mechanism.type = static_cast<MechanismType>(description.index());
+  mechanism.description = description;
+  if (const auto* linkage = std::get_if<FourBar>(&description)) mechanism.four_bar = *linkage;
+  std::visit(
+      [&]<class Dimensions>(const Dimensions& dimensions) {
+        if constexpr (!std::is_same_v<Dimensions, ChainDescription>) {
+          mechanism.mechanism = as_mechanism(dimensions);
+          set_parts(mechanism, parts_of(dimensions));
+          mechanism.output = output_of(mechanism.type);
+        }
+      },
+      description);
+  return mechanism;
+}
+
+void add_point(NamedMechanism& mechanism, const std::string& name, const std::string& body,
+               const Vec2d& at) {
+  const auto found = std::ranges::find(mechanism.bodies, body);
+  const auto number = static_cast<int>(found - mechanism.bodies.begin());
+  mechanism.points.push_back({name, {number, at}});
+  mechanism.extra_points.push_back({name, {body}, at});
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,52 @@
+/// @file A mechanism with the names that users know its parts by.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/mechanism/mechanism.hpp"
+#include "problems/mechanism/mechanism_description.hpp"
+
+namespace cognate::problems {
+
+/// `mechanism.type`.
+enum class MechanismType {
+  four_bar,
+  slider_crank,
+  guide_bar,
+  oscillating_block,
+  fixed_block,
+  scotch_yoke,
+  tangent_generator,
+  elliptic_trammel,
+  oldham_coupling,
+  chain
+};
+
+/// A point that users know by name: a joint, a pivot, or a point of a link.
+struct NamedPoint {
+  std::string name;
+  Attached<double> at;
+};
+
+struct NamedMechanism {
+  MechanismType type = MechanismType::four_bar;
+  Mechanism<double> mechanism;
+  std::vector<std::string> bodies;  ///< one for each body: "frame", "crank", "coupler", "C"…
+  std::vector<NamedPoint> points;   ///< pivots, pins and points of links
+  int output = 0;                   ///< the body whose motion is the mechanism's output
+  std::optional<FourBar> four_bar;  ///< where `type` is four_bar
+  MechanismDescription description;
+  std::vector<PointDescription> extra_points;  ///< `[[point]]`, also among `points`
+};
+
+/// The mechanism that `description` tells, any but a chain, with the names of `simple_parts.hpp`.
+NamedMechanism named(const MechanismDescription& description);
+
+/// Adds a point of the body called `body`, at `at` in that body's axes, under `name`.
+void add_point(NamedMechanism& mechanism, const std::string& name, const std::string& body,
+               const Vec2d& at);
+
+}  // namespace cognate::problems

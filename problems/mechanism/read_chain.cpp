@@ -1,0 +1,191 @@
+#include "problems/mechanism/read_chain.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "problems/mechanism/quantity_rules.hpp"
+#include "problems/mechanism/read_chain_dyads.hpp"
+#include "problems/mechanism/read_slides.hpp"
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr std::size_t kMostPivots = 1000;
+// The course of a motion takes time that grows with their square: with 200 some seconds.
+constexpr std::size_t kMostDyads = 200;
+constexpr std::string_view kCrank = "crank";
+constexpr std::string_view kSlider = "slider";
+
+void announce_name(TableReader& table, std::string_view key, PartNames& names) {
+  if (!table.has_text(key)) return;
+  announce(names, *read_mention(table, key), table.faults());
+}
+
+void read_pivot(TableReader& table, Chain& chain) {
+  constexpr std::string_view kName = "name";
+  constexpr std::string_view kAt = "at";
+  const auto name = require_name(table, kName, "the pivot");
+  announce_name(table, kName, chain.names);
+  if (!table.has(kAt)) table.fault(kAt, "is missing; [x, y] is wanted");
+  const auto at = table.two(kAt, kQuantity, "[x, y]");
+  table.finish();
+  if (!name || !at) {
+    chain.names.incomplete = true;
+    return;
+  }
+  const Vec2d place{(*at)[0], (*at)[1]};
+  chain.description.pivots.push_back({*name, place});
+  if (!chain.names.point(*name)) chain.names.place(*name, {0, place});
+}
+
+// The bodies and joints of `dyads` dyads and `drives` drives, and the mobility of those by
+// Grübler's formula for plane linkages, 3(n − 1) − 2j.
+std::string mobility(std::size_t dyads, int drives) {
+  const int bodies = 1 + drives + 2 * static_cast<int>(dyads);
+  const int joints = drives + 3 * static_cast<int>(dyads);
+  return fmt::format("mobility 3(n - 1) - 2j = {} with n = {} bodies and j = {} joints",
+                     3 * (bodies - 1) - 2 * joints, bodies, joints);
+}
+
+void read_crank(TableReader& table, Chain& chain) {
+  constexpr std::string_view kAt = "at";
+  constexpr std::string_view kLength = "length";
+  CrankDescription crank;
+  const std::size_t before = table.faults().size();
+  const auto pivot = require_name(table, kAt, "the pivot it turns about");
+  crank.at = pivot.value_or("");
+  crank.pin = require_name(table, "pin", "its pin").value_or("");
+  crank.name = read_name(table, "name").value_or(crank.name);
+  if (!table.has(kLength)) table.fault(kLength, "is missing; a length is wanted");
+  crank.length = table.number(kLength, kLinkLength).value_or(0);
+  table.finish();
+  const auto index =
+      pivot ? find_point(chain.names, *read_mention(table, kAt), table.faults()) : std::nullopt;
+  if (!index || table.faults().size() != before) {
+    chain.names.incomplete = true;
+    return;
+  }
+  chain.used.push_back(crank.at);
+  const Vec2d place = chain.names.parts().points[*index].on.front().at;
+  chain.mechanism.drive = Crank<double>{place, crank.length};
+  chain.names.place(crank.at, {1, {}});
+  add_body(chain.names, {crank.name, table.where("name"), table.name("name")}, false, "",
+           table.faults());
+  chain.names.place(crank.pin, {1, {crank.length, 0}});
+  chain.steady.push_back(std::nullopt);
+  chain.description.drive = std::move(crank);
+}
+
+void read_driving_slider(TableReader& table, Chain& chain) {
+  SliderDescription slider;
+  const std::size_t before = table.faults().size();
+  const auto slide = read_slide_of(table, chain);
+  if (slide && slide->guide.body != 0) {
+    table.fault("slide", "is on a moving body; a driving slider has its guide on the frame");
+  }
+  slider.pin = require_name(table, "pin", "its pin").value_or("");
+  slider.name = read_name(table, "name").value_or(slider.name);
+  table.finish();
+  if (!slide || table.faults().size() != before) {
+    chain.names.incomplete = true;
+    return;
+  }
+  slider.slide = slide->description;
+  chain.mechanism.drive = DrivingSlider<double>{slide->guide};
+  add_body(chain.names, {slider.name, table.where("name"), table.name("name")}, true, slider.pin,
+           table.faults());
+  chain.names.place(slider.pin, {1, {}});
+  chain.steady.push_back(slide->guide.direction);
+  chain.description.drive = std::move(slider);
+}
+
+void announce_pin(TableReader& holder, std::string_view drive, PartNames& names) {
+  if (!holder.has_table(drive)) return;
+  TableReader table = holder.table(drive);
+  announce_name(table, "pin", names);
+}
+
+void read_drive(TableReader& crank_holder, TableReader& slider_holder, std::size_t dyads,
+                Chain& chain) {
+  const bool crank = crank_holder.has(kCrank);
+  const bool slider = slider_holder.has(kSlider);
+  if (crank == slider) {
+    crank_holder.fault(
+        crank ? kSlider : kCrank,
+        crank ? fmt::format("is given beside {}: {}; one drive is wanted",
+                            crank_holder.name(kCrank), mobility(dyads, 2))
+              : fmt::format("is missing: {}; a [crank] or a driving [slider] is wanted",
+                            mobility(dyads, 0)));
+    chain.names.incomplete = true;
+    return;
+  }
+  if (crank) {
+    TableReader table = crank_holder.table(kCrank);
+    read_crank(table, chain);
+  } else {
+    TableReader table = slider_holder.table(kSlider);
+    read_driving_slider(table, chain);
+  }
+}
+
+void place_waiting(std::vector<WaitingPoint>& waiting, Chain& chain) {
+  auto placed = place_extra_points(waiting, chain.names);
+  std::ranges::move(placed, std::back_inserter(chain.points));
+}
+
+// A pivot that nothing hangs on is a slip of the pen: what was to turn about it is missing.
+void check_pivots_used(std::vector<TableReader>& pivots, const Chain& chain,
+                       const std::vector<WaitingPoint>& waiting) {
+  for (TableReader& pivot : pivots) {
+    const auto name = pivot.has_text("name") ? *pivot.text("name") : "";
+    const auto mentions = [&](const WaitingPoint& point) {
+      return std::ranges::find(point.description.on, name) != point.description.on.end();
+    };
+    const bool used = std::ranges::find(chain.used, name) != chain.used.end() ||
+                      std::ranges::any_of(waiting, mentions);
+    if (name.empty() || used) continue;
+    pivot.fault("name",
+                fmt::format("is {}, which nothing joins: the rest has {} without it; join it by a "
+                            "[[dyad]] or leave it out",
+                            in_quotes(name), mobility(chain.mechanism.dyads.size(), 1)));
+  }
+}
+
+}  // namespace
+
+Chain read_chain(TableReader& document, TableReader& mechanism) {
+  Chain chain;
+  const auto tables = [&](std::string_view key, std::size_t min, std::size_t max,
+                          std::string_view of) {
+    TableReader& place = holder(key, document, mechanism);
+    return place.has(key) ? place.tables(key, {min, max, of}) : std::vector<TableReader>{};
+  };
+  auto pivots = tables("pivot", 1, kMostPivots, "pivots");
+  auto dyads = tables("dyad", 1, kMostDyads, "dyads");
+  for (TableReader& pivot : pivots) read_pivot(pivot, chain);
+  if (dyads.empty() && !document.has("dyad") && !mechanism.has("dyad")) {
+    mechanism.fault("dyad", "is missing; a chain has one [[dyad]] or more");
+  }
+  TableReader& crank_holder = holder(kCrank, document, mechanism);
+  TableReader& slider_holder = holder(kSlider, document, mechanism);
+  announce_pin(crank_holder, kCrank, chain.names);
+  announce_pin(slider_holder, kSlider, chain.names);
+  for (TableReader& dyad : dyads) announce_name(dyad, "new", chain.names);
+  auto waiting = read_extra_points(holder("point", document, mechanism), chain.names);
+  const auto all_points = waiting;
+  read_drive(crank_holder, slider_holder, dyads.size(), chain);
+  place_waiting(waiting, chain);
+  for (TableReader& dyad : dyads) {
+    read_dyad(dyad, chain);
+    place_waiting(waiting, chain);
+  }
+  fault_unplaced(waiting, chain.names, document.faults());
+  if (!chain.names.incomplete) check_pivots_used(pivots, chain, all_points);
+  return chain;
+}
+
+}  // namespace cognate::problems::reading

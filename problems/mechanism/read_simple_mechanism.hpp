@@ -1,0 +1,22 @@
+/// @file `[mechanism]` of the types whose dimensions tell everything.
+#pragma once
+
+#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/named_parts.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::problems::reading {
+
+/// What `[mechanism]` tells of a mechanism.
+struct ReadMechanism {
+  MechanismDescription description;
+  Mechanism<double> mechanism;
+  NamedParts parts;
+  bool sound =
+      false;  ///< false where a fault was added: then only the names of the parts are right
+};
+
+/// The mechanism of `type`, any but a chain.
+ReadMechanism read_simple_mechanism(TableReader& mechanism, MechanismType type);
+
+}  // namespace cognate::problems::reading

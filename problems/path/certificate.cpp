@@ -1,0 +1,156 @@
+#include "problems/path/certificate.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "problems/linkage/verify.hpp"
+#include "problems/path/scale.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::ProportionBox;
+using synthesis::TimedPath;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Where the file has no bounds of the coupler point it is taken to lie within so many times the
+/// path's size of B.
+constexpr double kFarthestPoint = 300;
+
+Range limits_of(const std::optional<double>& given, const std::optional<Range>& bounds) {
+  if (given) return {*given, *given};
+  return bounds.value_or(Range{0, kInfinite});
+}
+
+std::array<Range, 4> length_limits(const PathProblem& problem) {
+  const Given& given = problem.given;
+  const Bounds& bounds = problem.bounds;
+  return {limits_of(given.crank, bounds.crank), limits_of(given.coupler, bounds.coupler),
+          limits_of(given.rocker, bounds.rocker), limits_of(given.frame, bounds.frame)};
+}
+
+/// Greatest distance of the coupler point from B that the file allows; empty if any.
+std::optional<double> farthest_point(const PathProblem& problem) {
+  if (const auto& point = problem.given.coupler_point) return std::hypot(point->x, point->y);
+  const auto& box = problem.bounds.coupler_point;
+  if (!box) return std::nullopt;
+  const double reach = std::hypot(std::max(std::abs(box->min.x), std::abs(box->max.x)),
+                                  std::max(std::abs(box->min.y), std::abs(box->max.y)));
+  if (!std::isfinite(reach)) return std::nullopt;
+  return reach * (1 + 2 * kCheckTolerance);
+}
+
+Given with_frame(Given given) {
+  if (!given.pivot_a || !given.pivot_d) return given;
+  const Vec2d frame = *given.pivot_d - *given.pivot_a;
+  given.frame = std::hypot(frame.x, frame.y);
+  given.frame_angle = std::atan2(frame.y, frame.x);
+  return given;
+}
+
+/// The crank's phase from the frame line: known, or anything.
+Range phase_range(const PathProblem& problem) {
+  const auto& frame_angle = problem.given.frame_angle;
+  if (problem.crank_reference == CrankReference::frame) return {0, 0};
+  if (problem.crank_reference == CrankReference::global && frame_angle) {
+    return {-*frame_angle, -*frame_angle};
+  }
+  return {0, synthesis::Interval::above(2 * std::numbers::pi)};
+}
+
+/// The points seen from the crank pivot where that is given, along the direction in which the
+/// crank's zero lies where that is known.
+TimedPath timed_path(const PathProblem& scaled, bool clockwise) {
+  TimedPath path;
+  const bool increments = scaled.crank_reference == CrankReference::first;
+  const auto& frame_angle = scaled.given.frame_angle;
+  path.direction_fixed = scaled.crank_reference == CrankReference::global ||
+                         (scaled.crank_reference == CrankReference::frame && frame_angle);
+  const bool along_frame = scaled.crank_reference == CrankReference::frame && frame_angle;
+  const std::complex<double> turn = std::polar(1.0, along_frame ? -*frame_angle : 0.0);
+  path.pivot_fixed = scaled.given.pivot_a.has_value();
+  const Vec2d origin = scaled.given.pivot_a.value_or(Vec2d{});
+  for (std::size_t j = 0; j < scaled.points.size(); ++j) {
+    const Vec2d point = scaled.points[j] - origin;
+    path.points.push_back(turn * std::complex(point.x, point.y));
+    const double angle = scaled.crank_angles[j] - (increments ? scaled.crank_angles.front() : 0);
+    path.crank_angles.push_back(std::remainder(clockwise ? -angle : angle, 2 * std::numbers::pi));
+  }
+  path.weights = scaled.weights;
+  path.weights.resize(path.points.size(), 1.0);
+  path.lengths = certified_lengths(length_limits(scaled));
+  path.farthest_point = farthest_point(scaled).value_or(kFarthestPoint);
+  return path;
+}
+
+/// A box and the sense of the crank that it is for.
+struct Part {
+  ProportionBox box;
+  std::size_t sense = 0;
+};
+
+}  // namespace
+
+PathDomain path_domain(const PathProblem& problem) {
+  const PathScale scale(problem);
+  PathProblem scaled = scale.into(problem);
+  scaled.given = with_frame(scaled.given);
+  const auto given_ratio = largest_ratio(length_limits(scaled), scaled.constraints);
+  const double ratio = given_ratio.value_or(kCertifiedLinkRatio);
+  const auto limits = proportion_limits(scaled.constraints, ratio);
+  PathDomain domain;
+  domain.to_file = scale.size * scale.size;
+  const bool either = scaled.crank_reference != CrankReference::first;
+  for (const bool clockwise : {false, true}) {
+    const CrankSense other = clockwise ? CrankSense::ccw : CrankSense::cw;
+    if (either ? clockwise : scaled.crank_sense == other) continue;
+    domain.bounds.emplace_back(timed_path(scaled, clockwise), limits);
+  }
+  domain.roots = proportion_roots(scaled.constraints, scaled.given, length_limits(scaled), ratio,
+                                  phase_range(scaled));
+  domain.text = domain_text(scaled.constraints, scaled.given, ratio, given_ratio.has_value());
+  if (!farthest_point(scaled)) {
+    domain.text +=
+        fmt::format(", coupler point within {:g} of B (likewise)", kFarthestPoint * scale.size);
+  }
+  return domain;
+}
+
+double path_objective(const PathProblem& problem, const Design& design) {
+  double sum = 0;
+  for (std::size_t j = 0; j < problem.points.size(); ++j) {
+    const auto error = path_error(four_bar(design), std::span(problem.points).subspan(j, 1),
+                                  std::span(design.crank_angles).subspan(j, 1));
+    sum += (problem.weights.empty() ? 1.0 : problem.weights[j]) * error.sum_of_squares;
+  }
+  return sum;
+}
+
+Certificate certify(const PathProblem& problem, double upper, const Run& run,
+                    const Deadline& deadline) {
+  const PathDomain domain = path_domain(problem);
+  const CertificateRun certificate(upper, problem.solve, run, deadline);
+  if (certificate.met_exactly(kMetExactly * domain.to_file)) {
+    return certificate.state_exact(domain.text);
+  }
+  std::vector<Part> roots;
+  for (std::size_t sense = 0; sense < domain.bounds.size(); ++sense) {
+    for (const ProportionBox& box : domain.roots) roots.push_back({box, sense});
+  }
+  const auto options = certificate.options(domain.to_file);
+  const auto result = synthesis::branch_and_bound(
+      roots, options,
+      [&](const Part& part) { return domain.bounds[part.sense](part.box, options.target); },
+      [](const Part& part, int side) {
+        const auto [first, second] = synthesis::halves(part.box, side);
+        return std::pair{Part{first, part.sense}, Part{second, part.sense}};
+      });
+  return certificate.state(result, domain.to_file, domain.text);
+}
+
+}  // namespace cognate::problems

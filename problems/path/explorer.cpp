@@ -1,0 +1,348 @@
+#include "problems/path/explorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/exact_starts.hpp"
+#include "problems/path/order.hpp"
+#include "problems/path/starts.hpp"
+#include "problems/path/straying.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Solution;
+
+/// Designs screened for each start that is refined: enough that the linear unknowns alone have
+/// found the basin in most cases, few enough that screening costs less than refining.
+constexpr std::size_t kCandidatesPerStart = 256;
+/// The same for every other start of a problem with limits. Screening knows the limits on lengths
+/// alone: the best of many candidates lie where the curve would be nearest without the others, and
+/// none of them may lie where it is nearest within all.
+constexpr std::size_t kFewCandidates = 4;
+/// Iterations spent on every start. The best of the library's problems are within 1 % of their
+/// minimum after 60; the rest of a long valley is walked by the best ones only.
+constexpr int kExploringIterations = 80;
+constexpr double kExploringTolerance = 1e-10;
+constexpr int kDeepeningIterations = 600;
+/// With limits over the turn, whose evaluation costs more than that of most points.
+constexpr int kLimitedIterations = 120;
+/// Where order binds, as each evaluation places all points anew.
+constexpr int kOrderedIterations = 60;
+constexpr double kDeepeningTolerance = 1e-13;
+/// Starts of a round, and the fewest and most of a search where the file does not say. The best
+/// minimum of the library's problems attracts one start in forty or more: 250 starts miss it from
+/// one seed in a hundred or so, 500 from none.
+constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 1000;
+/// Fits that end with costs equal to their last six digits or so are this far apart.
+constexpr double kSameFit = 1e-4;
+
+// For progress: the exploration's share of the search, and where in a round its starts have been
+// drawn and fitted.
+constexpr double kExploredByFewest = 0.6, kExplored = 0.7, kDrawn = 0.2, kFitted = 0.7;
+/// The best minimum counts as well known once so many starts have come to it.
+constexpr int kEnoughHits = 5;
+
+std::mt19937_64 generator(std::uint64_t seed, int start) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(start)};
+  return std::mt19937_64(sequence);
+}
+
+/// A start, before it is fitted.
+PathFound placed(const PathProblem& problem, const PathStart& start) {
+  PathFound found;
+  const auto confined_to = confining_class(problem.constraints, lengths(start.linkage));
+  found.minimum = {start.linkage.assembly, start.clockwise, confined_to, {}};
+  found.minimum.solution.x =
+      model_of(problem, found.minimum).variables_of(start.linkage, start.crank_angles);
+  found.valid = true;
+  return found;
+}
+
+/// The point where a fit in lanes has ended, as `model` sees it.
+void take_over(const PathModel& model, const synthesis::PathFitState& state, PathFound& found) {
+  if (state.iterations == 0) {  // the time was up before its turn
+    found.valid = found.fitted;
+    return;
+  }
+  found.fitted = true;
+  Solution& solution = found.minimum.solution;
+  solution.x = model.variables_of(state, solution.x);
+  found.cost = state.cost;
+  found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
+  found.gradients += static_cast<std::uint64_t>(state.iterations);
+  found.iterations += static_cast<std::uint64_t>(state.iterations);
+  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  found.valid = std::isfinite(state.cost) && model.residuals(solution.x, residuals, {}, {});
+  if (!found.valid) return;
+  solution.objective = 0;
+  for (const double r : residuals) solution.objective += r * r;
+  model.constraints(solution.x, limits, {});
+  solution.violation = 0;
+  for (const double c : limits) solution.violation = std::max(solution.violation, -c);
+}
+
+/// Fits those of `all` that are valid in SIMD lanes; those confined to one class share one problem.
+void fit_in_lanes(const PathProblem& problem, std::span<PathFound> all,
+                  const synthesis::PathFitOptions& options) {
+  std::vector<PathFound*> left;
+  for (PathFound& found : all) {
+    if (found.valid) left.push_back(&found);
+  }
+  while (!left.empty()) {
+    const auto confined_to = left.front()->minimum.confined_to;
+    const auto others = std::stable_partition(
+        left.begin(), left.end(),
+        [&](const PathFound* found) { return found->minimum.confined_to == confined_to; });
+    std::vector<synthesis::PathFitState> states;
+    for (auto it = left.begin(); it != others; ++it) {
+      const PathMinimum& minimum = (*it)->minimum;
+      states.push_back(model_of(problem, minimum).lane_state(minimum.solution.x));
+    }
+    fit_paths(model_of(problem, left.front()->minimum).lane_fit(), states, options);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      take_over(model_of(problem, left[i]->minimum), states[i], *left[i]);
+    }
+    left.erase(left.begin(), others);
+  }
+}
+
+/// Whether the transmission angle is limited over the range that prescribed timing drives a crank
+/// through which does not turn fully.
+bool limits_driven_range(const PathProblem& problem) {
+  const auto& required = problem.constraints.required_class;
+  const bool turns = required && (*required == RequiredClass::crank_rocker ||
+                                  *required == RequiredClass::double_crank);
+  return problem.timing == Timing::prescribed && problem.constraints.transmission_angle && !turns;
+}
+
+/// Whether more is demanded than soundness and what screening knows, the limits on lengths.
+bool is_limited(const PathProblem& problem) {
+  const Constraints& limits = problem.constraints;
+  const Bounds& bounds = problem.bounds;
+  return limits.required_class || limits.transmission_angle || limits.link_ratio_max ||
+         limits.time_ratio || limits.pivot_region || limits_turn(limits) || bounds.frame_angle ||
+         bounds.pivot_a || bounds.pivot_d || bounds.coupler_point;
+}
+
+/// The rounds of an exploration; `pool_` holds the best so far.
+class Explorer {
+ public:
+  Explorer(const PathProblem& problem, const PathExploration& exploration, const Deadline& deadline,
+           Work& work)
+      : problem_(problem),
+        source_(problem),
+        straying_(problem),
+        exploration_(exploration),
+        deadline_(deadline),
+        work_(work) {
+    fit_.threads = exploration.run.threads;
+    fit_.stop = [this] { return deadline_.reached(); };
+  }
+
+  std::vector<PathFound> take(SearchThoroughness& thoroughness) {
+    const int most = exploration_.starts.value_or(kMostStarts);
+    int done = 0;
+    add_known();
+    while (done < most && !deadline_.reached()) {
+      const int count = std::min(kRound, most - done);
+      add_round(done, count, most);
+      done += count;
+      if (!exploration_.starts && done >= kFewestStarts && knows_enough()) break;
+    }
+    thoroughness.starts = done;
+    if (!exploration_.starts) add_exact();
+    return std::move(pool_);
+  }
+
+ private:
+  void add_round(int first, int count, int most) {
+    const Run& run = exploration_.run;
+    std::vector<PathFound> fresh(static_cast<std::size_t>(count));
+    round_ = {explored(first, most), explored(first + count, most)};
+    parallel_for(count, run.threads, [&](int index, int thread) {
+      if (deadline_.reached()) return;
+      std::mt19937_64 random = generator(run.seed, first + index);
+      const auto start = source_.draw(random, candidates(first + index));
+      if (start) fresh[index] = placed(problem_, *start);
+      if (thread == 0) report(kDrawn * index / count);
+    });
+    std::uint64_t screened = 0;
+    for (int index = 0; index < count; ++index) screened += 2 * candidates(first + index);
+    work_.candidates += screened;
+    work_.positions += screened * problem_.points.size();
+    add(std::move(fresh));
+  }
+
+  /// How many designs are screened for a start.
+  std::size_t candidates(int start) const {
+    return is_limited_ && start % 2 == 1 ? kFewCandidates : kCandidatesPerStart;
+  }
+
+  /// The share of the search that is done after so many starts: most searches need the fewest only.
+  double explored(int starts, int most) const {
+    if (exploration_.starts) return kExplored * starts / most;
+    if (starts <= kFewestStarts) return kExploredByFewest * starts / kFewestStarts;
+    return kExploredByFewest +
+           (kExplored - kExploredByFewest) * (starts - kFewestStarts) / (most - kFewestStarts);
+  }
+
+  /// Tells that `part` of the round is done.
+  void report(double part) const {
+    const Run& run = exploration_.run;
+    if (!run.progress) return;
+    const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
+    run.progress(
+        round_.min + part * (round_.max - round_.min),
+        any ? pool_.front().minimum.solution.objective : std::numeric_limits<double>::infinity());
+  }
+
+  /// Linkages through nine of the points, where the search has not met all of them.
+  void add_exact() {
+    const bool met = !pool_.empty() && pool_.front().cost < kMetExactly;
+    if (met || !has_exact_starts(problem_) || deadline_.reached()) return;
+    std::vector<PathFound> fresh;
+    for (const PathStart& start : exact_starts(problem_, exploration_.run, deadline_)) {
+      fresh.push_back(placed(problem_, start));
+      fresh.back().minimum.from_exact = true;
+      fresh.back().hits = 0;  // no start of the search
+    }
+    place_in_order(fresh);
+    add(std::move(fresh));
+  }
+
+  bool may_count(bool clockwise) const {
+    const bool increments =
+        problem_.timing != Timing::free && problem_.crank_reference == CrankReference::first;
+    if (!increments) return !clockwise;
+    return problem_.crank_sense != (clockwise ? CrankSense::ccw : CrankSense::cw);
+  }
+
+  /// Designs that the run begins with, by each sense of increments that there may be.
+  void add_known() {
+    std::vector<PathFound> fresh;
+    for (const Design& design : exploration_.run.known) {
+      for (const bool clockwise : {false, true}) {
+        if (!may_count(clockwise)) continue;
+        fresh.push_back(placed(problem_, {four_bar(design), design.crank_angles, clockwise}));
+        fresh.back().hits = 0;
+      }
+    }
+    if (!fresh.empty()) add(std::move(fresh));
+  }
+
+  void add(std::vector<PathFound> fresh) {
+    fit_.most_iterations = kExploringIterations;
+    fit_.tolerance = kExploringTolerance;
+    fit(fresh, {kDrawn, kFitted}, false);
+    std::ranges::move(fresh, std::back_inserter(pool_));
+    sort_and_merge(pool_, costs_less, kSameFit);
+    deepen();
+  }
+
+  /// Fits the best to their end and keeps them.
+  void deepen() {
+    if (pool_.size() > exploration_.kept) pool_.resize(exploration_.kept);
+    const auto done =
+        std::stable_partition(pool_.begin(), pool_.end(), std::not_fn(&PathFound::deepened));
+    fit_.most_iterations =
+        limits_turn(problem_.constraints) ? kLimitedIterations : kDeepeningIterations;
+    fit_.tolerance = kDeepeningTolerance;
+    fit({pool_.begin(), done}, {kFitted, 1}, true);
+    for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
+    sort_and_merge(pool_, costs_less, kSameFit);
+  }
+
+  /// `parts`: of the round, between which progress is told. Points between timed ones are placed
+  /// in order after half of the first fits alone: it leads some away from minima within reach.
+  void fit(std::span<PathFound> some, const Range& parts, bool deepening) {
+    const auto others = std::stable_partition(
+        some.begin(), some.end(), [&](const auto& found) { return knows_lanes_ && !found.binds; });
+    const std::span<PathFound> in_lanes(some.begin(), others);
+    fit_in_lanes(problem_, in_lanes, fit_);
+    const bool half = problem_.timing == Timing::mixed && !deepening;
+    place_in_order(half ? in_lanes.first(in_lanes.size() / 2) : in_lanes);
+    fit_one_by_one({others, some.end()}, parts);
+    count_work(some, problem_.points.size(), work_);
+    if (problem_.constraints.full_turn) mark_strays(some);
+  }
+
+  void place_in_order(std::span<PathFound> some) const {
+    if (!assigns_places(problem_)) return;
+    parallel_for(static_cast<int>(some.size()), fit_.threads,
+                 [&](int index, int) { problems::place_in_order(problem_, some[index]); });
+  }
+
+  void mark_strays(std::span<PathFound> some) const {
+    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int) {
+      PathFound& found = some[index];
+      if (!found.valid) return;
+      const PathModel model = model_of(problem_, found.minimum);
+      const auto& x = found.minimum.solution.x;
+      found.strays = straying_.strays(model.linkage(x), model.crank_angles(x));
+    });
+  }
+
+  /// By the solver that refines them later, under all limits.
+  void fit_one_by_one(std::span<PathFound> some, const Range& parts) {
+    const double step = (parts.max - parts.min) / std::max<double>(1, double(some.size()));
+    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int thread) {
+      if (thread == 0) report(parts.min + step * index);
+      PathFound& found = some[index];
+      if (!found.valid) return;
+      if (deadline_.reached()) {
+        found.valid = found.fitted;
+        return;
+      }
+      if (!found.fitted) problems::place_in_order(problem_, found);
+      found.fitted = true;
+      Solution& solution = found.minimum.solution;
+      solution =
+          minimise(problem_, found, synthesis::Backend::gauss_newton,
+                   {.tolerance = fit_.tolerance,
+                    .feasibility = kPathFeasibility,
+                    .max_iterations = found.binds ? kOrderedIterations : fit_.most_iterations,
+                    .time_limit = deadline_.remaining(),
+                    .interrupted = deadline_.flag()});
+      const double missing = fit_.penalty * solution.violation;
+      found.cost = solution.objective + missing * missing;
+      found.valid = solution.stop != synthesis::Stop::no_value;
+    });
+  }
+
+  bool knows_enough() const {
+    if (pool_.empty()) return false;
+    const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMetExactly;
+    return met || pool_.front().hits >= kEnoughHits;
+  }
+
+  const PathProblem& problem_;
+  PathStarts source_;
+  PathStraying straying_;
+  const PathExploration& exploration_;
+  const Deadline& deadline_;
+  Work& work_;
+  /// The lanes know no loss and no limits over the turn. What they would find without those has
+  /// been seen to hide better minima within them.
+  const bool knows_lanes_ = problem_.solve.loss == synthesis::Loss::none &&
+                            !limits_turn(problem_.constraints) && !limits_driven_range(problem_);
+  const bool is_limited_ = is_limited(problem_);
+  synthesis::PathFitOptions fit_;
+  std::vector<PathFound> pool_;
+  Range round_{0, 0};  ///< shares of the whole search at the round's beginning and end
+};
+
+}  // namespace
+
+std::vector<PathFound> explore_paths(const PathProblem& scaled, const PathExploration& exploration,
+                                     const Deadline& deadline, Work& work,
+                                     SearchThoroughness& thoroughness) {
+  return Explorer(scaled, exploration, deadline, work).take(thoroughness);
+}
+
+}  // namespace cognate::problems

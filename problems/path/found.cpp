@@ -1,0 +1,180 @@
+#include "problems/path/found.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/linkage/defects.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/crank_sense.hpp"
+#include "problems/path/ordered_model.hpp"
+#include "synthesis/optimise/loss.hpp"
+#include "synthesis/optimise/polish.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// A sum of squares, in sizes of the path, below which its last digits may be worth a polish:
+/// points are then met to a hundred thousandth.
+constexpr double kNearlyMet = 1e-10;
+
+bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
+  if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
+  if (a.confined_to != b.confined_to) return false;
+  for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
+    const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
+    if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
+  }
+  return true;
+}
+
+/// Whether the crank passes the points of a solution as the problem has it, within one range.
+bool keeps_order(const PathProblem& problem, const PathModel& model,
+                 const synthesis::Solution& solution) {
+  if (solution.stop == synthesis::Stop::no_value) return true;
+  const bool in_order = problem.order == PointOrder::cyclic && problem.constraints.no_order_defect;
+  const std::vector<double> angles = model.crank_angles(solution.x);
+  const Defects defects = find_defects(model.linkage(solution.x), angles,
+                                       in_order ? Sequence::one_sense : Sequence::any);
+  const bool free_sense = problem.crank_sense == CrankSense::either || !leaves_sense_open(problem);
+  return !defects.circuit && !defects.order &&
+         (free_sense || check_sense(problem.crank_sense, angles).satisfied);
+}
+
+/// The problem without the demand that all points lie on one circuit, for a solver that takes no
+/// constraints. The demand is checked where its solution ends.
+PathProblem unsound(const PathProblem& problem) {
+  PathProblem all = problem;
+  all.constraints.no_circuit_defect = all.constraints.no_order_defect = false;
+  return all;
+}
+
+double violation(const PathModel& model, std::span<const double> x) {
+  std::vector<double> values(model.constraint_count());
+  model.constraints(x, values, {});
+  double most = 0;
+  for (const double value : values) most = std::max(most, -value);
+  return most;
+}
+
+}  // namespace
+
+bool is_better(const PathFound& found, const PathFound& other) {
+  if (found.strays != other.strays) return other.strays;
+  const synthesis::Solution &a = found.minimum.solution, &b = other.minimum.solution;
+  const bool a_feasible = a.violation <= kPathFeasibility;
+  const bool b_feasible = b.violation <= kPathFeasibility;
+  if (a_feasible != b_feasible) return a_feasible;
+  return a_feasible ? a.objective < b.objective : a.violation < b.violation;
+}
+
+bool costs_less(const PathFound& a, const PathFound& b) {
+  if (a.strays != b.strays) return b.strays;
+  return a.cost < b.cost;
+}
+
+void sort_and_merge(std::vector<PathFound>& all,
+                    const std::function<bool(const PathFound&, const PathFound&)>& before,
+                    double tolerance) {
+  std::erase_if(all, [](const PathFound& found) { return !found.valid; });
+  std::ranges::stable_sort(all, before);
+  std::vector<PathFound> distinct;
+  for (PathFound& found : all) {
+    const auto known = std::ranges::find_if(distinct, [&](const PathFound& other) {
+      return is_same(other.minimum, found.minimum, tolerance);
+    });
+    if (known == distinct.end()) {
+      distinct.push_back(std::move(found));
+    } else {
+      known->hits += found.hits;
+      known->minimum.from_exact = known->minimum.from_exact || found.minimum.from_exact;
+    }
+  }
+  all = std::move(distinct);
+}
+
+synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
+                             synthesis::Backend backend, const synthesis::Options& options) {
+  const PathModel sound = model_of(problem, found.minimum);
+  const bool knows_limits = can_solve(backend, sound);
+  const PathModel model = knows_limits ? sound : model_of(unsound(problem), found.minimum);
+  const auto solve = [&](const synthesis::Model& of) {
+    const Solve& asked = problem.solve;
+    synthesis::Solution solution = solve_by_loss(backend, of, asked.loss, asked.loss_scale, 2,
+                                                 found.minimum.solution.x, options);
+    found.evaluations += solution.evaluations;
+    found.gradients += solution.gradients;
+    found.iterations += static_cast<std::uint64_t>(solution.iterations);
+    return solution;
+  };
+  const bool places = assigns_places(problem);
+  if (!places || !found.binds) {
+    // Where no point is out of order all crank angles are variables: that is the same, and quicker.
+    synthesis::Solution solution = solve(model);
+    if (!knows_limits) solution.violation = violation(sound, solution.x);
+    if (!places || keeps_order(problem, model, solution)) return solution;
+    found.binds = true;
+  }
+  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
+  synthesis::Solution solution = solve(ordered);
+  auto whole = ordered.whole(solution.x);
+  if (!whole) solution.stop = synthesis::Stop::no_value;
+  solution.x = whole ? std::move(whole->x) : found.minimum.solution.x;
+  return solution;
+}
+
+void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options) {
+  synthesis::Solution& solution = found.minimum.solution;
+  const bool places = assigns_places(problem);
+  const bool none_local = places || problem.timing == Timing::prescribed;
+  if (problem.solve.loss != synthesis::Loss::none || !none_local) return;
+  if (!(solution.objective < kNearlyMet) || solution.violation > kPathFeasibility) return;
+  const PathModel model = model_of(problem, found.minimum);
+  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
+  std::vector<double> start(solution.x.begin(), solution.x.begin() + model.global_count());
+  const synthesis::Model& polished = places ? static_cast<const synthesis::Model&>(ordered) : model;
+  const synthesis::Solution end = synthesis::polish(polished, std::move(start), options);
+  found.evaluations += end.evaluations;
+  found.gradients += end.gradients;
+  if (end.stop == synthesis::Stop::no_value || !(end.objective < solution.objective)) return;
+  const auto whole = places ? ordered.whole(end.x) : std::nullopt;
+  if (places && !whole) return;
+  solution.x = places ? whole->x : end.x;
+  solution.objective = end.objective;
+  solution.violation = end.violation;
+}
+
+void place_in_order(const PathProblem& problem, PathFound& found) {
+  if (!found.valid || !assigns_places(problem)) return;
+  const PathModel model = model_of(problem, found.minimum);
+  const bool open = leaves_sense_open(problem);
+  std::optional<OrderedPathModel::Whole> best;
+  for (const bool clockwise : {false, true}) {
+    const CrankSense sense = clockwise ? CrankSense::cw : CrankSense::ccw;
+    const bool allowed = problem.crank_sense == CrankSense::either || problem.crank_sense == sense;
+    if (open ? !allowed : clockwise != found.minimum.clockwise) continue;
+    const OrderedPathModel ordered(problem, model, clockwise);
+    auto whole = ordered.whole(found.minimum.solution.x);
+    if (!whole || (best && best->places.cost <= whole->places.cost)) continue;
+    found.minimum.clockwise = clockwise;
+    best = std::move(whole);
+  }
+  found.strays = !best;
+  if (!best) return;
+  synthesis::Solution& solution = found.minimum.solution;
+  found.binds = best->places.any_held() && best->places.cost > kMetExactly;
+  found.cost += best->places.cost - solution.objective;
+  solution.objective = best->places.cost;
+  solution.x = std::move(best->x);
+}
+
+void count_work(std::span<PathFound> all, std::size_t points, Work& work) {
+  for (PathFound& found : all) {
+    work.positions += std::exchange(found.evaluations, 0) * points;
+    work.gradients += std::exchange(found.gradients, 0) * points;
+    work.solver_iterations += std::exchange(found.iterations, 0);
+  }
+}
+
+}  // namespace cognate::problems

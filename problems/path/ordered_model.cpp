@@ -1,0 +1,111 @@
+#include "problems/path/ordered_model.hpp"
+
+#include <cmath>
+
+#include "analysis/linkage/mobility.hpp"
+
+namespace cognate::problems {
+
+OrderedPathModel::OrderedPathModel(const PathProblem& scaled, const PathModel& model,
+                                   bool clockwise)
+    : model_(model),
+      order_(scaled),
+      globals_(static_cast<std::size_t>(model.global_count())),
+      clockwise_(clockwise),
+      counted_from_x_(scaled.crank_reference == CrankReference::global) {
+  for (std::size_t j = 0; j < scaled.points.size(); ++j) {
+    if (!scaled.is_timed(j)) untimed_.push_back(j);
+  }
+}
+
+std::optional<OrderedPathModel::Whole> OrderedPathModel::whole(std::span<const double> x) const {
+  Whole all{{x.begin(), x.begin() + static_cast<std::ptrdiff_t>(globals_)}, {}};
+  all.x.resize(globals_ + untimed_.size());
+  auto places = order_.places(model_.linkage(all.x), model_.crank_angles(all.x), clockwise_);
+  if (!places) return std::nullopt;
+  all.places = std::move(*places);
+  for (std::size_t k = 0; k < untimed_.size(); ++k) {
+    all.x[globals_ + k] = all.places.of_point[untimed_[k]].angle;
+  }
+  return all;
+}
+
+bool OrderedPathModel::residuals(std::span<const double> x, std::span<double> r,
+                                 std::span<double> jacobian, std::span<double>) const {
+  const auto all = whole(x);
+  if (!all) return false;
+  if (jacobian.empty()) return model_.residuals(all->x, r, {}, {});
+  std::vector<double> local(r.size());
+  if (!model_.residuals(all->x, r, jacobian, local)) return false;
+  follow(all->places, lengths(model_.linkage(all->x)), local, jacobian);
+  project(all->places, local, jacobian);
+  return true;
+}
+
+/// What the angle that holds a point, from the frame line, changes by with each dimension. At an
+/// end of the crank's range B–D is l₂ + l₃ or |l₂ − l₃|, and cos θ = (l₁² + l₄² − BD²)/(2 l₁ l₄).
+OrderedPathModel::Slopes OrderedPathModel::slopes_of(const PlaceInOrder& place,
+                                                     const Lengths<double>& links) const {
+  Slopes slopes{};
+  if (place.held_by == HeldBy::timed_point) {
+    slopes[counted_from_x_ ? PathModel::angle : PathModel::phase] = counted_from_x_ ? -1 : 1;
+    return slopes;
+  }
+  const double l1 = links.crank, l4 = links.frame;
+  const double cosine = std::cos(place.angle), sine = std::sin(place.angle);
+  const double diagonal = std::hypot(l4 - l1 * cosine, l1 * sine);
+  const double folded = links.coupler - links.rocker;
+  const bool extended = 2 * diagonal > links.coupler + links.rocker + std::abs(folded);
+  const double per_diagonal = diagonal / (l1 * l4 * sine);
+  slopes[PathModel::crank] = (cosine / l1 - 1 / l4) / sine;
+  slopes[PathModel::frame] = (cosine / l4 - 1 / l1) / sine;
+  slopes[PathModel::coupler] = extended || folded > 0 ? per_diagonal : -per_diagonal;
+  slopes[PathModel::rocker] = extended || folded < 0 ? per_diagonal : -per_diagonal;
+  return slopes;
+}
+
+/// Points that are held where the crank's range ends, or by a timed point, go with those.
+void OrderedPathModel::follow(const OrderedPlaces& places, const Lengths<double>& links,
+                              std::span<const double> local, std::span<double> jacobian) const {
+  const auto dimensions = model_.free_dimensions();
+  for (const std::size_t j : untimed_) {
+    const PlaceInOrder& place = places.of_point[j];
+    if (place.held_by == HeldBy::nothing) continue;
+    const Slopes slopes = slopes_of(place, links);
+    for (std::size_t row = 2 * j; row < 2 * j + 2; ++row) {
+      for (std::size_t i = 0; i < globals_; ++i) {
+        jacobian[row * globals_ + i] +=
+            local[row] * slopes[static_cast<std::size_t>(dimensions[i])];
+      }
+    }
+  }
+}
+
+/// Takes from the rows of each block what lies along its own derivative.
+void OrderedPathModel::project(const OrderedPlaces& places, std::span<const double> local,
+                               std::span<double> jacobian) const {
+  std::vector<double> square(places.blocks), along(places.blocks * globals_);
+  const auto over_rows = [&](const auto& act) {
+    for (const std::size_t j : untimed_) {
+      const PlaceInOrder& place = places.of_point[j];
+      if (place.held_by != HeldBy::nothing) continue;
+      act(place.block, 2 * j);
+      act(place.block, 2 * j + 1);
+    }
+  };
+  over_rows([&](std::size_t block, std::size_t row) {
+    square[block] += local[row] * local[row];
+    for (std::size_t i = 0; i < globals_; ++i) {
+      along[block * globals_ + i] += local[row] * jacobian[row * globals_ + i];
+    }
+  });
+  over_rows([&](std::size_t block, std::size_t row) {
+    if (square[block] == 0) return;
+    const double share = local[row] / square[block];
+    for (std::size_t i = 0; i < globals_; ++i) {
+      jacobian[row * globals_ + i] -= share * along[block * globals_ + i];
+    }
+  });
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,185 @@
+#include "problems/path/search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <utility>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/path/explorer.hpp"
+#include "problems/path/found.hpp"
+#include "problems/path/thinning.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Solution;
+
+constexpr int kDeepeningIterations = 2000;
+constexpr int kFinishingIterations = 200, kPolishingIterations = 100;
+/// How many explored starts are deepened, and how many of those are finished at all points of a
+/// long list and by a back end of the user's choice, beyond twice the designs wanted.
+constexpr std::size_t kDeepened = 64;
+constexpr std::size_t kFinished = 2;
+/// As `kDeepened` with limits over the turn, under which the explored starts have already come near
+/// their minima.
+constexpr std::size_t kLimitedDeepened = 24;
+/// Minima are one up to what an unfinished refinement leaves open.
+constexpr double kSameMinimum = 1e-6;
+
+synthesis::Options options(const Deadline& deadline, int iterations, double tolerance,
+                           std::uint64_t seed) {
+  return {.tolerance = tolerance,
+          .feasibility = kPathFeasibility,
+          .max_iterations = iterations,
+          .time_limit = deadline.remaining(),
+          .interrupted = deadline.flag(),
+          .seed = seed};
+}
+
+/// From the kept points to all: the same linkage, its crank angles interpolated, or those at which
+/// it comes nearest to the points in order. Whatever refinement gives counts as better.
+void carry_over(const PathThinning& thinning, const PathProblem& whole, PathFound& found) {
+  const PathModel coarse = model_of(thinning.coarse(), found.minimum);
+  const PathModel fine = model_of(whole, found.minimum);
+  Solution& solution = found.minimum.solution;
+  const FourBar linkage = coarse.linkage(solution.x);
+  solution.x = fine.variables_of(linkage, thinning.interpolated(coarse.crank_angles(solution.x)));
+  solution.objective = solution.violation = std::numeric_limits<double>::infinity();
+  place_in_order(whole, found);
+}
+
+/// Goes on from `found` and keeps what is reached unless it is worse.
+void refine(const PathProblem& problem, PathFound& found, synthesis::Backend backend,
+            const synthesis::Options& options) {
+  PathFound refined = found;
+  refined.minimum.solution = minimise(problem, refined, backend, options);
+  const bool lost = refined.minimum.solution.stop == synthesis::Stop::no_value;
+  if (lost || is_better(found, refined)) refined.minimum = found.minimum;
+  found = std::move(refined);
+}
+
+/// The stages of a search; each works on `all_` in place.
+class PathSearch {
+ public:
+  PathSearch(const PathProblem& scaled, double tolerance, const Run& run, const Deadline& deadline,
+             Work& work)
+      : whole_(scaled),
+        thinning_(scaled),
+        deepened_(limits_turn(scaled.constraints) ? kLimitedDeepened : kDeepened),
+        tolerance_(tolerance),
+        run_(run),
+        deadline_(deadline),
+        work_(work) {}
+
+  void explore();
+  void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
+                   int iterations, const Range& shares);
+  void finish(synthesis::Backend backend);
+  void polish_best();
+  PathSearchResult take();
+
+ private:
+  void lower_best(const PathFound& found);
+  std::size_t kept(std::size_t reserve) const {
+    return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
+  }
+
+  const PathProblem& whole_;
+  PathThinning thinning_;
+  std::size_t deepened_;
+  double tolerance_;
+  const Run& run_;
+  const Deadline& deadline_;
+  Work& work_;
+  SearchThoroughness thoroughness_;
+  std::vector<PathFound> all_;
+  std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
+};
+
+void PathSearch::lower_best(const PathFound& found) {
+  if (!found.valid || found.minimum.solution.violation > kPathFeasibility) return;
+  const double objective = found.minimum.solution.objective;
+  double known = best_;
+  while (objective < known && !best_.compare_exchange_weak(known, objective)) {
+  }
+}
+
+void PathSearch::explore() {
+  Run run = run_;
+  for (Design& design : run.known) design.crank_angles = thinning_.kept(design.crank_angles);
+  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_,
+                       work_, thoroughness_);
+  for (const PathFound& found : all_) lower_best(found);
+}
+
+/// Goes on with `reserve` and twice the designs wanted.
+void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
+                             synthesis::Backend backend, int iterations, const Range& shares) {
+  if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
+  const double step = (shares.max - shares.min) / std::max<double>(1, double(all_.size()));
+  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
+    if (deadline_.reached()) return;
+    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_, run_.seed));
+    if (thread == 0 && run_.progress) run_.progress(shares.min + step * index, best_);
+  });
+  count_work(all_, problem.points.size(), work_);
+  for (const PathFound& found : all_) lower_best(found);
+  sort_and_merge(all_, is_better, kSameMinimum);
+}
+
+/// Brings the best to convergence at all points, by `backend` in the end.
+void PathSearch::finish(synthesis::Backend backend) {
+  constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
+  refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
+  if (!thinning_.is_whole()) {
+    if (all_.size() > kept(kFinished)) all_.resize(kept(kFinished));
+    for (PathFound& found : all_) carry_over(thinning_, whole_, found);
+    refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, {0.8, 0.9});
+  }
+  if (backend != gauss_newton) {
+    refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
+  }
+  polish_best();
+}
+
+/// The last digits of the best, where they are met nearly.
+void PathSearch::polish_best() {
+  const std::size_t some = std::min(all_.size(), kept(kFinished));
+  parallel_for(static_cast<int>(some), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    polish(whole_, all_[index], options(deadline_, kPolishingIterations, tolerance_, run_.seed));
+  });
+  count_work(all_, whole_.points.size(), work_);
+  sort_and_merge(all_, is_better, kSameMinimum);
+}
+
+PathSearchResult PathSearch::take() {
+  thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
+  const auto seen_once = std::ranges::count_if(all_, [](const PathFound& found) {
+    return found.hits == 1 && found.minimum.solution.violation <= kPathFeasibility;
+  });
+  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
+  PathSearchResult result{{}, thoroughness_};
+  for (PathFound& found : all_) result.minima.push_back(std::move(found.minimum));
+  return result;
+}
+
+}  // namespace
+
+PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum) {
+  PathProblem confined = scaled;
+  confined.constraints.required_class = minimum.confined_to;
+  return PathModel(confined, minimum.assembly, minimum.clockwise);
+}
+
+PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
+                              double tolerance, const Run& run, const Deadline& deadline,
+                              Work& work) {
+  PathSearch search(scaled, tolerance, run, deadline, work);
+  search.explore();
+  search.finish(backend);
+  return search.take();
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,44 @@
+/// @file The global search for path generation: many screened starts, each brought to its minimum.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problems/deadline.hpp"
+#include "problems/linkage/thoroughness.hpp"
+#include "problems/path/model.hpp"
+#include "problems/problem.hpp"
+#include "problems/result.hpp"
+#include "synthesis/optimise/solver.hpp"
+
+namespace cognate::problems {
+
+/// A local minimum of a scaled path problem.
+struct PathMinimum {
+  Assembly assembly = Assembly::open;
+  bool clockwise = false;
+  /// The class that the search kept to. Beside the file's own it is set where the transmission
+  /// angle is limited and the crank of the start turns fully: the limits are then those of the full
+  /// turn.
+  std::optional<RequiredClass> confined_to;
+  synthesis::Solution solution;
+  bool from_exact = false;  ///< its start came from exact synthesis through nine of the points
+};
+
+/// The model of which `minimum` is a minimum.
+PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum);
+
+struct PathSearchResult {
+  std::vector<PathMinimum> minima;  ///< best first, feasible ones before others
+  SearchThoroughness thoroughness;
+};
+
+/// Minima of a scaled problem; equal for any number of threads. Starts are explored in SIMD lanes
+/// until more of them promise nothing new, or as many as the file says; the best different minima
+/// are brought to convergence under exact constraints by Gauss–Newton, and the best of these
+/// finished by `backend` where it is another. Counts what was done in `work`.
+PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
+                              double tolerance, const Run& run, const Deadline& deadline,
+                              Work& work);
+
+}  // namespace cognate::problems

@@ -1,0 +1,234 @@
+/// Path generation from problem to designs: search, conversion to the file's units, verification.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "analysis/linkage/cognates.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/parallel.hpp"
+#include "problems/degrees.hpp"
+#include "problems/linkage/backend_choice.hpp"
+#include "problems/linkage/certifying.hpp"
+#include "problems/linkage/conflict.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/objectives.hpp"
+#include "problems/linkage/same_design.hpp"
+#include "problems/linkage/turn_metrics.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/certificate.hpp"
+#include "problems/path/crank_sense.hpp"
+#include "problems/path/curve_following.hpp"
+#include "problems/path/exact.hpp"
+#include "problems/path/scale.hpp"
+#include "problems/path/search.hpp"
+#include "problems/path/shape_placement.hpp"
+#include "problems/result.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kDefaultTolerance = 1e-13;
+/// Designs closer than this, relative to their size, are one: no use is made of a thousandth.
+constexpr double kSameWithin = 1e-3;
+
+class Designs {
+ public:
+  /// `size`: of the path, in the file's unit.
+  Designs(const PathProblem& problem, double size)
+      : problem_(problem), exact_below_(kMetExactly * size * size) {}
+
+  /// Adds the design and its timed cognate, unless they are known.
+  void add(const FourBar& linkage, const std::vector<double>& crank_angles, std::string origin) {
+    origin_ = std::move(origin);
+    if (!add_one(linkage, crank_angles)) return;
+    const auto cognate = timed_cognate(linkage);
+    if (!cognate) return;
+    const double turned = frame_angle(*cognate) - frame_angle(linkage);
+    const bool from_x_axis =
+        problem_.timing != Timing::free && problem_.crank_reference == CrankReference::global;
+    const double whole_turn = 2 * std::numbers::pi;
+    if (from_x_axis && std::abs(std::remainder(turned, whole_turn)) > kCheckTolerance) return;
+    std::vector<double> angles = crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle + turned);
+    Design design = verified(*cognate, angles);
+    if (all_satisfied(design.constraints)) insert(std::move(design));
+  }
+
+  bool enough() const {
+    return feasible_.size() >= static_cast<std::size_t>(problem_.solve.designs);
+  }
+  bool any_feasible() const { return !feasible_.empty(); }
+
+  /// The best designs, with cognates named: feasible ones if there are any. Among those that meet
+  /// the points to rounding the better transmission angle comes first.
+  std::vector<Design> take() {
+    const auto wanted = static_cast<std::size_t>(problem_.solve.designs);
+    std::vector<Design> all = std::move(feasible_.empty() ? violating_ : feasible_);
+    const auto exact = std::stable_partition(all.begin(), all.end(), [&](const Design& design) {
+      return design.error.sum_of_squares <= exact_below_;
+    });
+    std::stable_sort(all.begin(), exact, [](const Design& a, const Design& b) {
+      return a.metrics.transmission_acute_min > b.metrics.transmission_acute_min;
+    });
+    if (all.size() > wanted) all.resize(wanted);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = 0; k < i && !all[i].cognate_of; ++k) {
+        if (is_cognate(four_bar(all[k]), four_bar(all[i]), kSameWithin)) {
+          all[i].cognate_of = static_cast<int>(k);
+        }
+      }
+    }
+    return all;
+  }
+
+ private:
+  /// `linkage` as it was found, where the target is.
+  Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    Design design = is_movable(problem_) ? moved(linkage, crank_angles)
+                                         : verified(linkage, problem_.points, crank_angles);
+    if (problem_.curve) judge_following(design);
+    return design;
+  }
+
+  /// With the target moved to where the file's lengths and pivots want it.
+  Design moved(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    const CurvePlacement placement = placement_of(problem_, linkage);
+    std::vector<Vec2d> targets;
+    for (const Vec2d& point : problem_.points) targets.push_back(placement.point(point));
+    std::vector<double> angles = crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle + placement.turn);
+    Design design = verified(placed(problem_, linkage, placement), targets, angles);
+    design.error = path_error(linkage, problem_.points, crank_angles);
+    design.placement = placement;
+    design.metrics.facts = {{"target_scale", placement.scale},
+                            {"target_turn_deg", degrees(placement.turn)},
+                            {"target_shift_x", placement.shift.x},
+                            {"target_shift_y", placement.shift.y}};
+    return design;
+  }
+
+  void judge_following(Design& design) const {
+    const ClosedCurve& curve = problem_.curve->curve;
+    const double deviation =
+        curve_deviation(curve, four_bar(design), design.placement.value_or(CurvePlacement{}));
+    design.metrics.facts.push_back({"curve_deviation_max", deviation});
+    if (!problem_.constraints.no_extra_loop) return;
+    design.constraints.push_back(check_extra_loop(curve, deviation, design.error.max));
+  }
+
+  Design verified(const FourBar& linkage, std::span<const Vec2d> targets,
+                  const std::vector<double>& crank_angles) const {
+    Design design;
+    design.mechanism = named(linkage);
+    design.crank_angles = crank_angles;
+    design.error = path_error(linkage, targets, crank_angles);
+    design.metrics = design_metrics(linkage, crank_angles,
+                                    {problem_.order, problem_.timing == Timing::prescribed});
+    add_turn_metrics(problem_.constraints, linkage, Accelerated::coupler_point, design.metrics);
+    design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
+                                           linkage, design.metrics);
+    if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {
+      design.constraints.push_back(check_sense(problem_.crank_sense, crank_angles));
+    }
+    check_error(problem_, design);
+    design.origin = origin_;
+    return design;
+  }
+
+  bool add_one(const FourBar& linkage, const std::vector<double>& crank_angles) {
+    return insert(verified(linkage, crank_angles));
+  }
+
+  /// Keeps the design in its list unless an equal one is there, or it does not close at a point: so
+  /// may a cognate near a dead point, where rounding decides.
+  bool insert(Design design) {
+    if (!std::isfinite(design.error.sum_of_squares)) return false;
+    auto& list = all_satisfied(design.constraints) ? feasible_ : violating_;
+    for (const Design& known : list) {
+      if (same_design(four_bar(known), four_bar(design), kSameWithin)) return false;
+    }
+    list.push_back(std::move(design));
+    return true;
+  }
+
+  const PathProblem& problem_;
+  double exact_below_;
+  std::string origin_;  ///< of the designs that are being added
+  std::vector<Design> feasible_, violating_;
+};
+
+Status status(const Deadline& deadline, bool ended_early, const Designs& designs, bool any) {
+  if (ended_early) return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  if (!any) return Status::no_solution;
+  return designs.any_feasible() ? Status::solved : Status::infeasible;
+}
+
+Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
+  const PathProblem searched = searched_problem(problem);
+  const PathScale scale(searched);
+  const PathProblem scaled = scale.into(searched);
+  const synthesis::Backend solver = backend_of(problem.solve.solver);
+  Result result;
+  Run scaled_run = run;
+  for (Design& design : scaled_run.known) {
+    design.mechanism.four_bar = scale.into(four_bar(design));
+  }
+  const PathSearchResult found =
+      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,
+                   deadline, result.work);
+  const bool ended_early = deadline.reached();
+  Designs designs(problem, scale.size);
+  for (const PathMinimum& minimum : found.minima) {
+    const PathModel model = model_of(scaled, minimum);
+    std::vector<double> angles = model.crank_angles(minimum.solution.x);
+    for (double& angle : angles) angle = in_one_turn(angle);
+    designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles,
+                search_origin(solver, minimum.from_exact ? "exact:nine-point" : "search"));
+  }
+  result.status = status(deadline, ended_early, designs, !found.minima.empty());
+  result.designs = designs.take();
+  result.facts = found.thoroughness.facts();
+  if (result.status == Status::no_solution) {
+    result.notes.push_back(
+        "No four-bar was found that closes at every target point; wider bounds or more starts may "
+        "help.");
+  }
+  return result;
+}
+
+void add_certificate(const PathProblem& problem, const Run& run, const Deadline& deadline,
+                     Result& result) {
+  if (result.status != Status::solved) {
+    result.notes.emplace_back(kNothingToCertify);
+    return;
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const Design& design : result.designs) {
+    best = std::min(best, path_objective(problem, design));
+  }
+  result.certificate = certify(problem, best, run, deadline);
+}
+
+}  // namespace
+
+Result solve(const PathProblem& problem, const Run& run) {
+  if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
+  const Deadline deadline(run);
+  Result result = solve_objectives(
+      problem, before_certificate(run, problem.solve), deadline,
+      [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
+  Run silent = run;
+  silent.progress = nullptr;
+  tell_conflict(
+      problem, deadline,
+      [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
+  if (problem.solve.certify) add_certificate(problem, run, deadline, result);
+  if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
+  result.work.skipped = skipped_evaluations(problem.constraints);
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,31 @@
+/// @file Quick-return mechanisms as designs: checked by the analysis kernel, mirror images marked.
+#pragma once
+
+#include <vector>
+
+#include "problems/quick_return/problem.hpp"
+#include "problems/result.hpp"
+#include "synthesis/exact/quick_return/guide.hpp"
+#include "synthesis/exact/quick_return/shaper.hpp"
+#include "synthesis/exact/quick_return/slider.hpp"
+
+namespace cognate::problems {
+
+/// What a four-bar's `problem` asks for.
+synthesis::RockerTask rocker_task(const QuickReturnProblem& problem);
+
+/// `crank_angles` are those of the two limits; the error is that of the time ratio as simulated.
+Design quick_return_design(const QuickReturnProblem& problem,
+                           const synthesis::QuickReturnRocker& found);
+Design quick_return_design(const QuickReturnProblem& problem,
+                           const synthesis::QuickReturnSlider& found);
+Design quick_return_design(const QuickReturnProblem& problem,
+                           const synthesis::QuickReturnGuide& found);
+Design quick_return_design(const QuickReturnProblem& problem, const synthesis::Shaper& found,
+                           const synthesis::RamMotion& motion);
+
+/// The shaper by the names of the analysis library: pivots A (of the crank) and C (of the bar),
+/// bodies crank, block, bar, rod and ram, pins B (crank), D (the bar's end) and E (ram).
+NamedMechanism named_shaper(const synthesis::Shaper& shaper);
+
+}  // namespace cognate::problems

@@ -1,0 +1,176 @@
+#include "problems/quick_return/read.hpp"
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_linkage.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr NumberRule kTimeRatio{[](double x) { return x >= 1 && x <= 1000; },
+                                "a ratio from 1 to 1000"};
+constexpr NumberRule kSwing{[](double x) { return x >= 1e-3 && x <= 179.999; },
+                            "an angle in degrees from 0.001 to 179.999"};
+constexpr NumberRule kPressureAngle{[](double x) { return x >= 1e-3 && x <= 89.999; },
+                                    "an angle in degrees from 0.001 to 89.999"};
+
+// All solutions, unless the file asks for fewer.
+constexpr int kMostDesigns = 100;
+
+/// The tables of the file.
+struct Tables {
+  TableReader target, mechanism, bounds, constraints, solve;
+};
+
+std::optional<double> required(TableReader& table, std::string_view key, const NumberRule& rule) {
+  if (!table.has(key)) table.fault(key, fmt::format("is missing; {} is wanted", rule.allowed));
+  return table.number(key, rule);
+}
+
+std::optional<double> required_angle(TableReader& table, std::string_view key,
+                                     const NumberRule& rule) {
+  const auto degrees = required(table, key, rule);
+  return degrees ? std::optional(radians(*degrees)) : std::nullopt;
+}
+
+// Of keys that each settle the same dimension: all but the first that is given are too many.
+void at_most_one(TableReader& table, const std::vector<std::string_view>& keys) {
+  std::string_view first;
+  for (const std::string_view key : keys) {
+    if (!table.has(key)) continue;
+    if (first.empty()) {
+      first = key;
+      continue;
+    }
+    table.fault(key, fmt::format("is given beside {}, which settles the one dimension that is "
+                                 "free; give one of them",
+                                 first));
+  }
+}
+
+void read_pivot_line(TableReader& mechanism, QuickReturnProblem& problem) {
+  constexpr std::string_view kKey = "crank_pivot_line";
+  const auto line = mechanism.numbers(kKey, kNumber, {3, 3, "numbers, [a, b, c] of a x + b y = c"});
+  if (!line) return;
+  if ((*line)[0] == 0 && (*line)[1] == 0) {
+    mechanism.fault(kKey, "has a = b = 0; a x + b y = c with a or b not 0 is wanted");
+    return;
+  }
+  problem.crank_pivot_line = synthesis::PivotLine{(*line)[0], (*line)[1], (*line)[2]};
+}
+
+void read_four_bar(Tables& tables, QuickReturnProblem& problem) {
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
+  Given& given = problem.given;
+  given.rocker = required(mechanism, "rocker", kLength);
+  problem.swing = required_angle(holder("swing_deg", mechanism, target), "swing_deg", kSwing);
+  given.crank = mechanism.number("crank", kLength);
+  given.coupler = mechanism.number("coupler", kLength);
+  given.frame = mechanism.number("frame", kLength);
+  read_pivot_line(mechanism, problem);
+  at_most_one(mechanism, {"crank", "coupler", "frame", "crank_pivot_line"});
+  read_length_bounds(bounds, problem.bounds);
+  check_given(mechanism, given, problem.bounds);
+  read_link_constraints(constraints, length_limits(given, problem.bounds), problem.constraints);
+}
+
+void read_pressure_angle(TableReader& constraints, QuickReturnProblem& problem) {
+  const auto degrees = constraints.number("pressure_angle_deg_max", kPressureAngle);
+  if (degrees) problem.pressure_angle_max = radians(*degrees);
+}
+
+void read_slider_crank(Tables& tables, QuickReturnProblem& problem) {
+  TableReader& mechanism = tables.mechanism;
+  problem.stroke = required(holder("stroke", mechanism, tables.target), "stroke", kLength);
+  problem.offset = mechanism.number("offset", kNumber);
+  problem.given.crank = mechanism.number("crank", kLength);
+  problem.given.coupler = mechanism.number("coupler", kLength);
+  // Without quick return the coupler is free beside offset = 0.
+  const bool centred = problem.time_ratio == 1 && problem.offset == 0.0;
+  at_most_one(mechanism, centred ? std::vector<std::string_view>{"crank", "coupler"}
+                                 : std::vector<std::string_view>{"offset", "crank", "coupler"});
+  if (centred && mechanism.has("coupler")) problem.offset.reset();
+  read_pressure_angle(tables.constraints, problem);
+}
+
+// The frame of a guide, or its crank.
+void read_guide(TableReader& mechanism, QuickReturnProblem& problem) {
+  if (!mechanism.has("frame") && !mechanism.has("crank")) {
+    mechanism.fault(
+        "frame", fmt::format("is missing; {}, or that of the crank, is wanted", kLength.allowed));
+  }
+  problem.given.frame = mechanism.number("frame", kLength);
+  problem.given.crank = mechanism.number("crank", kLength);
+  at_most_one(mechanism, {"frame", "crank"});
+}
+
+void read_guide_bar(Tables& tables, QuickReturnProblem& problem) {
+  read_guide(tables.mechanism, problem);
+  problem.offset = tables.mechanism.number("offset", kNumber);
+}
+
+void read_shaper(Tables& tables, QuickReturnProblem& problem) {
+  TableReader& mechanism = tables.mechanism;
+  problem.stroke = required(holder("stroke", mechanism, tables.target), "stroke", kLength);
+  read_guide(mechanism, problem);
+  problem.rod = mechanism.number("rod", kLength);
+  problem.ram_height = mechanism.number("ram_height", kLength);
+  read_pressure_angle(tables.constraints, problem);
+  if (mechanism.has("rod") || tables.constraints.has("pressure_angle_deg_max")) return;
+  mechanism.fault("rod", fmt::format("is missing; {}, or constraints.pressure_angle_deg_max, from "
+                                     "which it follows, is wanted",
+                                     kLength.allowed));
+}
+
+void read_mechanism(Tables& tables, QuickReturnProblem& problem) {
+  switch (problem.type) {
+    case QuickReturnType::four_bar:
+      return read_four_bar(tables, problem);
+    case QuickReturnType::slider_crank:
+      return read_slider_crank(tables, problem);
+    case QuickReturnType::guide_bar:
+      return read_guide_bar(tables, problem);
+    case QuickReturnType::shaper:
+      return read_shaper(tables, problem);
+  }
+}
+
+// Without a type nothing can be said of the other keys.
+void know_all(Tables& tables) {
+  tables.target.know({"swing_deg", "stroke"});
+  tables.mechanism.know({"crank", "coupler", "rocker", "frame", "swing_deg", "stroke", "offset",
+                         "rod", "ram_height", "crank_pivot_line"});
+  tables.bounds.know({"crank", "coupler", "rocker", "frame", "length"});
+  tables.constraints.know({"class", "transmission_angle_deg", "link_ratio_max", "no_branch_defect",
+                           "no_order_defect", "no_circuit_defect", "pressure_angle_deg_max"});
+}
+
+}  // namespace
+
+QuickReturnProblem read_quick_return_problem(TableReader& document) {
+  QuickReturnProblem problem;
+  Tables tables{document.table("target"), document.table("mechanism"), document.table("bounds"),
+                document.table("constraints"), document.table("solve")};
+  problem.time_ratio = required(tables.target, "time_ratio", kTimeRatio).value_or(1);
+  const auto type = tables.mechanism.choice<QuickReturnType>("type");
+  problem.type = type.value_or(QuickReturnType::four_bar);
+  if (type || !tables.mechanism.has("type")) {
+    read_mechanism(tables, problem);
+  } else {
+    know_all(tables);
+  }
+  problem.solve = read_solve(tables.solve, problem.constraints, false);
+  if (!tables.solve.has("designs")) problem.solve.designs = kMostDesigns;
+  for (TableReader* table :
+       {&tables.target, &tables.mechanism, &tables.bounds, &tables.constraints, &tables.solve}) {
+    table->finish();
+  }
+  return problem;
+}
+
+}  // namespace cognate::problems::reading

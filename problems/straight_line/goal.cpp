@@ -1,0 +1,158 @@
+#include "problems/straight_line/goal.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/deadline.hpp"
+#include "problems/linkage/same_design.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/straight_line/front.hpp"
+#include "problems/straight_line/model.hpp"
+#include "problems/straight_line/search.hpp"
+#include "problems/straight_line/searched.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// The unit of the search, in which stretch and linkage are of the order of 1.
+double unit_of(const StraightLineProblem& problem) {
+  const Given& given = problem.given;
+  const Bounds& bounds = problem.bounds;
+  if (problem.goal->length) return *problem.goal->length;
+  for (const auto& length : {given.frame, given.coupler, given.rocker, given.crank}) {
+    if (length) return *length;
+  }
+  if (given.pivot_a && given.pivot_d) return norm(*given.pivot_d - *given.pivot_a);
+  for (const auto& range : {bounds.crank, bounds.coupler, bounds.rocker, bounds.frame}) {
+    if (range && std::isfinite(range->max)) return range->max;
+  }
+  for (const auto& range : {bounds.crank, bounds.coupler, bounds.rocker, bounds.frame}) {
+    if (range && range->min > 0) return range->min;
+  }
+  for (const auto& box :
+       {bounds.coupler_point, bounds.pivot_d, bounds.pivot_a, problem.constraints.pivot_region}) {
+    const double size = box ? norm(box->max - box->min) : 0;
+    if (size > 0 && std::isfinite(size)) return size;
+  }
+  return 1;
+}
+
+/// Pivots given both are a frame and its direction.
+StraightLineProblem prepared(StraightLineProblem problem) {
+  Given& given = problem.given;
+  if (given.pivot_a && given.pivot_d) {
+    const Vec2d frame = *given.pivot_d - *given.pivot_a;
+    given.frame = norm(frame);
+    given.frame_angle = std::atan2(frame.y, frame.x);
+  }
+  return problem;
+}
+
+LineStretch in_file_unit(LineStretch stretch, double unit) {
+  stretch = enlarged(stretch, unit);
+  stretch.pivot_a = unit * stretch.pivot_a;
+  return stretch;
+}
+
+void mark_cognates(std::vector<Design>& designs) {
+  for (std::size_t i = 1; i < designs.size(); ++i) {
+    for (std::size_t k = 0; k < i && !designs[i].cognate_of; ++k) {
+      const auto &own = designs[i].mechanism.four_bar, &other = designs[k].mechanism.four_bar;
+      if (own && other && is_cognate(*other, *own, 1e-4)) {
+        designs[i].cognate_of = static_cast<int>(k);
+      }
+    }
+  }
+}
+
+double merit(const StraightLineProblem& problem, const Design& design) {
+  const auto [length, deviation, size] = measures_of(design);
+  switch (objective_of(problem)) {
+    case StretchObjective::deviation:
+      return deviation / length;
+    case StretchObjective::length:
+      return -length;
+    case StretchObjective::size:
+      return size;
+  }
+  return 0;
+}
+
+void sort(const StraightLineProblem& problem, std::vector<Design>& designs) {
+  std::ranges::stable_sort(designs, [&](const Design& a, const Design& b) {
+    const bool first = all_satisfied(a.constraints), second = all_satisfied(b.constraints);
+    if (first != second) return first;
+    return first ? merit(problem, a) < merit(problem, b)
+                 : violation(a.constraints) < violation(b.constraints);
+  });
+  // Where there are sound designs nobody wants others.
+  if (designs.empty() || !all_satisfied(designs.front().constraints)) return;
+  std::erase_if(designs, [](const Design& d) { return !all_satisfied(d.constraints); });
+}
+
+Status status_of(const Result& result, const Deadline& deadline) {
+  if (deadline.interrupted()) return Status::interrupted;
+  if (deadline.expired()) return Status::time_limit;
+  if (result.designs.empty()) return Status::no_solution;
+  return all_satisfied(result.designs.front().constraints) ? Status::solved : Status::infeasible;
+}
+
+void add_notes(const StraightLineProblem& problem, Result& result) {
+  if (!has_scale(problem) && !problem.goal->length) {
+    result.notes.emplace_back(
+        "The file fixes no length: linkages are drawn to a straight stretch of length 1.");
+  }
+  if (!problem.stretch.size_over_length_max && size_limit(problem) == kSizeOverLength) {
+    result.notes.push_back(
+        fmt::format("No link is more than {} times as long as the stretch, the coupler's point "
+                    "included, since larger linkages are always straighter; "
+                    "constraints.size_over_length_max changes that.",
+                    kSizeOverLength));
+  }
+  if (result.designs.empty()) {
+    result.notes.emplace_back(
+        "No linkage with a stretch worth refining was found under these constraints.");
+  }
+}
+
+}  // namespace
+
+Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
+  const Deadline deadline(run);
+  const StraightLineProblem problem = prepared(file);
+  const double unit = unit_of(problem);
+  const StraightLineProblem scaled = in_unit(problem, unit);
+  const bool front = wants_front(problem);
+  Result result;
+  std::vector<FoundStretch> found;
+  if (front) {
+    StretchFront along = stretch_front(scaled, run, deadline, result.work);
+    found = std::move(along.points);
+    result.families.push_back(std::move(along.table));
+  } else {
+    StretchSearchResult search = search_stretches(scaled, {}, {}, run, deadline, result.work);
+    found = std::move(search.found);
+    result.facts = {{"starts", double(search.thoroughness.starts)},
+                    {"best_hits", double(search.thoroughness.best_hits)}};
+  }
+  for (FoundStretch& one : found) {
+    one.stretch = in_file_unit(one.stretch, unit);
+    result.designs.push_back(searched_design(problem, one));
+  }
+  sort(problem, result.designs);
+  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
+  if (!front && result.designs.size() > wanted) result.designs.resize(wanted);
+  mark_cognates(result.designs);
+  add_notes(problem, result);
+  result.status = status_of(result, deadline);
+  result.work.skipped = {"accelerations", "forces"};
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

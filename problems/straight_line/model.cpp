@@ -1,0 +1,514 @@
+#include "problems/straight_line/model.hpp"
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "analysis/linkage/mobility.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 2 * std::numbers::pi;
+/// Between these lengths of the stretch links are sought where nothing else limits them.
+constexpr double kShortest = 1e-3, kFarthest = 1e3;
+/// How far, in lengths of the stretch, the point keeps from a slider's pin, which moves straight in
+/// any case.
+constexpr double kPinDistance = 0.1;
+
+using Jet = ceres::Jet<double, 10>;
+
+double value(double x) {
+  return x;
+}
+double value(const Jet& x) {
+  return x.a;
+}
+
+Range intersect(Range a, const std::optional<Range>& b) {
+  return b ? Range{std::max(a.min, b->min), std::min(a.max, b->max)} : a;
+}
+
+std::optional<Range> side(const std::optional<Box>& box, double Vec2d::*axis) {
+  if (!box) return std::nullopt;
+  return Range{box->min.*axis, box->max.*axis};
+}
+
+std::optional<double> side(const std::optional<Vec2d>& point, double Vec2d::*axis) {
+  return point ? std::optional(*point.*axis) : std::nullopt;
+}
+
+/// The class that keeps the crank of a start turning where the transmission angle is limited, which
+/// is then that of the full turn.
+std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
+                                      const LineStretch& start) {
+  if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
+  const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
+  return confining_class(problem.constraints, {crank, coupler, rocker, frame});
+}
+
+Constraints with_class(Constraints constraints, std::optional<RequiredClass> required) {
+  constraints.required_class = required;
+  return constraints;
+}
+
+}  // namespace
+
+StretchObjective objective_of(const StraightLineProblem& problem) {
+  const StraightLineGoal& goal = *problem.goal;
+  if (!goal.deviation && !goal.deviation_relative) return StretchObjective::deviation;
+  const bool scaled = has_scale(problem) && !goal.length;
+  return scaled ? StretchObjective::length : StretchObjective::size;
+}
+
+bool wants_front(const StraightLineProblem& problem) {
+  const StraightLineGoal& goal = *problem.goal;
+  return !goal.length && !goal.deviation && !goal.deviation_relative;
+}
+
+double size_limit(const StraightLineProblem& problem) {
+  if (problem.stretch.size_over_length_max) return *problem.stretch.size_over_length_max;
+  if (wants_front(problem)) return kFrontSizeOverLength;
+  return objective_of(problem) == StretchObjective::size ? kFarthest : kSizeOverLength;
+}
+
+std::vector<double> stretch_nodes(int cells) {
+  std::vector<double> nodes(static_cast<std::size_t>(cells) + 1);
+  for (int k = 0; k <= cells; ++k) {
+    nodes[static_cast<std::size_t>(k)] = -std::cos(std::numbers::pi * k / cells);
+  }
+  return nodes;
+}
+
+/// What the rows are made of: the points, their distance from the line, their place along it.
+template <class T>
+struct StretchModel::Curve {
+  std::vector<CouplerPoint<T>> points;
+  std::vector<T> heights, places, speeds;
+  T reach{};
+
+  void reserve(std::size_t nodes) {
+    points.reserve(nodes);
+    for (auto* column : {&heights, &places, &speeds}) column->reserve(nodes);
+  }
+};
+
+/// Writes constraints one after the other, with their derivatives by the free variables.
+class StretchModel::Rows {
+ public:
+  Rows(const StretchModel& model, std::span<double> c, std::span<double> jacobian)
+      : c_(c), jacobian_(jacobian) {
+    column_.fill(-1);
+    for (std::size_t i = 0; i < model.free_.size(); ++i) {
+      column_[model.free_[i]] = static_cast<int>(i);
+    }
+    width_ = model.free_.size();
+  }
+
+  using Slopes = std::initializer_list<std::pair<Dimension, double>>;
+
+  void add(double value, Slopes slopes = {}) {
+    write(value);
+    for (const auto& [dimension, slope] : slopes) add_slope(dimension, slope);
+  }
+  void add(const Jet& value, Slopes slopes = {}) {
+    write(value.a);
+    for (int d = 0; d < kMoving; ++d) add_slope(static_cast<Dimension>(d), value.v[d]);
+    for (const auto& [dimension, slope] : slopes) add_slope(dimension, slope);
+  }
+  /// The rows that a linkage leaves which does not close.
+  void fill() {
+    while (row_ < static_cast<int>(c_.size())) write(-1);
+  }
+  int count() const { return row_; }
+
+ private:
+  void write(double value) {
+    if (!c_.empty()) c_[static_cast<std::size_t>(row_)] = value;
+    ++row_;
+    if (jacobian_.empty()) return;
+    const auto begin = jacobian_.begin() + static_cast<std::ptrdiff_t>((row_ - 1) * width_);
+    std::fill(begin, begin + static_cast<std::ptrdiff_t>(width_), 0.0);
+  }
+  void add_slope(Dimension dimension, double slope) {
+    if (jacobian_.empty() || column_[dimension] < 0) return;
+    jacobian_[(row_ - 1) * width_ + static_cast<std::size_t>(column_[dimension])] += slope;
+  }
+
+  std::span<double> c_, jacobian_;
+  std::array<int, dimension_count> column_;
+  std::size_t width_ = 0;
+  int row_ = 0;
+};
+
+StretchModel::StretchModel(const StraightLineProblem& problem, const LineStretch& start,
+                           std::vector<double> nodes)
+    : problem_(problem),
+      objective_(objective_of(problem)),
+      type_(problem.type),
+      assembly_(sign(start.assembly)),
+      class_(class_of(problem, start)),
+      link_limits_(with_class(problem.constraints, class_), 1.0),
+      nodes_(std::move(nodes)),
+      has_direction_(problem.goal->direction.has_value()) {
+  list_links();
+  list_stretch(start);
+  list_places();
+  if (has_direction_) {
+    const double off = start.frame_angle + start.line - *problem.goal->direction;
+    half_turns_ = std::numbers::pi * std::round(off / std::numbers::pi);
+  }
+  Rows rows(*this, {}, {});
+  const std::vector<double> at = variables_of(start);
+  add_rows<double>(dimensions(at), rows);
+  constraint_count_ = rows.count();
+}
+
+void StretchModel::add_variable(Dimension dimension, std::optional<double> given, Range range,
+                                const char* name) {
+  if (!given && range.min == range.max) given = range.min;
+  if (given) {
+    fixed_[dimension] = *given;
+    return;
+  }
+  free_.push_back(dimension);
+  variables_.push_back({name, range.min, range.max, 1});
+}
+
+void StretchModel::list_links() {
+  const auto& [given, bounds] = std::tie(problem_.given, problem_.bounds);
+  const bool slides = type_ == MechanismType::slider_crank;
+  const Range any{kShortest, kFarthest}, anywhere{-kFarthest, kFarthest};
+  add_variable(crank, given.crank, intersect(any, bounds.crank), "crank");
+  add_variable(coupler, given.coupler, intersect(any, bounds.coupler), "coupler");
+  if (slides) {
+    add_variable(rocker, problem_.slider_offset, anywhere, "offset");
+    add_variable(frame, 1.0, any, "frame");
+  } else {
+    add_variable(rocker, given.rocker, intersect(any, bounds.rocker), "rocker");
+    add_variable(frame, given.frame, intersect(any, bounds.frame), "frame");
+  }
+  add_variable(point_u, side(given.coupler_point, &Vec2d::x),
+               intersect(anywhere, side(bounds.coupler_point, &Vec2d::x)), "coupler point u");
+  add_variable(point_v, side(given.coupler_point, &Vec2d::y),
+               intersect(anywhere, side(bounds.coupler_point, &Vec2d::y)), "coupler point v");
+}
+
+void StretchModel::list_stretch(const LineStretch& start) {
+  const auto& turn = problem_.stretch.crank_range;
+  const double most = type_ == MechanismType::four_bar ? kTurn / 2 : kTurn / 4;
+  Range half{0.005, most};
+  if (turn) half = {std::max(0.5 * turn->min, half.min), 0.5 * turn->max};
+  add_variable(centre, {}, {start.centre - kTurn / 2, start.centre + kTurn / 2}, "crank angle");
+  add_variable(reach, {}, half, "half crank range");
+  add_variable(line, {}, {start.line - kTurn / 2, start.line + kTurn / 2}, "line's direction");
+  add_variable(height, {}, {-2 * kFarthest, 2 * kFarthest}, "line's height");
+  const StraightLineGoal& goal = *problem_.goal;
+  const bool free = !goal.length && has_scale(problem_);
+  add_variable(length, free ? std::nullopt : std::optional(goal.length.value_or(1.0)),
+               {kShortest, kFarthest}, "length");
+  const bool sized = objective_ == StretchObjective::size;
+  add_variable(size, sized ? std::nullopt : std::optional(0.0), {kShortest, 2 * kFarthest}, "size");
+  const bool timed = problem_.stretch.speed_variation_max.has_value();
+  add_variable(least_speed, timed ? std::nullopt : std::optional(0.0), {0.0, 1.0}, "least speed");
+}
+
+void StretchModel::list_places() {
+  const auto& [given, bounds] = std::tie(problem_.given, problem_.bounds);
+  const auto& region = problem_.constraints.pivot_region;
+  const bool boxed = bounds.pivot_a || bounds.pivot_d || region;
+  const Range anywhere{-2 * kFarthest, 2 * kFarthest};
+  const auto pivot = [&](double Vec2d::*axis) -> std::pair<std::optional<double>, Range> {
+    if (given.pivot_a) return {side(given.pivot_a, axis), anywhere};
+    if (!boxed && !given.pivot_d) return {0.0, anywhere};
+    return {{}, intersect(intersect(anywhere, side(bounds.pivot_a, axis)), side(region, axis))};
+  };
+  const auto x = pivot(&Vec2d::x), y = pivot(&Vec2d::y);
+  add_variable(pivot_x, x.first, x.second, "pivot x");
+  add_variable(pivot_y, y.first, y.second, "pivot y");
+  const bool turns = boxed || has_direction_ || bounds.frame_angle || given.pivot_d;
+  const auto angle = given.frame_angle || turns ? given.frame_angle : std::optional(0.0);
+  add_variable(frame_angle, angle, intersect({-2 * kTurn, 2 * kTurn}, bounds.frame_angle),
+               "frame angle");
+}
+
+std::vector<double> StretchModel::variables_of(const LineStretch& stretch) const {
+  All all{};
+  const auto& [links, point] = stretch.dimensions;
+  std::ranges::copy(links, all.begin());
+  all[point_u] = point.x;
+  all[point_v] = point.y;
+  all[centre] = stretch.centre;
+  all[reach] = stretch.reach;
+  all[line] = stretch.line;
+  all[height] = stretch.height;
+  all[length] = stretch.length;
+  all[pivot_x] = stretch.pivot_a.x;
+  all[pivot_y] = stretch.pivot_a.y;
+  all[frame_angle] = stretch.frame_angle;
+  all[size] = largest_dimension(stretch);
+  all[least_speed] = 1 - 0.5 * problem_.stretch.speed_variation_max.value_or(0);
+  std::vector<double> x;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    x.push_back(std::clamp(all[free_[i]], variables_[i].lower, variables_[i].upper));
+  }
+  return x;
+}
+
+StretchModel::All StretchModel::dimensions(std::span<const double> x) const {
+  All all = fixed_;
+  for (std::size_t i = 0; i < free_.size(); ++i) all[free_[i]] = x[i];
+  return all;
+}
+
+LineStretch StretchModel::stretch(std::span<const double> x) const {
+  const All at = dimensions(x);
+  LineStretch found;
+  found.type = type_;
+  found.assembly = assembly_ > 0 ? Assembly::open : Assembly::crossed;
+  found.dimensions = {{at[crank], at[coupler], at[rocker], at[frame]}, {at[point_u], at[point_v]}};
+  found.centre = at[centre];
+  found.reach = at[reach];
+  found.line = at[line];
+  found.height = at[height];
+  found.length = at[length];
+  found.pivot_a = {at[pivot_x], at[pivot_y]};
+  found.frame_angle = at[frame_angle];
+  return found;
+}
+
+int StretchModel::residual_count() const {
+  return objective_ == StretchObjective::deviation ? static_cast<int>(nodes_.size()) : 1;
+}
+
+synthesis::Objective StretchModel::objective() const {
+  return objective_ == StretchObjective::deviation ? synthesis::Objective::max_abs
+                                                   : synthesis::Objective::sum_of_squares;
+}
+
+template <class T>
+bool StretchModel::trace(const All& at, Curve<T>& curve) const {
+  std::array<T, kMoving> z;
+  for (int d = 0; d < kMoving; ++d) {
+    if constexpr (std::is_same_v<T, double>) {
+      z[d] = at[d];
+    } else {
+      z[d] = T(at[d], d);
+    }
+  }
+  using std::cos;
+  using std::sin;
+  const Vec2<T> along{cos(z[line]), sin(z[line])};
+  const CouplerMotion<T> motion(
+      type_, {{z[crank], z[coupler], z[rocker], z[frame]}, {z[point_u], z[point_v]}}, assembly_);
+  curve.reach = z[reach];
+  curve.reserve(nodes_.size());
+  for (const double node : nodes_) {
+    curve.points.push_back(motion.at(z[centre] + T(node) * z[reach]));
+    const CouplerPoint<T>& point = curve.points.back();
+    if (!point.closes || !std::isfinite(value(point.rate.x)) || !std::isfinite(value(point.at.y))) {
+      return false;
+    }
+    curve.heights.push_back(cross(along, point.at) - z[height]);
+    curve.places.push_back(dot(along, point.at));
+    curve.speeds.push_back(dot(along, point.rate));
+  }
+  return true;
+}
+
+bool StretchModel::residuals(std::span<const double> x, std::span<double> r,
+                             std::span<double> jacobian, std::span<double> /*local*/) const {
+  const All at = dimensions(x);
+  const double unit = 1 / at[length];
+  const auto residuals_of = [&]<class T>(const Curve<T>& curve, Rows& rows) {
+    switch (objective_) {
+      case StretchObjective::deviation:
+        for (const T& h : curve.heights) {
+          rows.add(unit * h, {{length, -value(h) * unit * unit}});
+        }
+        break;
+      case StretchObjective::length:
+        rows.add(unit, {{length, -unit * unit}});
+        break;
+      case StretchObjective::size:
+        rows.add(at[size] * unit, {{size, unit}, {length, -at[size] * unit * unit}});
+        break;
+    }
+  };
+  Rows rows(*this, r, jacobian);
+  if (jacobian.empty()) {
+    Curve<double> curve;
+    if (!trace(at, curve)) return false;
+    residuals_of(curve, rows);
+  } else {
+    Curve<Jet> curve;
+    if (!trace(at, curve)) return false;
+    residuals_of(curve, rows);
+  }
+  return true;
+}
+
+void StretchModel::constraints(std::span<const double> x, std::span<double> c,
+                               std::span<double> jacobian) const {
+  Rows rows(*this, c, jacobian);
+  if (jacobian.empty()) {
+    add_rows<double>(dimensions(x), rows);
+  } else {
+    add_rows<Jet>(dimensions(x), rows);
+  }
+  rows.fill();
+}
+
+template <class T>
+void StretchModel::add_rows(const All& at, Rows& rows) const {
+  Curve<T> curve;
+  if (!trace(at, curve)) return;
+  const double unit = 1 / at[length];
+  const T along = curve.places.back() - curve.places.front();
+  rows.add(unit * along - T(1), {{length, -value(along) * unit * unit}});
+  if (has_direction_) {
+    rows.add(at[frame_angle] + at[line] - *problem_.goal->direction - half_turns_,
+             {{frame_angle, 1}, {line, 1}});
+  }
+  if (objective_ != StretchObjective::deviation) add_band(curve, at, rows);
+  add_sizes(at, rows);
+  add_links(at, rows);
+  add_transmission(curve, rows);
+  if (problem_.stretch.speed_variation_max) add_speeds(curve, at, rows);
+  add_pivot(at, rows);
+}
+
+/// |h| ≤ δ, over the length where δ is relative.
+template <class T>
+void StretchModel::add_band(const Curve<T>& curve, const All& at, Rows& rows) const {
+  const StraightLineGoal& goal = *problem_.goal;
+  const double relative = goal.deviation_relative.value_or(0);
+  const double scale = goal.deviation ? 1 / *goal.deviation : 1 / (relative * at[length]);
+  for (const T& h : curve.heights) {
+    const double slope = goal.deviation ? 0 : value(h) * scale / at[length];
+    rows.add(T(1) - scale * h, {{length, slope}});
+    rows.add(T(1) + scale * h, {{length, -slope}});
+  }
+}
+
+/// The largest dimension, by the unknown `size` or by the length.
+void StretchModel::add_sizes(const All& at, Rows& rows) const {
+  const bool sized = objective_ == StretchObjective::size;
+  const double most = size_limit(problem_);
+  if (sized && most < kFarthest) {
+    rows.add(most * at[length] - at[size], {{length, most}, {size, -1.0}});
+  }
+  const double limit = sized ? at[size] : most * at[length];
+  const Dimension by = sized ? size : length;
+  const double slope = sized ? 1 : most;
+  const int bars = type_ == MechanismType::slider_crank ? 2 : 4;
+  for (int i = 0; i < bars; ++i) {
+    const auto bar = static_cast<Dimension>(i);
+    rows.add(limit - at[bar], {{by, slope}, {bar, -1.0}});
+  }
+  const double u = at[point_u], v = at[point_v], w = u - at[coupler];
+  const double radius = std::max(std::hypot(u, v), 1e-12);
+  const double other = std::max(std::hypot(w, v), 1e-12);
+  rows.add(limit - radius, {{by, slope}, {point_u, -u / radius}, {point_v, -v / radius}});
+  rows.add(limit - other,
+           {{by, slope}, {point_u, -w / other}, {coupler, w / other}, {point_v, -v / other}});
+  if (type_ == MechanismType::slider_crank) {
+    rows.add(other - kPinDistance * at[length], {{length, -kPinDistance},
+                                                 {point_u, w / other},
+                                                 {coupler, -w / other},
+                                                 {point_v, v / other}});
+  }
+}
+
+void StretchModel::add_links(const All& at, Rows& rows) const {
+  if (type_ == MechanismType::slider_crank) {
+    if (const auto& ratio = problem_.constraints.link_ratio_max) {
+      rows.add(*ratio * at[crank] - at[coupler], {{crank, *ratio}, {coupler, -1.0}});
+      rows.add(*ratio * at[coupler] - at[crank], {{crank, -1.0}, {coupler, *ratio}});
+    }
+    const bool turns = class_ == RequiredClass::crank_rocker || class_ == RequiredClass::grashof;
+    if (!turns) return;
+    const auto& limits = problem_.constraints.transmission_angle;
+    const double cosine = limits ? std::min(std::cos(limits->min), -std::cos(limits->max)) : 1.0;
+    for (const double sense : {-1.0, 1.0}) {
+      rows.add(cosine * at[coupler] - at[crank] + sense * at[rocker],
+               {{coupler, cosine}, {crank, -1.0}, {rocker, sense}});
+    }
+    return;
+  }
+  const auto count = static_cast<std::size_t>(link_limits_.count());
+  std::vector<double> values(count);
+  std::vector<Lengths<double>> slopes(count);
+  link_limits_.evaluate({at[crank], at[coupler], at[rocker], at[frame]}, values, slopes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [l1, l2, l3, l4] = slopes[i];
+    rows.add(values[i], {{crank, l1}, {coupler, l2}, {rocker, l3}, {frame, l4}});
+  }
+}
+
+/// Over the stretch: the limits of the file where they are not those of the full turn, and a margin
+/// from dead points.
+template <class T>
+void StretchModel::add_transmission(const Curve<T>& curve, Rows& rows) const {
+  Range limits{kDeadPointMargin, std::numbers::pi - kDeadPointMargin};
+  const auto& asked = problem_.constraints.transmission_angle;
+  if (asked && !link_limits_.limits_transmission()) {
+    limits = {std::max(limits.min, asked->min), std::min(limits.max, asked->max)};
+  }
+  const double least = std::cos(limits.max), most = std::cos(limits.min);
+  const std::size_t step = std::max<std::size_t>(1, (curve.points.size() - 1) / 8);
+  const auto add = [&](const CouplerPoint<T>& point) {
+    rows.add(T(most) - point.transmission_cosine);
+    rows.add(point.transmission_cosine - T(least));
+  };
+  for (std::size_t k = 0; k + 1 < curve.points.size(); k += step) add(curve.points[k]);
+  add(curve.points.back());
+}
+
+/// Speeds along the line over their mean, between `least_speed` and that and the variation.
+template <class T>
+void StretchModel::add_speeds(const Curve<T>& curve, const All& at, Rows& rows) const {
+  // The highest speed may lie between two nodes.
+  constexpr double kMargin = 1e-3;
+  const double variation = (1 - kMargin) * *problem_.stretch.speed_variation_max;
+  const double unit = 2 / at[length];
+  for (const T& speed : curve.speeds) {
+    const T share = unit * curve.reach * speed;
+    const double slope = -value(share) / at[length];
+    rows.add(share - T(at[least_speed]), {{length, slope}, {least_speed, -1.0}});
+    rows.add(T(at[least_speed] + variation) - share, {{length, -slope}, {least_speed, 1.0}});
+  }
+}
+
+/// Where the other pivot of a four-bar may be.
+void StretchModel::add_pivot(const All& at, Rows& rows) const {
+  if (type_ == MechanismType::slider_crank) return;
+  const double c = std::cos(at[frame_angle]), s = std::sin(at[frame_angle]);
+  const double l = at[frame];
+  const auto add = [&](const Box& box) {
+    const double x = at[pivot_x] + l * c, y = at[pivot_y] + l * s;
+    const auto between = [&](double value, double low, double high, Dimension pivot,
+                             double by_frame, double by_angle) {
+      if (std::isfinite(low)) {
+        rows.add(value - low, {{pivot, 1.0}, {frame, by_frame}, {frame_angle, by_angle}});
+      }
+      if (std::isfinite(high)) {
+        rows.add(high - value, {{pivot, -1.0}, {frame, -by_frame}, {frame_angle, -by_angle}});
+      }
+    };
+    between(x, box.min.x, box.max.x, pivot_x, c, -l * s);
+    between(y, box.min.y, box.max.y, pivot_y, s, l * c);
+  };
+  if (problem_.given.pivot_d && !problem_.given.pivot_a) {
+    add({*problem_.given.pivot_d, *problem_.given.pivot_d});
+  }
+  if (problem_.bounds.pivot_d) add(*problem_.bounds.pivot_d);
+  if (problem_.constraints.pivot_region) add(*problem_.constraints.pivot_region);
+}
+
+}  // namespace cognate::problems

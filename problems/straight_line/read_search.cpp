@@ -1,0 +1,154 @@
+#include "problems/straight_line/read_search.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_linkage.hpp"
+#include "problems/mechanism/quantity_rules.hpp"
+#include "problems/straight_line/stretch.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+/// Links in a ratio beyond this make linkages of paper; a file may say otherwise.
+constexpr double kLinkRatio = 10;
+/// What `constant_velocity` allows the speed to vary by where the file says nothing.
+constexpr double kSpeedVariation = 0.1;
+/// A narrower range of the crank is no motion.
+constexpr double kLeastCrankRange = 1;
+
+constexpr NumberRule kRelativeDeviation{[](double x) { return x >= 1e-9 && x <= 0.1; },
+                                        "a share of the length from 1e-9 to 0.1"};
+constexpr NumberRule kSizeOverLength{[](double x) { return x >= 0.1 && x <= 100; },
+                                     "a ratio from 0.1 to 100"};
+constexpr NumberRule kVariation{[](double x) { return x >= 1e-6 && x <= 100; },
+                                "a share of the mean speed from 1e-6 to 100"};
+constexpr NumberRule kCrankRange{[](double x) { return x >= kLeastCrankRange && x <= 360; },
+                                 "an angle in degrees from 1 to 360"};
+
+StraightLineGoal read_goal(TableReader& target) {
+  StraightLineGoal goal;
+  goal.length = target.number("length", kLinkLength);
+  goal.deviation = target.number("deviation", kLinkLength);
+  goal.deviation_relative = target.number("deviation_relative", kRelativeDeviation);
+  if (target.has("deviation") && target.has("deviation_relative")) {
+    target.fault("deviation_relative",
+                 "is given beside deviation; give the one in units of length or the other");
+  }
+  const auto direction = target.number("direction_deg", kAngle);
+  if (direction) goal.direction = radians(*direction);
+  if (goal.length && goal.deviation && *goal.deviation > 0.1 * *goal.length) {
+    target.fault("deviation",
+                 fmt::format("is {}, more than a tenth of the length {}; a smaller one "
+                             "is wanted, such a stretch is no line",
+                             *goal.deviation, *goal.length));
+  }
+  if (target.has("contact")) {
+    target.fault("contact", "is of method = \"exact\"; add that or leave it out");
+  }
+  return goal;
+}
+
+void read_four_bar(TableReader& mechanism, TableReader& bounds, StraightLineProblem& problem) {
+  read_given_links(mechanism, problem.given);
+  read_given_places(mechanism, problem.given);
+  read_length_bounds(bounds, problem.bounds);
+  read_place_bounds(bounds, problem.bounds);
+  check_given(mechanism, problem.given, problem.bounds);
+}
+
+void read_slider_crank(TableReader& mechanism, TableReader& bounds, StraightLineProblem& problem) {
+  Given& given = problem.given;
+  given.crank = mechanism.number("crank", kLinkLength);
+  given.coupler = mechanism.number("coupler", kLinkLength);
+  given.assembly = mechanism.choice<Assembly>("assembly");
+  given.pivot_a = mechanism.point("pivot");
+  given.coupler_point = mechanism.point("coupler_point");
+  problem.slider_offset = mechanism.number("offset", kQuantity);
+  const auto direction = mechanism.number("direction_deg", kAngle);
+  if (direction) given.frame_angle = radians(*direction);
+  read_length_bounds(bounds, problem.bounds);
+  problem.bounds.coupler_point = bounds.box("coupler_point");
+  for (const std::string_view key : {"rocker", "frame"}) {
+    if (!bounds.has(key)) continue;
+    bounds.fault(key, "limits a link that a slider-crank does not have; leave it out");
+  }
+  check_given(mechanism, given, problem.bounds);
+}
+
+StretchConstraints read_stretch(TableReader& constraints, bool constant_velocity) {
+  StretchConstraints stretch;
+  const auto range = constraints.range("crank_range_deg", kCrankRange);
+  if (range) stretch.crank_range = Range{radians(range->min), radians(range->max)};
+  stretch.size_over_length_max = constraints.number("size_over_length_max", kSizeOverLength);
+  stretch.speed_variation_max = constraints.number("speed_variation_max", kVariation);
+  if (constant_velocity && !stretch.speed_variation_max) {
+    stretch.speed_variation_max = kSpeedVariation;
+  }
+  return stretch;
+}
+
+/// Whether the lengths given and bounded leave linkages of that ratio.
+bool allows_usual_ratio(const StraightLineProblem& problem) {
+  const LengthLimits limits = length_limits(problem.given, problem.bounds);
+  double longest = 0, shortest = kInfinity;
+  for (const Range& limit : limits) {
+    longest = std::max(longest, limit.min);
+    shortest = std::min(shortest, limit.max);
+  }
+  return longest <= kLinkRatio * shortest;
+}
+
+/// Without a scale a linkage twice as large has twice the stretch with twice the deviation.
+void check_scale(TableReader& target, const StraightLineProblem& problem) {
+  const StraightLineGoal& goal = *problem.goal;
+  if (!goal.deviation || goal.length || has_scale(problem)) return;
+  target.fault(
+      "deviation",
+      "is a length, and nothing in the file fixes the linkage's size, so that no stretch is "
+      "the longest; add length, a bound or a dimension, or give deviation_relative");
+}
+
+}  // namespace
+
+StraightLineProblem read_straight_line_search(TableReader& document) {
+  StraightLineProblem problem;
+  TableReader target = document.table("target");
+  TableReader mechanism = document.table("mechanism");
+  TableReader bounds = document.table("bounds");
+  TableReader constraints = document.table("constraints");
+  TableReader solve = document.table("solve");
+
+  target.know({"method"});
+  problem.goal = read_goal(target);
+  const bool constant_velocity = target.boolean("constant_velocity").value_or(false);
+  constexpr std::string_view kTypes[] = {"four-bar", "slider-crank"};
+  const bool slides = mechanism.choice_of("type", kTypes).value_or(0) == 1;
+  if (slides) {
+    problem.type = MechanismType::slider_crank;
+    read_slider_crank(mechanism, bounds, problem);
+  } else {
+    read_four_bar(mechanism, bounds, problem);
+  }
+  read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
+                        problem.constraints);
+  if (!constraints.has("link_ratio_max") && allows_usual_ratio(problem)) {
+    problem.constraints.link_ratio_max = kLinkRatio;
+  }
+  if (!slides) read_pivot_region(constraints, problem.given, problem.constraints);
+  problem.stretch = read_stretch(constraints, constant_velocity);
+  check_scale(target, problem);
+  problem.solve = read_solve(solve, problem.constraints, false);
+  const StraightLineGoal& goal = *problem.goal;
+  const bool front = !goal.length && !goal.deviation && !goal.deviation_relative;
+  constexpr int kAlongFront = 12;
+  if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
+
+  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  return problem;
+}
+
+}  // namespace cognate::problems::reading

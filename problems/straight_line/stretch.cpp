@@ -1,0 +1,98 @@
+#include "problems/straight_line/stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/numbers/zeros.hpp"
+
+namespace cognate::problems {
+namespace {
+
+void divide(std::optional<double>& length, double unit) {
+  if (length) *length /= unit;
+}
+
+void divide(std::optional<Vec2d>& point, double unit) {
+  if (point) point = Vec2d{point->x / unit, point->y / unit};
+}
+
+void divide(std::optional<Range>& range, double unit) {
+  if (range) range = Range{range->min / unit, range->max / unit};
+}
+
+void divide(std::optional<Box>& box, double unit) {
+  if (!box) return;
+  box = Box{{box->min.x / unit, box->min.y / unit}, {box->max.x / unit, box->max.y / unit}};
+}
+
+}  // namespace
+
+double largest_dimension(const LineStretch& stretch) {
+  const auto& [links, point] = stretch.dimensions;
+  const double sides = std::max(norm(point), norm(point - Vec2d{links[1], 0}));
+  const double bars = std::max(links[0], links[1]);
+  if (stretch.type == MechanismType::slider_crank) return std::max(sides, bars);
+  return std::max({sides, bars, links[2], links[3]});
+}
+
+LineStretch enlarged(LineStretch stretch, double factor) {
+  for (double& link : stretch.dimensions.links) link *= factor;
+  stretch.dimensions.point = factor * stretch.dimensions.point;
+  stretch.height *= factor;
+  stretch.length *= factor;
+  return stretch;
+}
+
+std::optional<double> fit_line(LineStretch& stretch) {
+  const CouplerMotion<double> motion(stretch.type, stretch.dimensions, sign(stretch.assembly));
+  const auto path = [&motion](double angle) -> PathPoint {
+    const CouplerPoint<double> point = motion.at(angle);
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (!point.closes) return {{kNaN, kNaN}, {kNaN, kNaN}};
+    return {point.at, point.rate};
+  };
+  constexpr int kCells = 48;
+  for (const double place : crowded(stretch.from(), stretch.to(), kCells)) {
+    if (!motion.at(place).closes) return std::nullopt;
+  }
+  const Stretch measured = measure(path, stretch.from(), stretch.to());
+  if (!(measured.length > 0) || !std::isfinite(measured.deviation)) return std::nullopt;
+  stretch.line = std::atan2(measured.line.direction.y, measured.line.direction.x);
+  stretch.height = cross(measured.line.direction, measured.line.through);
+  stretch.length = measured.length;
+  return measured.deviation;
+}
+
+StraightLineProblem in_unit(StraightLineProblem problem, double unit) {
+  for (auto* length : {&problem.goal->length, &problem.goal->deviation, &problem.given.crank,
+                       &problem.given.coupler, &problem.given.rocker, &problem.given.frame,
+                       &problem.slider_offset}) {
+    divide(*length, unit);
+  }
+  for (auto* point :
+       {&problem.given.pivot_a, &problem.given.pivot_d, &problem.given.coupler_point}) {
+    divide(*point, unit);
+  }
+  Bounds& bounds = problem.bounds;
+  for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
+    divide(*range, unit);
+  }
+  for (auto* box : {&bounds.pivot_a, &bounds.pivot_d, &bounds.coupler_point,
+                    &problem.constraints.pivot_region}) {
+    divide(*box, unit);
+  }
+  return problem;
+}
+
+bool has_scale(const StraightLineProblem& problem) {
+  const Given& given = problem.given;
+  const Bounds& bounds = problem.bounds;
+  return given.crank || given.coupler || given.rocker || given.frame || given.coupler_point ||
+         (given.pivot_a && given.pivot_d) || bounds.crank || bounds.coupler || bounds.rocker ||
+         bounds.frame || bounds.coupler_point || bounds.pivot_a || bounds.pivot_d ||
+         problem.slider_offset.value_or(0) != 0 || problem.constraints.pivot_region;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,67 @@
+#include "problems/study/read.hpp"
+
+#include <utility>
+
+#include "problems/study/read_tables.hpp"
+#include "problems/task_document.hpp"
+#include "problems/toml/file_text.hpp"
+
+namespace cognate::problems {
+
+namespace {
+
+using Faults = std::vector<Fault>;
+using Folder = std::filesystem::path;
+
+struct Source {
+  reading::Table document;
+  Folder folder;
+};
+
+tl::expected<Source, Faults> source_of(const std::filesystem::path& file) {
+  std::error_code error;
+  auto folder = std::filesystem::absolute(file, error).parent_path();
+  const auto text = reading::text_of(file);
+  if (!text) return tl::unexpected(Faults{{1, 1, text.error()}});
+  return reading::read_text(*text).map([&](reading::Table document) {
+    return Source{std::move(document), std::move(folder)};
+  });
+}
+
+tl::expected<Study, Faults> study_of(const reading::Table& document, const Folder& folder,
+                                     const MetricCatalogue& metrics) {
+  reading::FaultList faults;
+  Study study = reading::read_study(document, folder, metrics, faults);
+  if (!faults.empty()) return tl::unexpected(std::move(faults).sorted());
+  return study;
+}
+
+}  // namespace
+
+tl::expected<Study, Faults> parse_study(std::string_view text, const Folder& folder,
+                                        const MetricCatalogue& metrics) {
+  return reading::read_text(text).and_then(
+      [&](const reading::Table& document) { return study_of(document, folder, metrics); });
+}
+
+tl::expected<Study, Faults> read_study(const std::filesystem::path& file,
+                                       const MetricCatalogue& metrics) {
+  return source_of(file).and_then(
+      [&](const Source& source) { return study_of(source.document, source.folder, metrics); });
+}
+
+tl::expected<TaskOrStudy, Faults> read_task_or_study(const std::filesystem::path& file,
+                                                     const MetricCatalogue& metrics) {
+  const auto source = source_of(file);
+  if (!source) return tl::unexpected(source.error());
+  if (reading::is_study(source->document)) {
+    return study_of(source->document, source->folder, metrics).map([](Study study) {
+      return TaskOrStudy(std::move(study));
+    });
+  }
+  return reading::read_task(source->document, source->folder).map([](reading::PlacedTask read) {
+    return TaskOrStudy(std::move(read.task));
+  });
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,51 @@
+#include "problems/toml/file_text.hpp"
+
+#include <fstream>
+
+namespace cognate::problems::reading {
+
+namespace {
+
+/// Whether what is neither a file nor a directory can be read to an end.
+bool is_stream(const std::filesystem::file_status& status) {
+  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> text_of(const std::filesystem::path& file,
+                                               NamedBy named_by) {
+  const auto refusal = [](const char* message) { return tl::unexpected(std::string(message)); };
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    auto named = file;
+    named += ".toml";
+    if (std::filesystem::is_regular_file(named, error)) {
+      return tl::unexpected("the file does not exist; " + named.string() +
+                            " is there and may be meant");
+    }
+    return refusal(
+        "the file does not exist or cannot be reached; the path of a problem file is wanted");
+  }
+  if (std::filesystem::is_directory(status)) {
+    return refusal("this is a directory; the path of a problem file is wanted");
+  }
+  const bool may_stream = named_by == NamedBy::command_line && is_stream(status);
+  if (!std::filesystem::is_regular_file(status) && !may_stream) {
+    return refusal("this is a pipe, a device or a socket; a regular file is wanted");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return refusal("the file cannot be opened; a file that can be read is wanted");
+  // One byte more than allowed is enough to refuse, however large the file: a pipe has no size.
+  std::string text(kMostBytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) return refusal("the file cannot be read to its end; a whole file is wanted");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > kMostBytes) {
+    return refusal("the file is larger than 8 MiB; at most 8 MiB are allowed");
+  }
+  return text;
+}
+
+}  // namespace cognate::problems::reading

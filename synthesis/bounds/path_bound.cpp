@@ -1,0 +1,457 @@
+#include "synthesis/bounds/path_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "synthesis/bounds/box_quadratic.hpp"
+
+namespace cognate::synthesis {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-15;
+/// A box is divided no further than this in each side.
+constexpr double kNarrowest = 1e-13;
+constexpr int kTerms = kBoxSides + 1;
+
+double real_product(const Complex& a, const Complex& b) {  // Re(conj(a) b)
+  return a.real() * b.real() + a.imag() * b.imag();
+}
+
+Complex conjugate_product(const Complex& a, const Complex& b) {  // conj(a) b
+  return {a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real()};
+}
+
+/// |a|, without the care that std::abs takes of the largest numbers.
+double size_of(const Complex& a) {
+  return std::sqrt(std::norm(a));
+}
+
+Complex product(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+}  // namespace
+
+/// Points and crank directions at the positions that count, with t eliminated where it is free.
+struct PathBound::Target {
+  std::vector<double> weights;
+  std::vector<Complex> e, z;  ///< less their means if t is free
+  double weight = 0;          ///< Σ w
+  double crank_form = 0;      ///< Σ w |e|²
+  Complex crank_point;        ///< Σ w ē z
+  double squares = 0;         ///< Σ w |z|²
+
+  Target(const TimedPath& path, std::vector<double> of_points);
+};
+
+PathBound::Target::Target(const TimedPath& path, std::vector<double> of_points)
+    : weights(std::move(of_points)), z(path.points) {
+  const std::size_t n = z.size();
+  Complex z_sum, e_sum;
+  for (std::size_t j = 0; j < n; ++j) {
+    e.push_back(std::polar(1.0, path.crank_angles[j]));
+    weight += weights[j];
+    z_sum += weights[j] * z[j];
+    e_sum += weights[j] * e[j];
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    if (!path.pivot_fixed) {
+      z[j] -= z_sum / weight;
+      e[j] -= e_sum / weight;
+    }
+    crank_form += weights[j] * std::norm(e[j]);
+    crank_point += weights[j] * conjugate_product(e[j], z[j]);
+    squares += weights[j] * std::norm(z[j]);
+  }
+}
+
+/// What a box's directions give: u = v[0] + Σ t_i v[i] + rest, |rest_j| ≤ rest[j], after a turn of
+/// all directions together that takes out their common change; and the sums over v.
+struct PathBound::Forms {
+  std::array<std::vector<Complex>, kTerms> v;
+  std::vector<double> rest;
+  std::array<Complex, kTerms> mean{}, crank{}, point{};  ///< Σ w v/Σ w, Σ w ē v, Σ w z̄ v
+  BoxQuadratic gram{};                                   ///< Re Σ w v̄ v, less the means'
+  double turned = 0;                                     ///< greatest Σ |v[i]|
+};
+
+/// Lagrange multipliers of the limits.
+struct PathBound::Multipliers {
+  double on_square = 0;                                ///< of |s|²
+  Complex on_crank;                                    ///< of s
+  double on_point = 0;                                 ///< of |q|²
+  double constant = 0;                                 ///< what the limits of s add to the error
+  double q = std::numeric_limits<double>::infinity();  ///< |q| at the minimum they give
+};
+
+/// A bound, κ = Z − F, and by how much H is too small for the bound wanted.
+struct PathBound::Bounded {
+  double least = 0;
+  double kappa = 0;
+  double missing = 0;
+};
+
+struct PathBound::Loss {
+  double of_form = 0;  ///< of H
+  double of_u = 0;     ///< of U, by rounding alone
+  double crank = 0;    ///< bound of |Σ w ē rest|
+  double square = 0;   ///< Σ w |rest|²
+};
+
+PathBound::PathBound(TimedPath path, const ProportionLimits& limits)
+    : path_(std::move(path)),
+      limits_(limits),
+      target_(std::make_shared<const Target>(path_, path_.weights)) {}
+
+PathBound::Forms PathBound::linear_part(const std::vector<DirectionRange>& directions,
+                                        std::vector<double>& weights) const {
+  const std::size_t n = directions.size();
+  constexpr double kMostRadius = 0.3, kMostRest = 0.5;
+  std::array<double, kBoxSides> common{};
+  double weight = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (directions[j].radius > kMostRadius) weights[j] = 0;
+    weight += weights[j];
+    for (int i = 0; i < kBoxSides; ++i) common[i] += weights[j] * directions[j].slope[i];
+  }
+  Forms f;
+  f.rest.resize(n);
+  for (auto& column : f.v) column.resize(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    if (weights[j] == 0) continue;
+    const DirectionRange& direction = directions[j];
+    const Complex u{direction.middle.x, direction.middle.y};
+    f.v[0][j] = u;
+    double turned = 0;
+    for (int i = 0; i < kBoxSides; ++i) {
+      const double slope = direction.slope[i] - common[i] / weight;
+      turned += std::abs(slope);
+      f.v[i + 1][j] = {-slope * u.imag(), slope * u.real()};
+    }
+    // |e^{i(τ + r)} − 1 − iτ| ≤ τ²/2 + |r|.
+    f.rest[j] = Interval::above(0.5 * turned * turned + direction.radius + 4 * kRounding);
+    if (f.rest[j] > kMostRest) weights[j] = 0;
+    if (weights[j] > 0) f.turned = std::max(f.turned, turned);
+  }
+  return f;
+}
+
+void PathBound::add_sums(const Target& target, Forms& f) const {
+  const std::size_t n = target.weights.size();
+  for (int a = 0; a < kTerms; ++a) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const Complex wv = target.weights[j] * f.v[a][j];
+      f.mean[a] += wv;
+      f.crank[a] += conjugate_product(target.e[j], wv);
+      f.point[a] += conjugate_product(target.z[j], wv);
+      for (int b = 0; b <= a; ++b) f.gram[a][b] += real_product(f.v[b][j], wv);
+    }
+    f.mean[a] = path_.pivot_fixed ? Complex{} : f.mean[a] / target.weight;
+    for (int b = 0; b <= a; ++b) {
+      f.gram[a][b] -= target.weight * real_product(f.mean[a], f.mean[b]);
+      f.gram[b][a] = f.gram[a][b];
+    }
+  }
+}
+
+/// What holds s within its limits at the middle of the box where q's multiplier is `on_point`.
+PathBound::Multipliers PathBound::crank_multipliers(const Target& target, const Forms& f,
+                                                    double low, double high,
+                                                    double on_point) const {
+  Multipliers m;
+  m.on_point = on_point;
+  const double inverse = 1 / (f.gram[0][0] + on_point);
+  const Complex pull = std::conj(f.point[0]);
+  const double curvature = target.crank_form - inverse * std::norm(f.crank[0]);
+  const Complex slope = target.crank_point - inverse * product(f.crank[0], pull);
+  Complex s;
+  if (path_.direction_fixed) {
+    s = std::clamp(slope.real() / curvature, low, high);
+    m.on_crank = curvature * s - slope;
+    const double along = m.on_crank.real();
+    const bool held = (along > 0 && s == low) || (along < 0 && s == high);
+    if (held) m.constant = 2 * along * s.real();
+    if (!held) m.on_crank = {0, m.on_crank.imag()};
+  } else {
+    const double along = size_of(slope), length = std::clamp(along / curvature, low, high);
+    s = along > 0 ? (length / along) * slope : Complex(length);
+    // A multiplier of the other sign would hold s from the wrong side: no bound at all.
+    const double pull_of_limit = curvature - along / length;
+    const bool held = (pull_of_limit > 0 && length == low) || (pull_of_limit < 0 && length == high);
+    if (held && pull_of_limit < target.crank_form) m.on_square = pull_of_limit;
+    if (m.on_square != 0) m.constant = m.on_square * length * length;
+  }
+  m.q = inverse * size_of(pull - conjugate_product(f.crank[0], s));
+  const double size = m.on_square + std::norm(m.on_crank) + m.constant + m.q;
+  return std::isfinite(size) ? m : Multipliers{};
+}
+
+/// What holds s and q within their limits at the middle of the box: q falls as its multiplier
+/// grows.
+PathBound::Multipliers PathBound::multipliers(const Target& target, const Forms& f, double low,
+                                              double high) const {
+  const auto at = [&](double on_point) {
+    return crank_multipliers(target, f, low, high, on_point);
+  };
+  Multipliers m = at(0);
+  if (m.q <= path_.farthest_point) return m;
+  double least = 1e-14 * target.weight, greatest = least;
+  for (m = at(greatest); m.q > path_.farthest_point && greatest < 1e6 * target.weight;) {
+    least = greatest;
+    m = at(greatest *= 16);
+  }
+  while (greatest > 1.01 * least) {
+    const double middle = std::sqrt(least * greatest);
+    m = at(middle);
+    (m.q > path_.farthest_point ? least : greatest) = middle;
+  }
+  return m;
+}
+
+double PathBound::bound(const std::vector<DirectionRange>& directions, double low, double high,
+                        double wanted) const {
+  std::vector<double> weights = path_.weights;
+  Forms f = linear_part(directions, weights);
+  const auto left = std::ranges::count_if(weights, [](double w) { return w > 0; });
+  if (left < 3) return 0;
+  // Errors at points of which the box tells nothing are left out, which only lowers the bound.
+  if (weights == path_.weights) return bound(*target_, f, low, high, wanted);
+  return bound(Target(path_, std::move(weights)), f, low, high, wanted);
+}
+
+double PathBound::bound(const Target& target, Forms& f, double low, double high,
+                        double wanted) const {
+  add_sums(target, f);
+  Multipliers m = multipliers(target, f, low, high);
+  const Bounded first = bounded(target, f, m, wanted);
+  const double far_square = path_.farthest_point * path_.farthest_point;
+  // Where u is nearly t + s·e, H is too small for its rounding and rest. What q's multiplier adds
+  // to it counts more there than what it takes from Z.
+  const double added = 2 * first.missing / first.kappa;
+  if (!(first.kappa > 0) || !(added > 0) || !(added * far_square < 0.3 * first.kappa)) {
+    return first.least;
+  }
+  m.on_point += added;
+  return std::max(first.least, bounded(target, f, m, wanted).least);
+}
+
+/// What the rest of u may take away from H, first by its product with H's gradient, then its own,
+/// and the rounding of H. Besides bounds of |Σ w ē rest|, Σ w |rest|² and of the terms of U.
+PathBound::Loss PathBound::loss(const Target& target, const Forms& f, const Multipliers& m,
+                                const std::array<Complex, kTerms>& b, double kappa) const {
+  const std::size_t n = target.weights.size();
+  const double per_form = 1 / (target.crank_form - m.on_square);
+  const Complex pulled = target.crank_point + m.on_crank;
+  Loss loss;
+  double b_of_rest = 0, b_size = 0, crank_size = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double w = target.weights[j], rest = f.rest[j];
+    if (w == 0) continue;
+    const Complex y = target.z[j] - per_form * product(target.e[j], pulled);
+    double gradient = 0;
+    for (int a = 0; a < kTerms; ++a) {
+      const Complex part = f.v[a][j] - f.mean[a] - per_form * product(target.e[j], f.crank[a]);
+      gradient += size_of(kappa * part - product(y, b[a]));
+    }
+    const double crank = size_of(target.e[j]);
+    loss.of_form += 2 * w * rest * gradient;
+    b_of_rest += w * size_of(y) * rest;
+    loss.crank += w * crank * rest;
+    loss.square += w * rest * rest;
+    // Of the terms, not of y, in which they may cancel.
+    b_size += w * (size_of(target.z[j]) + per_form * crank * size_of(pulled));
+    crank_size += w * crank;
+  }
+  loss.of_form += b_of_rest * b_of_rest;
+  if (m.on_square > 0) loss.of_form += kappa * per_form * loss.crank * loss.crank;
+  const double reach = 1 + f.turned;
+  const double rounding = kRounding * double(n + 16) * reach * reach;
+  loss.of_u = rounding * (target.weight + per_form * crank_size * crank_size + m.on_point);
+  loss.of_form += kappa * loss.of_u + rounding * b_size * b_size;
+  return loss;
+}
+
+PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, const Multipliers& m,
+                                      double wanted) const {
+  const std::size_t n = target.weights.size();
+  const double per_form = 1 / (target.crank_form - m.on_square);
+  const Complex pulled = target.crank_point + m.on_crank;
+
+  BoxQuadratic form{}, h{};
+  std::array<Complex, kTerms> b;
+  for (int a = 0; a < kTerms; ++a) {
+    b[a] = f.point[a] - per_form * conjugate_product(pulled, f.crank[a]);
+    for (int c = 0; c < kTerms; ++c) {
+      form[a][c] = f.gram[a][c] - per_form * real_product(f.crank[a], f.crank[c]);
+    }
+  }
+  const double far_square = m.on_point > 0 ? path_.farthest_point * path_.farthest_point : 0;
+  const double kept = per_form * std::norm(pulled), far = m.on_point * far_square;
+  const double rounding = kRounding * double(n + 16);
+  const double kappa = target.squares - kept + m.constant - far - wanted -
+                       rounding * (target.squares + kept + std::abs(m.constant) + far);
+  if (!(kappa > 0)) return {};
+  for (int a = 0; a < kTerms; ++a) {
+    for (int c = 0; c < kTerms; ++c) h[a][c] = kappa * form[a][c] - real_product(b[a], b[c]);
+  }
+  h[0][0] += kappa * m.on_point;
+
+  const Loss lost = loss(target, f, m, b, kappa);
+  const double least = least_over_box(h) - lost.of_form * (1 + 1e-12);
+  if (least >= 0) return {wanted, kappa, 0};
+
+  // H = U·(error − wanted): divided by the least U of the box.
+  const auto length = [&](const BoxQuadratic& q) {
+    double size = std::sqrt(std::max(0.0, q[0][0])) - std::sqrt(lost.square);
+    for (int a = 1; a < kTerms; ++a) size -= std::sqrt(std::max(0.0, q[a][a]));
+    return std::max(0.0, size);
+  };
+  const bool indefinite = m.on_square > 0;
+  const double size = length(indefinite ? f.gram : form);
+  double smallest = m.on_point + size * size - lost.of_u;
+  if (indefinite) {
+    double crank = lost.crank;
+    for (const Complex& c : f.crank) crank += size_of(c);
+    smallest -= per_form * crank * crank;
+  }
+  const double bound = smallest > 0 ? std::max(0.0, wanted + 1.000001 * least / smallest) : 0;
+  return {bound, kappa, -least};
+}
+
+BoxBound PathBound::operator()(const ProportionBox& box, double wanted) const {
+  const bool turning = box.proportions != Proportions::any;
+  const ProportionRanges ranges = ranges_of(box);
+  double low = 0, high = 0;
+  if (!may_satisfy(ranges, limits_, turning) || !crank_range(ranges, path_.lengths, low, high)) {
+    return {kInfinite, -1};
+  }
+  if (turning && !may_transmit(ranges, limits_, ranges.inner, ranges.outer)) {
+    return {kInfinite, -1};
+  }
+  const BoxDirections box_directions(box);
+  std::vector<DirectionRange> directions;
+  for (std::size_t j = 0; j < path_.crank_angles.size(); ++j) {
+    directions.push_back(box_directions.at(path_.crank_angles[j], DirectedLink::coupler));
+    const DirectionRange& at = directions.back();
+    if (!at.closes) return {kInfinite, -1};
+    if (!turning && !may_transmit(ranges, limits_, at.diagonal, at.diagonal)) {
+      return {kInfinite, -1};
+    }
+  }
+  return {bound(directions, low, high, wanted), worst_side(box, directions)};
+}
+
+bool crank_range(const ProportionRanges& ranges, const LengthLimits& limits, double& low,
+                 double& high) {
+  const Interval size = ranges.inverse * ranges.difference, doubled = Interval(2) * ranges.inverse;
+  const Interval coupler = Interval(1) + size, rocker = Interval(1) - size;
+  const auto crank_by = [&](const Interval& share, const Interval& of) {
+    return of.low > 0 ? share * ranges.crank / of : Interval(0, kInfinite);
+  };
+  const Interval ratio[4] = {Interval(1), crank_by(doubled, coupler), crank_by(doubled, rocker),
+                             crank_by(Interval(1), ranges.frame)};
+  low = 0;
+  high = kInfinite;
+  for (int i = 0; i < 4; ++i) {
+    if (limits.least[i] > 0) low = std::max(low, Interval::below(limits.least[i] * ratio[i].low));
+    if (std::isfinite(limits.greatest[i])) {
+      high = std::min(high, Interval::above(limits.greatest[i] * ratio[i].high));
+    }
+  }
+  return low <= high;
+}
+
+bool may_satisfy(const ProportionRanges& r, const ProportionLimits& limits, bool turning) {
+  // Lengths times 2 s, all of them finite.
+  const Interval doubled = Interval(2) * r.inverse, size = r.inverse * r.difference;
+  const Interval link[4] = {doubled * r.crank, Interval(1) + size, Interval(1) - size,
+                            doubled * r.frame};
+  for (const Interval& shorter : link) {
+    for (const Interval& longer : link) {
+      if (longer.low > limits.greatest_ratio * shorter.high * (1 + 1e-9)) return false;
+    }
+  }
+  if (turning) return true;
+  // Grashof with link i the shortest: l_i + l_k ≤ the other two, for each other k.
+  const auto shortest = [&](int i, bool surely) {
+    for (int k = 0; k < 4; ++k) {
+      if (k == i) continue;
+      Interval spare = -link[i] - link[k];
+      for (int other = 0; other < 4; ++other) {
+        if (other != i && other != k) spare = spare + link[other];
+      }
+      constexpr double kSlack = 1e-12;
+      if (surely ? !(spare.low > kSlack) : !(spare.high >= -kSlack)) return false;
+    }
+    return true;
+  };
+  using Class = ProportionLimits::Class;
+  switch (limits.required) {
+    case Class::any:
+      return true;
+    case Class::coupler_shortest:
+      return shortest(1, false);
+    case Class::rocker_shortest:
+      return shortest(2, false);
+    case Class::grashof:
+      return shortest(0, false) || shortest(1, false) || shortest(2, false) || shortest(3, false);
+    case Class::non_grashof:
+      return !shortest(0, true) && !shortest(1, true) && !shortest(2, true) && !shortest(3, true);
+  }
+  return true;
+}
+
+bool may_transmit(const ProportionRanges& r, const ProportionLimits& limits, const Interval& least,
+                  const Interval& greatest) {
+  // tan²(μ/2) = s²(d² − δ²)/(1 − s²d²), which grows with s and d and falls with |δ|.
+  const Interval s = square(r.inverse), difference = square(r.difference);
+  const auto half = [](double angle) {
+    return std::pair{std::cos(angle / 2), std::sin(angle / 2)};
+  };
+  const auto [min_cos, min_sin] = half(limits.transmission_min);
+  const auto [max_cos, max_sin] = half(limits.transmission_max);
+  const double d_high = Interval::above(least.high * least.high);
+  const double top = s.high * std::max(0.0, d_high - difference.low), beneath = 1 - s.high * d_high;
+  constexpr double kSlack = 1e-9;
+  if (top * min_cos * min_cos < beneath * min_sin * min_sin - kSlack * (1 + top)) return false;
+  const double d_low = Interval::below(greatest.low * greatest.low);
+  const double few = s.low * std::max(0.0, d_low - difference.high), more = 1 - s.low * d_low;
+  return !(few * max_cos * max_cos > more * max_sin * max_sin + kSlack * (1 + few));
+}
+
+std::pair<ProportionBox, ProportionBox> halves(const ProportionBox& box, int side) {
+  std::pair parts{box, box};
+  const double middle = box.side[side].middle();
+  parts.first.side[side].high = middle;
+  parts.second.side[side].low = middle;
+  return parts;
+}
+
+int worst_side(const ProportionBox& box, const std::vector<DirectionRange>& directions) {
+  std::array<double, kBoxSides> common{}, loss{};
+  for (const DirectionRange& at : directions) {
+    for (int i = 0; i < kBoxSides; ++i) common[i] += at.slope[i] / double(directions.size());
+  }
+  constexpr double kFirstOrder = 0.02;  // decides where nothing is lost otherwise
+  for (const DirectionRange& at : directions) {
+    double turned = kFirstOrder;
+    for (int i = 0; i < kBoxSides; ++i) turned += std::abs(at.slope[i] - common[i]);
+    turned = std::min(turned, 1.0);
+    for (int i = 0; i < kBoxSides; ++i) {
+      loss[i] += turned * std::abs(at.slope[i] - common[i]) + at.doubt[i];
+    }
+  }
+  int worst = -1;
+  for (int i = 0; i < kBoxSides; ++i) {
+    if (box.side[i].high - box.side[i].low <= kNarrowest) continue;
+    if (worst < 0 || loss[i] > loss[worst]) worst = i;
+  }
+  return worst;
+}
+
+}  // namespace cognate::synthesis

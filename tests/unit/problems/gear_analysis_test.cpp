@@ -1,0 +1,151 @@
+/// One gear: its table against the textbook, its measurements against handbooks and geometry.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "problems/gear/facts.hpp"
+#include "problems/gear/result.hpp"
+
+namespace cognate::problems {
+namespace {
+
+GearProblem spur(double teeth, double module, double shift = 0) {
+  GearProblem problem;
+  problem.gear.normal.teeth = teeth;
+  problem.gear.normal.module = module;
+  problem.gear.normal.profile_shift = shift;
+  return problem;
+}
+
+const std::vector<double>& column(const GearResult& result, const std::string& name) {
+  for (const Column& each : result.columns) {
+    if (each.name == name) return each.values;
+  }
+  ADD_FAILURE() << "no column " << name;
+  return result.columns.front().values;
+}
+
+// Li & Xu 2011, example 5-3: z = 35, m = 5. The book's r_w = 82.5 is below where the involute ends.
+TEST(GearAnalysis, TheTableIsThatOfTheTextbook) {
+  const auto result = analyse(spur(35, 5), {});
+  EXPECT_EQ(result.status, Status::solved);
+  const auto &radius = column(result, "radius"), &x = column(result, "x"), &y = column(result, "y"),
+             &involute = column(result, "is_involute");
+  ASSERT_EQ(radius.size(), 42u);
+  EXPECT_NEAR(radius[21], 83.63591216851961, 1e-9);
+  EXPECT_EQ(involute[20], 0);
+  EXPECT_EQ(involute[21], 1);
+  EXPECT_NEAR(x[41], -1.8761278745879413, 1e-9);
+  EXPECT_NEAR(y[41], 92.48097179527362, 1e-9);
+  EXPECT_NEAR(column(result, "thickness")[41], 3.7525130629275156, 1e-9);
+  EXPECT_NEAR(radius[0], 81.25, 1e-9);  // the fillet begins at the root circle…
+  EXPECT_NEAR(x[20], x[21], 2e-6);      // …and ends where the involute begins
+  EXPECT_NEAR(y[20], y[21], 2e-6);
+}
+
+TEST(GearAnalysis, AnUndercutGearIsRefusedWithTheShiftItNeeds) {
+  const auto result = analyse(spur(9, 10), {});
+  EXPECT_EQ(result.status, Status::infeasible);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("at least 0.4736"), std::string::npos);
+  EXPECT_EQ(analyse(spur(9, 10, 0.4737), {}).status, Status::solved);
+}
+
+TEST(GearAnalysis, APointedGearIsRefused) {
+  const auto result = analyse(spur(12, 1, 1.1), {});
+  EXPECT_EQ(result.status, Status::infeasible);
+  EXPECT_NE(result.notes.at(0).find("pointed"), std::string::npos);
+}
+
+TEST(GearAnalysis, AGearThatCannotBeMadeHasNoTable) {
+  const auto result = analyse(spur(4, 1, -2), {});
+  EXPECT_EQ(result.status, Status::infeasible);
+  EXPECT_TRUE(column(result, "radius").empty());
+}
+
+// Tables of the base tangent length of standard gears, module 1, α = 20°.
+TEST(GearAnalysis, SpansAreThoseOfTheHandbook) {
+  struct Span {
+    double teeth;
+    int over;
+    double length;
+  };
+  for (const Span& wanted : {Span{20, 3, 7.6604}, Span{35, 4, 10.8226}, Span{80, 9, 26.2137}}) {
+    const auto span = span_measurement(spur(wanted.teeth, 1).gear);
+    ASSERT_TRUE(span);
+    EXPECT_EQ(span->teeth, wanted.over);
+    EXPECT_NEAR(span->length, wanted.length, 1.5e-4);
+  }
+}
+
+bool has(const std::vector<Fact>& facts, const std::string& name) {
+  return std::ranges::find(facts, name, &Fact::name) != facts.end();
+}
+
+TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
+  int tested = 0;
+  // Both anvils need b ≥ W sin β_b, here 27.5.
+  GearProblem narrow = spur(60, 2);
+  narrow.gear.helix = std::numbers::pi / 6;
+  const double length = span_measurement(narrow.gear).value().length;
+  EXPECT_NEAR(length, 58.62, 5e-3);
+  narrow.gear.face_width = 27.7;
+  EXPECT_EQ(span_measurement(narrow.gear).value().teeth, 10);
+  narrow.gear.face_width = 27.4;
+  EXPECT_EQ(span_measurement(narrow.gear).value().teeth, 9);
+  narrow.gear.face_width = 5;
+  EXPECT_FALSE(span_measurement(narrow.gear));
+  EXPECT_FALSE(has(gear_facts(narrow.gear, ""), "span_measurement"));
+  // A plane on the pin of a gear of 20 teeth cuts the tips beside it when x = 1.2.
+  EXPECT_FALSE(pins_can_be_measured(spur(20, 1, 1.2).gear, 1.728));
+  EXPECT_FALSE(has(gear_facts(spur(20, 1, 1.2).gear, ""), "measurement_over_pins"));
+  EXPECT_FALSE(pins_can_be_measured(spur(28, 1, 1.5).gear, 1.728));
+  EXPECT_TRUE(pins_can_be_measured(spur(20, 1).gear, 1.728));
+  // Where a span is told its anvils touch the involute of the table.
+  for (double shift = -1.2; shift < 1.3; shift += 0.01) {
+    for (const double teeth : {9.0, 17.0, 26.0, 40.0}) {
+      const auto span = span_measurement(spur(teeth, 1, shift).gear);
+      if (!span) continue;
+      ++tested;
+      const auto result = analyse(spur(teeth, 1, shift), {});
+      const auto &radius = column(result, "radius"), &involute = column(result, "is_involute");
+      const double base = 0.5 * teeth * std::cos(std::numbers::pi / 9);
+      const double touched = std::hypot(base, 0.5 * span->length);
+      const auto first = std::ranges::find(involute, 1.0) - involute.begin();
+      EXPECT_GE(touched, radius[static_cast<std::size_t>(first)] - 1e-9) << teeth << ' ' << shift;
+      EXPECT_LE(touched, radius.back() + 1e-9) << teeth << ' ' << shift;
+    }
+  }
+  EXPECT_GE(tested, 860);
+}
+
+/// The least distance of `centre` from the flank in the table, turned to the space at angle 0.
+double distance_to_flank(const GearResult& result, double teeth, double centre) {
+  const auto &x = column(result, "x"), &y = column(result, "y");
+  const double turn = -std::numbers::pi / teeth;  // the space to the left, onto the y axis
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double u = x[i] * std::cos(turn) - y[i] * std::sin(turn);
+    const double v = x[i] * std::sin(turn) + y[i] * std::cos(turn);
+    least = std::min(least, std::hypot(u, v - centre));
+  }
+  return least;
+}
+
+TEST(GearAnalysis, APinTouchesTheFlanksOfItsSpace) {
+  for (const double teeth : {24.0, 31.0}) {
+    GearProblem problem = spur(teeth, 3, 0.2);
+    problem.points = 10000;
+    const auto result = analyse(problem, {});
+    const double pin = 1.728 * 3, over = measurement_over_pins(problem.gear, pin);
+    const double across = over - pin;
+    const double share = teeth == 24 ? 1 : std::cos(std::numbers::pi / (2 * teeth));
+    EXPECT_NEAR(distance_to_flank(result, teeth, 0.5 * across / share), 0.5 * pin, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace cognate::problems
