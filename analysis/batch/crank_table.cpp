@@ -1,10 +1,10 @@
 #include "analysis/batch/crank_table.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -51,7 +51,7 @@ template <class Real>
 CrankTable<Real> CrankTable<Real>::full_turn(std::size_t count) {
   std::vector<double> angles(count);
   for (std::size_t i = 0; i < count; ++i) {
-    angles[i] = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    angles[i] = kTurn * static_cast<double>(i) / static_cast<double>(count);
   }
   return CrankTable(angles);
 }

@@ -1,10 +1,9 @@
 #include "analysis/cam/motion_law.hpp"
 
-#include <limits>
-
 #include "analysis/cam/polynomial_law.hpp"
 #include "analysis/cam/spline_law.hpp"
 #include "analysis/cam/universal_law.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::cam {
 namespace {
@@ -39,8 +38,6 @@ bool is_valid(const UniversalShape<double>& shape) {
   return shape.sine >= 0 && shape.constant >= 0 && shape.cosine >= 0 &&
          shape.sine + shape.constant + shape.cosine <= 1 + kLeastShare;
 }
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -99,9 +96,9 @@ std::optional<PeakFactors> handbook_factors(MotionLaw law) {
     case MotionLaw::dwell:
       return PeakFactors{0, 0, 0};
     case MotionLaw::constant_velocity:
-      return PeakFactors{1, kInfinite, kInfinite};
+      return PeakFactors{1, kInfinity, kInfinity};
     case MotionLaw::constant_acceleration:
-      return PeakFactors{2, 4, kInfinite};
+      return PeakFactors{2, 4, kInfinity};
     case MotionLaw::harmonic:
       return PeakFactors{1.5708, 4.9348, 15.503};
     case MotionLaw::cycloidal:

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/cam/extremes.hpp"
 #include "analysis/cam/motion_law.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::cam {
 namespace {
@@ -56,14 +56,13 @@ PeakFactors peak_factors(const MotionSegment& segment) {
   const double rise = segment.rise != 0 ? std::abs(segment.rise)
                                         : displacement.greatest.value - displacement.least.value;
   if (!(rise > 0)) return {};
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const double velocity = peak(extremes_of(pieces, 1)), acceleration = peak(extremes_of(pieces, 2)),
                jerk = peak(extremes_of(pieces, 3));
   const bool velocity_jumps = has_jump(pieces, 1, velocity);
   const bool acceleration_jumps = velocity_jumps || has_jump(pieces, 2, acceleration);
   const double over = segment.over;
-  return {velocity * over / rise, velocity_jumps ? kInfinite : acceleration * over * over / rise,
-          acceleration_jumps ? kInfinite : jerk * over * over * over / rise};
+  return {velocity * over / rise, velocity_jumps ? kInfinity : acceleration * over * over / rise,
+          acceleration_jumps ? kInfinity : jerk * over * over * over / rise};
 }
 
 }  // namespace cognate::cam

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::cam {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 ProfilePoint roller_point(const CamCurve& curve, const FollowerMotion<double>& motion) {
   const auto state = roller_state(curve.cam.follower, curve.cam.start, motion);

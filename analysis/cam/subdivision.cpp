@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::cam {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Between the nodes, nowhere near the middle between two or a symmetric pair.

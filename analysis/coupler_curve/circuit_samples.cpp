@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/batch/design.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/compensated.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/dual.hpp"
 
 namespace cognate {
@@ -100,7 +100,7 @@ CircuitChoice circuit_at(const FourBar& linkage, double crank_angle) {
   const auto ranges = crank_ranges(lengths(linkage));
   if (ranges.size() < 2) return choice;
   const double angle = in_one_turn(crank_angle - frame_angle(linkage));
-  const double last = 2 * std::numbers::pi + ranges.back().to;
+  const double last = kTurn + ranges.back().to;
   if (angle > ranges.front().to && angle <= last) choice.half = -1;
   return choice;
 }
@@ -111,7 +111,7 @@ void CurveRoom::resize(std::size_t count) {
 
 TurnTable::TurnTable(std::size_t count) : cos(count), sin(count) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    const double angle = kTurn * static_cast<double>(i) / static_cast<double>(count);
     cos[i] = std::cos(angle);
     sin[i] = std::sin(angle);
   }

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The share of a range, from either end, that goes by the transmission angle.
 constexpr double kEndShare = 0.2;
@@ -49,8 +47,8 @@ Circuits::Circuits(const Lengths<double>& links)
   if (crank_rotates(links)) {
     // Off the frame's direction, where symmetric curves have what is looked for.
     constexpr double start = -0.1;
-    arcs_ = {{CircuitArc::By::crank, start, start + 2 * kPi, +1, 0},
-             {CircuitArc::By::crank, start, start + 2 * kPi, -1, 1}};
+    arcs_ = {{CircuitArc::By::crank, start, start + kTurn, +1, 0},
+             {CircuitArc::By::crank, start, start + kTurn, -1, 1}};
     return;
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -72,7 +70,7 @@ void Circuits::add_range(double from, double to, int circuit) {
     const double sign = std::sin(0.5 * (end + inside)) < 0 ? -1 : 1;
     // From one assembly to the other through μ = 0 or π.
     const bool folded = p < q;
-    const double from_angle = folded ? -angle : angle, to_angle = folded ? angle : 2 * kPi - angle;
+    const double from_angle = folded ? -angle : angle, to_angle = folded ? angle : kTurn - angle;
     arcs_.push_back({CircuitArc::By::transmission, from_angle, to_angle, sign, circuit});
   };
   arcs_.push_back({CircuitArc::By::crank, first, last, +1, circuit});

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -44,7 +45,7 @@ void ClosedStretchFinder::lay_out(const CurveSamples& curve) {
 void ClosedStretchFinder::refine(const CurveSamples& curve, std::size_t first, std::size_t cells,
                                  std::size_t pieces) {
   const std::size_t count = curve.size();
-  const double step = 2 * std::numbers::pi / static_cast<double>(count);
+  const double step = kTurn / static_cast<double>(count);
   const auto rate = [&](std::size_t i) { return step * Vec2d{curve.dx[i], curve.dy[i]}; };
   fine_.clear();
   for (std::size_t k = 0; k < cells; ++k) {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The greatest value of the cubic with the values f0, f1 and the derivatives d0 ≥ 0, d1 ≤ 0 at the
 /// ends of [0, 1].
@@ -26,7 +24,7 @@ double cubic_peak(double f0, double d0, double f1, double d1) {
 /// Samples of a curve, looked at from directions; between samples it is a cubic.
 struct Support {
   const CurveSamples& curve;
-  double step = 2 * kPi / static_cast<double>(curve.size());
+  double step = kTurn / static_cast<double>(curve.size());
 
   double value(std::size_t i, const Vec2d& direction) const {
     return direction.x * curve.x[i] + direction.y * curve.y[i];
@@ -61,14 +59,15 @@ struct Box {
     const auto at = [&](double angle) {
       add(centre + Vec2d{radius * std::cos(angle), radius * std::sin(angle)});
     };
-    if (to - from >= 2 * kPi) {
+    if (to - from >= kTurn) {
       add(centre - Vec2d{radius, radius});
       add(centre + Vec2d{radius, radius});
       return;
     }
     at(from);
     at(to);
-    for (double k = std::ceil(from / (kPi / 2)); k * (kPi / 2) < to; ++k) at(k * (kPi / 2));
+    for (double k = std::ceil(from / (kRightAngle)); k * (kRightAngle) < to; ++k)
+      at(k * (kRightAngle));
   }
 };
 
@@ -102,7 +101,7 @@ void CurveSums::add_up(const CurveSamples& samples, std::size_t curves) {
       area[i] += (x[i] - samples.x[i]) * dy[i] - (y[i] - samples.y[i]) * dx[i];
     }
   }
-  const double step = 2 * kPi / static_cast<double>(rows);
+  const double step = kTurn / static_cast<double>(rows);
   for (std::size_t i = 0; i < curves; ++i) {
     length[i] *= step;
     half_length[i] *= 2 * step;

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
@@ -45,7 +45,7 @@ class WidthFinder {
 
  private:
   static constexpr std::size_t kDirections = 90;
-  static constexpr double kStep = std::numbers::pi / kDirections;
+  static constexpr double kStep = kPi / kDirections;
 
   static double sampled_width(const CurveSamples& curve, const Vec2d& direction);
   /// The greatest (`sense` = 1) or least (−1) width next to the direction at `angle`.

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 Vec2d unit_at(double angle) {
   return {std::cos(angle), std::sin(angle)};

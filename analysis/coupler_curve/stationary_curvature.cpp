@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -51,7 +52,7 @@ StationaryCubic centre_points(const StationaryCubic& circling) {
 std::vector<Vec2d> sample(const StationaryCubic& cubic, int count, double reach) {
   std::vector<Vec2d> points;
   for (int k = 0; k < count; ++k) {
-    const double angle = std::numbers::pi * k / count;
+    const double angle = kPi * k / count;
     const auto point = cubic.at(cubic.axis * Vec2d{std::cos(angle), std::sin(angle)});
     if (!point) continue;
     const Vec2d z = *point - cubic.pole;

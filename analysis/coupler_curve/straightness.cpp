@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 bool is_finite(const Vec2d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y);
@@ -113,7 +111,6 @@ class TangentReach {
 
 Path path_of(const Mechanism<double>& mechanism, const Attached<double>& point) {
   return [motion = MechanismMotion<1>(mechanism), point](double drive) mutable -> PathPoint {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (!motion.move_to(drive)) return {{kNaN, kNaN}, {kNaN, kNaN}};
     const auto p = motion.point(point);
     return {p[0], p[1]};

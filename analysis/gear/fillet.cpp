@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::gear {
@@ -25,8 +25,8 @@ double zero_between(const Function& f, double low, double high) {
 double undercut_end(const SpurGear& gear, const Fillet& fillet) {
   const double base = fillet.pitch_radius * std::cos(gear.rack.pressure_angle);
   const auto above_base = [&](double theta) { return fillet.radius(theta) - base; };
-  const double at_base = zero_between(above_base, gear.rack.pressure_angle, std::numbers::pi / 2);
-  const double base_angle = std::numbers::pi / gear.teeth - base_half_angle(gear);
+  const double at_base = zero_between(above_base, gear.rack.pressure_angle, kRightAngle);
+  const double base_angle = kPi / gear.teeth - base_half_angle(gear);
   const auto into_tooth = [&](double theta) {
     const double cosine = std::min(base / fillet.radius(theta), 1.0);
     return fillet.angle(theta) - base_angle - involute(std::acos(cosine));
@@ -83,11 +83,11 @@ double form_tangent(const SpurGear& gear) {
 
 double waist_thickness(const SpurGear& gear) {
   const Fillet fillet = fillet_of(gear);
-  const double half_pitch = std::numbers::pi / gear.teeth;
+  const double half_pitch = kPi / gear.teeth;
   // The tangent leans outwards by this angle against the tooth's middle line.
   const auto lean = [&](double theta) { return theta - half_pitch - fillet.roll_angle(theta); };
   double narrowest = fillet.end;
-  if (lean(narrowest) < 0) narrowest = zero_between(lean, narrowest, std::numbers::pi / 2);
+  if (lean(narrowest) < 0) narrowest = zero_between(lean, narrowest, kRightAngle);
   const double half_angle = half_pitch - fillet.angle(narrowest);
   return 2 * gear.module * fillet.radius(narrowest) * std::sin(half_angle);
 }

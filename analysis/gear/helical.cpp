@@ -1,7 +1,7 @@
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/other_gears.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 
@@ -30,7 +30,7 @@ double virtual_teeth(const HelicalGear& gear) {
 }
 
 double overlap_ratio(const HelicalGear& gear) {
-  return gear.face_width * std::sin(std::abs(gear.helix)) / (std::numbers::pi * gear.normal.module);
+  return gear.face_width * std::sin(std::abs(gear.helix)) / (kPi * gear.normal.module);
 }
 
 double base_helix(const HelicalGear& gear) {
@@ -38,7 +38,7 @@ double base_helix(const HelicalGear& gear) {
 }
 
 double lead(const HelicalGear& gear) {
-  return std::numbers::pi * gear.normal.module * gear.normal.teeth / std::sin(std::abs(gear.helix));
+  return kPi * gear.normal.module * gear.normal.teeth / std::sin(std::abs(gear.helix));
 }
 
 double helix_cosine(const SpurGear& section, double helix, double radius) {

@@ -1,7 +1,8 @@
 #include "analysis/gear/involute.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -43,7 +44,7 @@ double positive_involute_angle(double value) {
     const double start = series_angle(std::cbrt(3 * value));
     return halley_step(halley_step(start, value), value);
   }
-  double angle = std::atan(value + std::numbers::pi / 2);
+  double angle = std::atan(value + kRightAngle);
   for (int step = 0; step < 3; ++step) angle = arc_tangent_step(angle, value);
   return angle;
 }

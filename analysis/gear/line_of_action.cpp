@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -22,7 +23,7 @@ LineOfAction line_of_action(const SpurPair& pair) {
   line.length = tangent_length(base1 + base2, pair.centre_distance);
   line.pressure_angle = std::atan2(line.length, base1 + base2);
   line.pitch_point = line.length * (base1 / (base1 + base2));
-  line.base_pitch = 2 * std::numbers::pi * base1 / pinion.teeth;
+  line.base_pitch = kTurn * base1 / pinion.teeth;
   line.pinion_tip = tangent_length(base1, flank_end_radius(pinion));
   line.wheel_tip = line.length - tangent_length(base2, flank_end_radius(wheel));
   line.pinion_form = form_tangent(pinion);
@@ -34,7 +35,7 @@ LineOfAction line_of_action(const SpurPair& pair) {
 
 std::optional<DistanceRange> distances_in_contact(const std::array<SpurGear, 2>& gears,
                                                   double ratio) {
-  const double path = ratio * 2 * std::numbers::pi * base_radius(gears[0]) / gears[0].teeth;
+  const double path = ratio * kTurn * base_radius(gears[0]) / gears[0].teeth;
   double tips = 0, forms = 0;
   for (const SpurGear& gear : gears) {
     const double tip = tangent_length(base_radius(gear), flank_end_radius(gear));

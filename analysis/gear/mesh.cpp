@@ -1,7 +1,8 @@
 #include "analysis/gear/mesh.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 
@@ -26,7 +27,7 @@ Mesh mesh(const SpurPair& pair) {
   // Without backlash a space of the wheel is opposite the pinion's tooth; with it the wheel lags.
   const double half_backlash = 0.5 * geometry_of_line(pair).backlash;
   const double working_radius = a * (wheel.teeth / (pinion.teeth + wheel.teeth));
-  result.wheel_angle = std::numbers::pi * (1 + 1 / wheel.teeth) + half_backlash / working_radius;
+  result.wheel_angle = kPi * (1 + 1 / wheel.teeth) + half_backlash / working_radius;
 
   // The involute that touches at u begins u/r_b1 ahead of T₁, which is at π/2 − α′.
   const double first = base_radius(pinion) * (base_half_angle(pinion) + line.pressure_angle);

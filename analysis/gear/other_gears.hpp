@@ -7,9 +7,9 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 
 #include "analysis/gear/spur_pair.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 
@@ -37,7 +37,7 @@ double helix_cosine(const SpurGear& section, double helix, double radius);
 struct BevelPair {
   std::array<double, 2> teeth{};
   double module = 1;
-  double shaft_angle = std::numbers::pi / 2;
+  double shaft_angle = kRightAngle;
   double face_width = 0;
   BasicRack rack;
   std::array<double, 2> profile_shift{};  ///< x₂ = −x₁ keeps the cones

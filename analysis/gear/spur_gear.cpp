@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -27,8 +28,7 @@ Corner corner_of(const BasicRack& rack) {
   corner.sine = std::sin(rack.pressure_angle);
   corner.cosine = std::cos(rack.pressure_angle);
   const double depth = rack.addendum + rack.clearance;
-  corner.greatest =
-      (std::numbers::pi / 4 * corner.cosine - depth * corner.sine) / (1 - corner.sine);
+  corner.greatest = (kPi / 4 * corner.cosine - depth * corner.sine) / (1 - corner.sine);
   const double usual = rack.clearance / (1 - corner.sine);
   const bool has_room = usual <= corner.greatest || corner.greatest < 0;
   corner.is_usual = !rack.corner_radius && has_room;
@@ -96,7 +96,7 @@ double pressure_angle(const SpurGear& gear, double radius) {
 }
 
 double base_half_angle(const SpurGear& gear) {
-  const double half_thickness = std::numbers::pi / 2 +
+  const double half_thickness = kRightAngle +
                                 2 * gear.profile_shift * std::tan(gear.rack.pressure_angle) -
                                 gear.thinning / gear.module;
   return half_thickness / gear.teeth + involute(gear.rack.pressure_angle);

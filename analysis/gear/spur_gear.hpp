@@ -5,15 +5,16 @@
 /// parallel, below. Lengths in the unit of the module; angles in radians.
 #pragma once
 
-#include <numbers>
 #include <optional>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 
 /// The rack that cuts, with its lengths in modules (ISO 53). `addendum` is the depth to which the
 /// mating gear's tip reaches below the pitch line; `clearance`: how much deeper the rack's is.
 struct BasicRack {
-  double pressure_angle = std::numbers::pi / 9;
+  double pressure_angle = kPi / 9;
   double addendum = 1;
   double clearance = 0.25;
   std::optional<double> corner_radius{};  ///< of its tip, in modules, where it is not the usual one

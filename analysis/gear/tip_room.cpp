@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/gear/fillet.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -56,11 +56,11 @@ double tip_room(const SpurPair& pair, const LineOfAction& line, int own) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kSteps; ++i) {
     const double share = static_cast<double>(i * i) / (kSteps * kSteps);
-    const double theta = fillet.end + (std::numbers::pi / 2 - fillet.end) * share;
+    const double theta = fillet.end + (kRightAngle - fillet.end) * share;
     const double radius = gear.module * fillet.radius(theta);
     const double psi = path.psi_at(radius);
     if (std::isnan(psi)) break;  // the tip does not come as deep
-    const double flank = std::numbers::pi / gear.teeth - fillet.angle(theta);
+    const double flank = kPi / gear.teeth - fillet.angle(theta);
     const double nearer = std::min(path.from_tooth(psi), path.from_tooth(-psi));
     least = std::min(least, radius * (nearer - flank));
   }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/fillet.hpp"
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -64,12 +64,11 @@ std::vector<Vec2d> rack_tooth_half(const SpurGear& gear, double tolerance) {
   const double slope = std::tan(gear.rack.pressure_angle);
   const auto corner = [&](double theta) { return corner_point(fillet, gear.profile_shift, theta); };
   std::vector<OutlinePoint> points;
-  if (fillet.centre.x > 0) points.push_back({corner(std::numbers::pi / 2), OutlinePart::root});
-  append(points, OutlinePart::fillet, corner, std::numbers::pi / 2, gear.rack.pressure_angle,
-         tolerance);
-  const double half_width = std::numbers::pi / 4 + 0.5 * gear.thinning / gear.module;
-  const double height = std::min(gear.rack.addendum + gear.rack.clearance,
-                                 (std::numbers::pi / 2 - half_width) / slope);
+  if (fillet.centre.x > 0) points.push_back({corner(kRightAngle), OutlinePart::root});
+  append(points, OutlinePart::fillet, corner, kRightAngle, gear.rack.pressure_angle, tolerance);
+  const double half_width = kPi / 4 + 0.5 * gear.thinning / gear.module;
+  const double height =
+      std::min(gear.rack.addendum + gear.rack.clearance, (kRightAngle - half_width) / slope);
   std::vector<Vec2d> half;
   for (const OutlinePoint& point : points) half.push_back(point.at);
   half.push_back({half_width + height * slope, height});
@@ -81,7 +80,7 @@ std::vector<Vec2d> rack_tooth_half(const SpurGear& gear, double tolerance) {
 std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
   if (!(tolerance > 0) || tooth_fault(gear) != ToothFault::none) return {};
   const Fillet fillet = fillet_of(gear);
-  const double half_pitch = std::numbers::pi / gear.teeth;
+  const double half_pitch = kPi / gear.teeth;
   const double root = root_radius(gear);
   const double base = base_radius(gear);
   const double tip = flank_end_radius(gear);
@@ -96,7 +95,7 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
   const auto involute_point = [&](double tangent) {
     return polar(base * std::hypot(1.0, tangent), base_angle - tangent + std::atan(tangent));
   };
-  const double root_angle = half_pitch - fillet.angle(std::numbers::pi / 2);
+  const double root_angle = half_pitch - fillet.angle(kRightAngle);
   const double foot_tangent = form_tangent(gear) / base;
   const double tip_tangent = std::tan(pressure_angle(gear, tip));
   const double tip_angle = base_angle - tip_tangent + std::atan(tip_tangent);
@@ -105,7 +104,7 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
   if (root_angle < half_pitch) {
     append(points, OutlinePart::root, arc_of(root), half_pitch, root_angle, tolerance);
   }
-  append(points, OutlinePart::fillet, fillet_point, std::numbers::pi / 2, fillet.end, tolerance);
+  append(points, OutlinePart::fillet, fillet_point, kRightAngle, fillet.end, tolerance);
   append(points, OutlinePart::involute, involute_point, foot_tangent, tip_tangent, tolerance);
   if (tip < pointed_radius(gear)) {
     append(points, OutlinePart::tip, arc_of(tip), tip_angle, 0, tolerance);
@@ -124,7 +123,7 @@ std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance) {
   const int teeth = half.empty() ? 0 : static_cast<int>(std::lround(gear.teeth));
   outline.reserve(tooth.size() * static_cast<std::size_t>(teeth));
   for (int k = 0; k < teeth; ++k) {
-    const double angle = 2 * std::numbers::pi * k / teeth;
+    const double angle = kTurn * k / teeth;
     const Vec2d turn{std::cos(angle), std::sin(angle)};
     for (const OutlinePoint& point : tooth) outline.push_back({turn * point.at, point.part});
   }
@@ -133,7 +132,7 @@ std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance) {
 
 std::vector<Vec2d> rack_outline(const SpurGear& gear, double angle, int teeth, double tolerance) {
   const std::vector<Vec2d> half = rack_tooth_half(gear, tolerance / gear.module);
-  const double pitch = std::numbers::pi;
+  const double pitch = kPi;
   const double pitch_line = 0.5 * gear.teeth + gear.profile_shift;
   std::vector<Vec2d> outline;
   for (int k = -teeth; k < teeth; ++k) {

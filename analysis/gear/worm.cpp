@@ -1,7 +1,7 @@
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/other_gears.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
 namespace {
@@ -30,7 +30,7 @@ WormGeometry geometry(const WormPair& pair) {
   const double x = pair.wheel_shift;
   WormGeometry result;
   result.lead_angle = lead_angle(pair);
-  result.lead = std::numbers::pi * m * pair.starts;
+  result.lead = kPi * m * pair.starts;
   result.centre_distance = 0.5 * m * (q + z + 2 * x);
   result.worm_reference_diameter = m * q;
   result.worm_tip_diameter = m * (q + 2 * addendum);
@@ -46,7 +46,7 @@ WormGeometry geometry(const WormPair& pair) {
 double efficiency(const WormPair& pair, double friction) {
   const double angle = lead_angle(pair);
   const double with_friction = angle + friction_angle(pair, friction);
-  return with_friction < std::numbers::pi / 2 ? std::tan(angle) / std::tan(with_friction) : 0;
+  return with_friction < kRightAngle ? std::tan(angle) / std::tan(with_friction) : 0;
 }
 
 bool locks_itself(const WormPair& pair, double friction) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -179,7 +179,6 @@ bool ChangePointMotion::meets_d() const {
 }
 
 double ChangePointMotion::period() const {
-  constexpr double kTurn = 2 * std::numbers::pi;
   return towards_ && away_ ? kTurn : 2 * kTurn;
 }
 
@@ -187,7 +186,7 @@ std::vector<ChangeAngle> ChangePointMotion::change_angles() const {
   const double frame = std::atan2(axes_.direction().y, axes_.direction().x);
   std::vector<ChangeAngle> angles;
   if (towards_) angles.push_back({in_one_turn(frame), !meets_d()});
-  if (away_) angles.push_back({in_one_turn(frame + std::numbers::pi), true});
+  if (away_) angles.push_back({in_one_turn(frame + kPi), true});
   return angles;
 }
 

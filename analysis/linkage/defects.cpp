@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSameAngle = 1e-7;
 
 /// Which circuit a position lies on, and how far its crank is from the start of its range.
@@ -47,11 +47,11 @@ class Circuits {
  private:
   static std::optional<double> turn_within(const CrankRange& range, double angle) {
     if (!std::isfinite(angle)) return std::nullopt;
-    const double whole = std::floor((angle - range.from) / (2 * kPi));
-    const double turn = angle - range.from - 2 * kPi * whole;
+    const double whole = std::floor((angle - range.from) / (kTurn));
+    const double turn = angle - range.from - kTurn * whole;
     const double span = range.to - range.from;
     if (turn <= span + kSameAngle) return std::min(turn, span);
-    if (turn >= 2 * kPi - kSameAngle) return 0.0;
+    if (turn >= kTurn - kSameAngle) return 0.0;
     return std::nullopt;
   }
 
@@ -64,7 +64,7 @@ class Circuits {
 /// Whether `places` follow one another round a cycle of length `period` in the sense of `sense`,
 /// once at most.
 bool follows_once_round(std::span<const double> places, double period, double sense) {
-  const double same = kSameAngle * period / (2 * kPi);
+  const double same = kSameAngle * period / (kTurn);
   double travelled = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double step = sense * (places[i] - places[i - 1]) / period;
@@ -92,7 +92,7 @@ bool is_monotone(std::span<const double> places) {
 bool goes_the_shorter_way(std::span<const CrankPosition> positions, std::span<const double> turns) {
   for (std::size_t i = 1; i < positions.size(); ++i) {
     const double shorter =
-        std::remainder(positions[i].crank_angle - positions[i - 1].crank_angle, 2 * kPi);
+        std::remainder(positions[i].crank_angle - positions[i - 1].crank_angle, kTurn);
     const double within = turns[i] - turns[i - 1];
     const bool is_half_turn = std::abs(shorter) > kPi - kSameAngle;
     // The two are equal or differ by a whole turn.

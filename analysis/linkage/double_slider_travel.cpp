@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double angle(const Vec2d& v) {
   return std::atan2(v.y, v.x);

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Dimensions times a power of two, which rounds nothing, so that the longest is in [1, 2).
@@ -84,7 +83,7 @@ std::optional<BarLimit> limit(const Dimensions& d, double side, double assembly)
   const double above = compensated_sum(d.frame, -l1, d.offset, 0.0);
   if (!suffices(below) || !suffices(above)) return std::nullopt;
   const double bar = std::atan2(d.offset - l1, -assembly * root(below, above));
-  return BarLimit{std::remainder(bar + side * kPi / 2, 2 * kPi), bar};
+  return BarLimit{std::remainder(bar + side * kRightAngle, kTurn), bar};
 }
 
 double pressure_at(const Dimensions& d, double block_distance) {
@@ -128,11 +127,11 @@ bool is_change_point(const GuideBar& mechanism) {
 
 std::vector<CrankRange> crank_ranges(const GuideBar& mechanism) {
   if (!can_assemble(mechanism)) return {};
-  if (crank_rotates(mechanism)) return {{0, 2 * kPi}};
+  if (crank_rotates(mechanism)) return {{0, kTurn}};
   // 4 l₁ l₄ sin²(θ/2) = e² − (l₄ − l₁)² and 4 l₁ l₄ cos²(θ/2) = (l₄ + l₁)² − e².
   const Dimensions d = normalised(mechanism);
   const double first = angle_of_half(-nearest_square(d), farthest_square(d));
-  return {{first, 2 * kPi - first}};
+  return {{first, kTurn - first}};
 }
 
 std::optional<double> bar_angle(const GuideBar& mechanism, double crank_angle) {
@@ -198,7 +197,7 @@ std::optional<double> greatest_pressure_angle(const GuideBar& mechanism) {
 std::optional<double> greatest_pressure_angle(const GuideBar& mechanism, const CrankRange& range) {
   const auto from = pressure_angle(mechanism, range.from), to = pressure_angle(mechanism, range.to);
   if (!from || !to) return std::nullopt;
-  const bool passes_frame = std::ceil(range.from / (2 * kPi)) * (2 * kPi) < range.to;
+  const bool passes_frame = std::ceil(range.from / (kTurn)) * (kTurn) < range.to;
   if (passes_frame) return greatest_pressure_angle(mechanism);
   return std::max(*from, *to);
 }

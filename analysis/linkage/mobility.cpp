@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
@@ -112,8 +112,8 @@ RangeEnds range_ends(const Lengths<double>& links, const Extremes& at) {
 /// rounding is all that parts them.
 double half_cosine_fall(double end, double angle) {
   constexpr double kSame = 32 * std::numeric_limits<double>::epsilon();
-  const double beyond = std::remainder(angle - end, 2 * std::numbers::pi);
-  const double beyond_mirror = std::remainder(angle + end, 2 * std::numbers::pi);
+  const double beyond = std::remainder(angle - end, kTurn);
+  const double beyond_mirror = std::remainder(angle + end, kTurn);
   const double allowed = kSame * std::max(1.0, std::abs(angle));
   if (std::min(std::abs(beyond), std::abs(beyond_mirror)) <= allowed) return 0;
   return std::sin(0.5 * (angle - end)) * std::sin(0.5 * (angle + end));
@@ -198,7 +198,7 @@ bool rocker_rotates(const Lengths<double>& links) {
 }
 
 std::vector<CrankRange> crank_ranges(const Lengths<double>& links) {
-  constexpr double pi = std::numbers::pi;
+  constexpr double pi = kPi;
   if (!can_assemble(links)) return {};
   const Extremes at = extremes(links);
   const Sums sum = certain_sums(links);
@@ -222,7 +222,7 @@ TransmissionAngles transmission_angles(const Lengths<double>& links) {
 }
 
 TransmissionAngles transmission_angles(const Lengths<double>& links, const CrankRange& range) {
-  constexpr double pi = std::numbers::pi;
+  constexpr double pi = kPi;
   const Extremes at = extremes(links);
   TransmissionAngles angles{pi, 0, pi};
   const auto include = [&](double crank_angle) {
@@ -258,7 +258,7 @@ std::optional<LimitPosition> inner_limit(const Lengths<double>& links) {
 }
 
 std::optional<double> time_ratio(const Lengths<double>& links) {
-  constexpr double pi = std::numbers::pi;
+  constexpr double pi = kPi;
   if (!crank_rotates(links)) return std::nullopt;
   const auto outer = outer_limit(links), inner = inner_limit(links);
   if (!outer || !inner) return std::nullopt;

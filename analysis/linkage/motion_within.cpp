@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 
 std::optional<CrankRange> motion_within(std::span<const CrankRange> ranges,
                                         const CrankRange& motion) {
-  constexpr double kTurn = 2 * std::numbers::pi, kBeyond = 1e-7;
+  constexpr double kBeyond = 1e-7;
   for (const CrankRange& range : ranges) {
     if (range.to - range.from >= kTurn) return motion;
     // A motion that fits has its middle within half a turn of the range's.

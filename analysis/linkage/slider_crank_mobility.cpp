@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Dimensions times a power of two, which rounds nothing, so that the longest is in [1, 2).
@@ -133,8 +132,8 @@ std::vector<SliderPosition> change_points(const SliderCrank& mechanism) {
   const Room r = room(normalised(mechanism));
   std::vector<SliderPosition> found;
   if (!is_change_point(mechanism)) return found;
-  if (std::abs(r.left) <= kRounding) found.push_back({kPi / 2, 0});
-  if (std::abs(r.right) <= kRounding) found.push_back({-kPi / 2, 0});
+  if (std::abs(r.left) <= kRounding) found.push_back({kRightAngle, 0});
+  if (std::abs(r.right) <= kRounding) found.push_back({-kRightAngle, 0});
   return found;
 }
 
@@ -142,7 +141,7 @@ std::vector<CrankRange> crank_ranges(const SliderCrank& mechanism) {
   if (!can_assemble(mechanism)) return {};
   const Room r = room(normalised(mechanism));
   const bool passes_left = suffices(r.left), passes_right = suffices(r.right);
-  if (passes_left && passes_right) return {{0, 2 * kPi}};
+  if (passes_left && passes_right) return {{0, kTurn}};
   const double left = gap_left(r), right = gap_right(r);
   if (passes_right) return {{-1.5 * kPi + left, 0.5 * kPi - left}};
   if (passes_left) return {{-0.5 * kPi + right, 1.5 * kPi - right}};
@@ -226,7 +225,7 @@ std::optional<PressureAngles> pressure_angles(const SliderCrank& mechanism) {
   if (!can_assemble(mechanism)) return std::nullopt;
   const Dimensions d = normalised(mechanism);
   const Room r = room(d);
-  double min = -kPi / 2, max = kPi / 2;
+  double min = -kRightAngle, max = kRightAngle;
   if (suffices(r.left)) max = std::atan2(d.crank - d.offset, root(r.left, r.reach_right));
   if (suffices(r.right)) min = std::atan2(-d.crank - d.offset, root(r.right, r.reach_left));
   return with_steepest(min, max);

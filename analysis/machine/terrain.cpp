@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <optional>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::machine {
 namespace {
@@ -17,8 +18,7 @@ constexpr double kJump = 0.01;
 constexpr std::size_t kMostBreaks = 6000;
 
 std::size_t samples_of(double period) {
-  return kSamplesOfATurn *
-         static_cast<std::size_t>(std::max(1.0, std::round(period / (2 * std::numbers::pi))));
+  return kSamplesOfATurn * static_cast<std::size_t>(std::max(1.0, std::round(period / (kTurn))));
 }
 
 /// The interval's half with the greater change, again and again: at a jump all of it remains.

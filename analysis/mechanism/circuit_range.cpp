@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/mechanism/output_limits.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Parts of the scale of the drive: ends of branches closer than this are one.
 constexpr double kSamePlace = 1e-6;
 /// No circuit of a mechanism worth following has more branches.

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/course_probe.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kCellsPerTurn = 720;
 /// Parts of the scale of the drive: changes of several dyads closer than this are one; and a start
 /// this close to a change is on it.

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Parts of the scale of the drive: places closer than this are one.
 constexpr double kSamePlace = 1e-7;
 /// An output slower than this part of what it might be stands still.

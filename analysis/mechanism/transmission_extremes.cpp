@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/course_probe.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
@@ -56,7 +56,7 @@ class Extremes {
   /// Where the links of the dyad are in line, to rounding: μ is 0 or π, which a root of what
   /// rounding leaves is not.
   void include_dead(const DyadClosure<Dual>& at, double drive) {
-    include({drive, at.cosine.value < 0 ? std::numbers::pi : 0.0 * at.cosine.value});
+    include({drive, at.cosine.value < 0 ? kPi : 0.0 * at.cosine.value});
   }
 
   void include(const DyadClosure<Dual>& at, double drive) {
@@ -78,11 +78,11 @@ class Extremes {
 }  // namespace
 
 double TransmissionExtremes::acute_least() const {
-  return std::min(least.angle, std::numbers::pi - greatest.angle);
+  return std::min(least.angle, kPi - greatest.angle);
 }
 
 double TransmissionExtremes::greatest_pressure() const {
-  return std::numbers::pi / 2 - acute_least();
+  return kRightAngle - acute_least();
 }
 
 std::optional<TransmissionExtremes> transmission_extremes(const Mechanism<double>& mechanism,

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 
 /// `angle` less whole turns, in [0, 2π).
 inline double in_one_turn(double angle) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   const double reduced = std::remainder(angle, kTurn);
   const double positive = reduced < 0 ? reduced + kTurn : reduced;
   return positive < kTurn ? positive : 0;  // a tiny negative angle rounds up to the whole turn

@@ -7,9 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 
@@ -43,7 +44,7 @@ double better_end(Function&& f, const std::pair<double, double>& bracket) {
 inline std::vector<double> crowded(double from, double to, int cells) {
   std::vector<double> places(static_cast<std::size_t>(cells) + 1);
   for (int i = 0; i <= cells; ++i) {
-    const double half = std::sin(std::numbers::pi * i / (2 * cells));
+    const double half = std::sin(kPi * i / (2 * cells));
     places[static_cast<std::size_t>(i)] = from + (to - from) * (half * half);
   }
   places.back() = to;

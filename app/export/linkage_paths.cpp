@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/segment.hpp"
 
 namespace cognate::app {
@@ -16,7 +16,6 @@ namespace {
 constexpr int kFewestPieces = 24;  // of a range of the drive
 constexpr int kMostHalvings = 24;
 constexpr std::size_t kMostCorners = 500'000;
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Follows one point.
 class PathMaker {

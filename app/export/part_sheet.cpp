@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/export/part_labels.hpp"
 
 namespace cognate::app {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAspect = 1.4;  // of the sheet, about
 
 /// The rectangle about a part, turned, with its rim.

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 namespace {
@@ -43,7 +44,6 @@ class Bounds {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec2d low_{kInfinity, kInfinity};
   Vec2d high_{-kInfinity, -kInfinity};
 };

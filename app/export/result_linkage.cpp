@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/export/toml_text.hpp"
 #include "app/report/drive_span.hpp"
 #include "problems/read.hpp"
@@ -18,7 +18,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kGreatest = 1e100;  // of what a problem file may hold
-constexpr double kTurn = 2 * std::numbers::pi;
 
 std::optional<double> number(const ordered_json& value) {
   if (!value.is_number()) return std::nullopt;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/export/slot_ends.hpp"
 #include "problems/mechanism/joint_names.hpp"
 
@@ -13,7 +12,6 @@ namespace cognate::app {
 namespace {
 
 constexpr int kSamples = 721;
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// What is drawn of the drive, from its start: no more than two turns, after which every motion
 /// repeats itself (that of an antiparallelogram takes two).
@@ -106,7 +104,6 @@ ShownLinks shown_links(const ResultLinkage& linkage) {
 }
 
 double size_of(const ShownLinks& shown) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec2d low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
   for (std::size_t i = 0; i < shown.links.size(); ++i) {
     for (std::size_t k = 0; k < shown.poses.size(); ++k) {

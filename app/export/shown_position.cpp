@@ -3,16 +3,15 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::app {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr std::size_t kMostRanges = 6;  // that a message lists
 
 double written(const ResultLinkage& linkage, double drive) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <span>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/report/column_vectors.hpp"
 #include "app/report/drawn_rows.hpp"
 #include "app/report/fact_json.hpp"
@@ -26,7 +26,7 @@ constexpr std::size_t kRows = 721, kCells = 70'000;
 bool comes_round(const AnalysisProblem& problem) {
   if (std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive))
     return false;
-  const double turns = (problem.drive.end - problem.drive.start) / (2 * std::numbers::pi);
+  const double turns = (problem.drive.end - problem.drive.start) / (kTurn);
   return std::abs(turns) > 0.5 && std::abs(turns - std::round(turns)) < 1e-9;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/cam/profile.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/mechanism_json.hpp"
 
 namespace cognate::app {
@@ -13,8 +13,6 @@ namespace {
 
 using cam::Quantity;
 using nlohmann::ordered_json;
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// Chords of a drawn curve leave it by less than this share of the cam's size: a hundredth of a
 /// pixel on any screen.
@@ -46,7 +44,8 @@ class TableMaker {
   TableMaker(const cam::Cam& cam, const cam::Operation& operation, std::size_t steps)
       : cam_(cam), system_(cam.system), places_(cam_places(cam.programme, steps)) {
     system_.operation = operation;
-    add("deg", [](const cam::TurnPlace& place, const auto&) { return kDegrees * place.angle; });
+    add("deg",
+        [](const cam::TurnPlace& place, const auto&) { return kDegreesInRadian * place.angle; });
   }
 
   /// Adds a column of what `f` gives for a place and the motion there.
@@ -66,7 +65,7 @@ class TableMaker {
   }
 
   void add_motion() {
-    const double unit = is_oscillating(system_.follower.type) ? kDegrees : 1;
+    const double unit = is_oscillating(system_.follower.type) ? kDegreesInRadian : 1;
     add("displacement", [&](const auto&, const auto& m) { return unit * m.displacement; });
     add("velocity", [](const auto&, const auto& m) { return m.velocity; });
     add("acceleration", [](const auto&, const auto& m) { return m.acceleration; });
@@ -75,7 +74,7 @@ class TableMaker {
 
   void add_geometry() {
     const double limit = kStraight * size_of(cam_);
-    add("pressure_deg", Quantity::pressure_angle, kDegrees);
+    add("pressure_deg", Quantity::pressure_angle, kDegreesInRadian);
     add("radius", [&](const auto&, const auto& motion) {
       const double radius = profile_radius(system_, motion);
       return std::abs(radius) <= limit ? radius : std::numeric_limits<double>::quiet_NaN();
@@ -139,7 +138,7 @@ ordered_json drawn_curve(const cam::Cam& cam, double distance, const CamFineness
   ordered_json deg = ordered_json::array(), x = deg, y = deg, curvature = deg;
   const std::size_t step = points.size() / fineness.points + 1;
   for (std::size_t i = 0; i < points.size(); i += step) {
-    deg.push_back(drawn(kDegrees * points[i].angle));
+    deg.push_back(drawn(kDegreesInRadian * points[i].angle));
     x.push_back(drawn(points[i].at.x));
     y.push_back(drawn(points[i].at.y));
     curvature.push_back(drawn(points[i].curvature));

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// More pieces than this have no rows of their own: their borders cannot be told apart.
 constexpr std::size_t kManyPieces = 200;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/report/cam_drawing.hpp"
 #include "app/report/checks_json.hpp"
 #include "app/report/fact_json.hpp"
@@ -19,8 +19,6 @@ using problems::CamDesign;
 using problems::CamProblem;
 using problems::CamResult;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
 /// Segments and jumps that a table on a page holds at most.
 constexpr std::size_t kRows = 400;
 
@@ -29,16 +27,18 @@ ordered_json optional_json(const std::optional<double>& value, double unit = 1) 
 }
 
 ordered_json limits_json(const problems::CamConstraints& limits) {
-  return {{"pressure_deg", optional_json(limits.pressure_angle_max, kDegrees)},
-          {"rise_deg", optional_json(limits.pressure_angle_max_rise, kDegrees)},
-          {"return_deg", optional_json(limits.pressure_angle_max_return, kDegrees)},
-          {"rise_working_deg", optional_json(limits.pressure_angle_max_rise_working, kDegrees)},
-          {"return_working_deg", optional_json(limits.pressure_angle_max_return_working, kDegrees)},
-          {"convex_radius", optional_json(limits.curvature_radius_min)},
-          {"concave_radius", optional_json(limits.concave_radius_min)},
-          {"force", optional_json(limits.contact_force_max)},
-          {"torque", optional_json(limits.torque_max)},
-          {"stress", optional_json(limits.contact_stress_max)}};
+  return {
+      {"pressure_deg", optional_json(limits.pressure_angle_max, kDegreesInRadian)},
+      {"rise_deg", optional_json(limits.pressure_angle_max_rise, kDegreesInRadian)},
+      {"return_deg", optional_json(limits.pressure_angle_max_return, kDegreesInRadian)},
+      {"rise_working_deg", optional_json(limits.pressure_angle_max_rise_working, kDegreesInRadian)},
+      {"return_working_deg",
+       optional_json(limits.pressure_angle_max_return_working, kDegreesInRadian)},
+      {"convex_radius", optional_json(limits.curvature_radius_min)},
+      {"concave_radius", optional_json(limits.concave_radius_min)},
+      {"force", optional_json(limits.contact_force_max)},
+      {"torque", optional_json(limits.torque_max)},
+      {"stress", optional_json(limits.contact_stress_max)}};
 }
 
 ordered_json factors_json(const std::optional<cam::PeakFactors>& factors) {
@@ -57,9 +57,9 @@ ordered_json segments_json(const CamDesign& design,
   for (std::size_t i = 0; i < std::min(kRows, design.motion.size()); ++i) {
     const cam::MotionSegment& segment = design.motion[i];
     list.push_back({{"law", problems::to_string(segment.law)},
-                    {"from_deg", drawn(kDegrees * from)},
-                    {"over_deg", drawn(kDegrees * segment.over)},
-                    {"rise", drawn((swings ? kDegrees : 1) * segment.rise)}});
+                    {"from_deg", drawn(kDegreesInRadian * from)},
+                    {"over_deg", drawn(kDegreesInRadian * segment.over)},
+                    {"rise", drawn((swings ? kDegreesInRadian : 1) * segment.rise)}});
     from += segment.over;
     if (i >= facts.size()) continue;
     list.back()["factors"] = factors_json(facts[i].factors);
@@ -84,8 +84,8 @@ ordered_json strokes_json(const cam::MotionProgramme& programme) {
   ordered_json list = ordered_json::array();
   if (strokes.size() > kRows) return list;
   for (const CamStroke& stroke : strokes) {
-    list.push_back({{"from_deg", drawn(kDegrees * stroke.from)},
-                    {"to_deg", drawn(kDegrees * stroke.to)},
+    list.push_back({{"from_deg", drawn(kDegreesInRadian * stroke.from)},
+                    {"to_deg", drawn(kDegreesInRadian * stroke.to)},
                     {"stroke", name_of(stroke.stroke)}});
   }
   return list;
@@ -95,7 +95,7 @@ ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
   if (!proof) return nullptr;
   ordered_json positions = ordered_json::array();
   for (const auto& position : proof->positions) {
-    positions.push_back({{"deg", drawn(kDegrees * position.angle)},
+    positions.push_back({{"deg", drawn(kDegreesInRadian * position.angle)},
                          {"limit", position.limit},
                          {"bound", drawn(position.bound)}});
   }
@@ -108,7 +108,7 @@ ordered_json jumps_json(const CamResult& result) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < std::min(kRows, result.jumps.size()); ++i) {
     const cam::Jump& jump = result.jumps[i];
-    list.push_back({{"deg", drawn(kDegrees * jump.angle)},
+    list.push_back({{"deg", drawn(kDegreesInRadian * jump.angle)},
                     {"order", jump.order},
                     {"before", drawn(jump.before)},
                     {"after", drawn(jump.after)}});

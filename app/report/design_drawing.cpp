@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/convex_hull.hpp"
 #include "app/report/design_motion.hpp"
 #include "app/report/drive_span.hpp"
@@ -89,7 +89,7 @@ Pose body_axes(const Design& design, const GuidedBody& guided) {
   if (origin == points.end() || origin->at.body != guided.body || angle == facts.end()) {
     return guided.target_in_body;
   }
-  return {origin->at.at, std::get<double>(angle->value) * std::numbers::pi / 180};
+  return {origin->at.at, std::get<double>(angle->value) * kPi / 180};
 }
 
 }  // namespace

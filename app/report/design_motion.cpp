@@ -1,22 +1,20 @@
 #include "app/report/design_motion.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// How much of `crank_angles`, given from A→D, lies in `range`.
 int count_inside(const CrankRange& range, std::span<const double> crank_angles) {
   constexpr double kMargin = 1e-7;
   int inside = 0;
   for (const double angle : crank_angles) {
-    const double turn = std::remainder(angle - 0.5 * (range.from + range.to), 2 * kPi);
+    const double turn = std::remainder(angle - 0.5 * (range.from + range.to), kTurn);
     if (std::abs(turn) <= 0.5 * (range.to - range.from) + kMargin) ++inside;
   }
   return inside;
@@ -33,13 +31,13 @@ std::vector<CrankRange> drawn_range(const FourBar& linkage, std::span<const doub
   for (const CrankRange& range : ranges) {
     if (count_inside(range, from_frame) > count_inside(best, from_frame)) best = range;
   }
-  const double whole = 2 * kPi * std::floor((best.from + frame) / (2 * kPi));
+  const double whole = kTurn * std::floor((best.from + frame) / (kTurn));
   return {{best.from + frame - whole, best.to + frame - whole}};
 }
 
 /// `angle` moved by whole turns to where it is nearest to `before`.
 double continued(double angle, double before) {
-  return before + std::remainder(angle - before, 2 * kPi);
+  return before + std::remainder(angle - before, kTurn);
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ DesignMotion sample_motion(const FourBar& linkage, std::span<const double> crank
   if (ranges.empty()) return samples;
   // A little within a range that ends at dead points, where rounding decides whether it closes.
   const double margin = samples.full_turn ? 0 : 1e-12;
-  if (samples.full_turn) ranges.front() = {0, 2 * kPi};
+  if (samples.full_turn) ranges.front() = {0, kTurn};
   const double from = ranges.front().from + margin, to = ranges.front().to - margin;
   const Motion motion(linkage);
   for (int i = 0; i < count; ++i) {

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/course.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// How far a driving slider is moved beyond its outermost stations, in parts of their distance.
 constexpr double kBeyond = 0.25;

@@ -1,10 +1,10 @@
 #include "app/report/function_trace.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 
@@ -28,7 +28,7 @@ FunctionTrace function_trace(const problems::FunctionProblem& problem,
       trace.x.push_back(std::lerp(function->domain.min, function->domain.max, share));
     }
     trace.crank.push_back(crank);
-    trace.error.push_back(std::remainder(pose->rocker_angle - output, 2 * std::numbers::pi));
+    trace.error.push_back(std::remainder(pose->rocker_angle - output, kTurn));
   }
   return trace;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/gear/tooth_outline.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/mechanism_json.hpp"
 
 namespace cognate::app {
@@ -38,7 +38,7 @@ ordered_json drawn_gear(const gear::SpurGear& gear, double fineness) {
 }
 
 ordered_json drawn_rack(const gear::SpurGear& gear, double fineness) {
-  const double half_pitch = std::numbers::pi / 2 * gear.module;
+  const double half_pitch = kRightAngle * gear.module;
   ordered_json x = ordered_json::array(), y = x;
   double last = -half_pitch;
   for (const auto& at : gear::rack_outline(gear, 0, 1, fineness * gear.module)) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/report/mechanism_poses.hpp"
 #include "app/report/mechanism_shapes.hpp"
 #include "app/report/report_data.hpp"
@@ -20,7 +20,6 @@ using problems::NamedMechanism;
 
 /// Samples of a motion, and numbers that all bodies' samples together may be.
 constexpr int kFewestSamples = 121, kMostSamples = 721, kNumbers = 45'000;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 int sample_count(const AnalysisProblem& problem) {
   const int bodies = body_count(problem.mechanism.mechanism);
@@ -57,7 +56,7 @@ ordered_json bodies_json(const NamedMechanism& mechanism, const MechanismPoses& 
     ordered_json body = {{"name", body_name(mechanism, i)},
                          {"x", track_json(poses.bodies[i].x, 1)},
                          {"y", track_json(poses.bodies[i].y, 1)},
-                         {"deg", track_json(poses.bodies[i].angle, kDegrees)}};
+                         {"deg", track_json(poses.bodies[i].angle, kDegreesInRadian)}};
     body.update(shape_json(shapes.bodies[i]));
     list.push_back(body);
   }
@@ -96,7 +95,9 @@ ordered_json drawn(double x) {
 }
 
 double drive_unit(const NamedMechanism& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive) ? 1 : kDegrees;
+  return std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive)
+             ? 1
+             : kDegreesInRadian;
 }
 
 ordered_json mechanism_motion_json(const NamedMechanism& mechanism, const DriveSpan& span,

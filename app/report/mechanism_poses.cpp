@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::app {
 namespace {
@@ -32,7 +32,6 @@ std::vector<double> drive_samples(const Course& course, int count) {
 
 /// `angle` plus whole turns, nearest to the last number in `before`.
 double continued(double angle, const std::vector<double>& before) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   for (auto last = before.rbegin(); last != before.rend(); ++last) {
     if (std::isfinite(*last)) return angle + kTurn * std::round((*last - angle) / kTurn);
   }

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "app/report/design_drawing.hpp"
 #include "app/report/drawn_findings.hpp"
@@ -20,8 +20,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
 ordered_json point_json(const Vec2d& point) {
   return {point.x, point.y};
 }
@@ -29,7 +27,7 @@ ordered_json point_json(const Vec2d& point) {
 ordered_json drawn_degrees(const std::vector<double>& angles) {
   ordered_json list = ordered_json::array();
   for (const double angle : angles) {
-    list.push_back(round_to_digits(kDegrees * angle, kDrawnDigits));
+    list.push_back(round_to_digits(kDegreesInRadian * angle, kDrawnDigits));
   }
   return list;
 }
@@ -45,7 +43,7 @@ ordered_json trace_json(const FunctionTrace& trace) {
 ordered_json poses_json(const std::vector<synthesis::Pose>& poses) {
   ordered_json list = ordered_json::array();
   for (const auto& pose : poses) {
-    list.push_back(ordered_json::array({pose.at.x, pose.at.y, kDegrees * pose.angle}));
+    list.push_back(ordered_json::array({pose.at.x, pose.at.y, kDegreesInRadian * pose.angle}));
   }
   return list;
 }
@@ -125,7 +123,8 @@ ordered_json deviation_json(const problems::Design& design) {
     return found == design.metrics.facts.end() ? std::numeric_limits<double>::quiet_NaN()
                                                : std::get<double>(found->value);
   };
-  const double from = fact("crank_from_deg") / kDegrees, to = fact("crank_to_deg") / kDegrees;
+  const double from = fact("crank_from_deg") / kDegreesInRadian,
+               to = fact("crank_to_deg") / kDegreesInRadian;
   const auto& points = design.mechanism.points;
   if (!std::isfinite(from) || !std::isfinite(to) || points.empty()) return nullptr;
   const Path path = path_of(design.mechanism.mechanism, points.back().at);
@@ -165,7 +164,7 @@ struct ReachedJson {
 /// Where the target of a design came: p → [x, y] + scale·R(deg) p.
 ordered_json placement_json(const problems::CurvePlacement& placement) {
   return {{"scale", placement.scale},
-          {"deg", kDegrees * placement.turn},
+          {"deg", kDegreesInRadian * placement.turn},
           {"shift", point_json(placement.shift)}};
 }
 
@@ -173,8 +172,8 @@ ordered_json transmission_limits(const problems::Problem& problem) {
   const auto& limits = std::visit(
       [](const auto& p) -> const auto& { return p.constraints.transmission_angle; }, problem);
   if (!limits) return nullptr;
-  return {std::isfinite(limits->min) ? kDegrees * limits->min : 0,
-          std::isfinite(limits->max) ? kDegrees * limits->max : 180};
+  return {std::isfinite(limits->min) ? kDegreesInRadian * limits->min : 0,
+          std::isfinite(limits->max) ? kDegreesInRadian * limits->max : 180};
 }
 
 }  // namespace

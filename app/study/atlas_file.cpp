@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/study/checksum.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
@@ -97,7 +97,7 @@ class AtlasRows {
     AtlasCurve curve{designs_.design(base_, 0), {}};
     for (const auto& harmonic : kDescriptors) {
       const double magnitude = number(column++);
-      const double phase = has_phase(harmonic) ? number(column++) * std::numbers::pi / 180 : 0;
+      const double phase = has_phase(harmonic) ? number(column++) * kPi / 180 : 0;
       curve.descriptors.of(harmonic.number) = {magnitude * std::cos(phase),
                                                magnitude * std::sin(phase)};
     }

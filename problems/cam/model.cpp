@@ -3,8 +3,8 @@
 #include <ceres/jet.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/varied_motion.hpp"
 
 namespace cognate::problems {
@@ -126,7 +126,6 @@ std::vector<cam::FollowerMotion<T>> CamModel::motions(std::span<const T> x) cons
 template <class T>
 T CamModel::angles_left(std::span<const T> x) const {
   const CamProblem& problem = variables_.problem();
-  constexpr double kTurn = 2 * std::numbers::pi;
   double fixed = kTurn;
   for (const auto& segment : problem.motion) fixed -= segment.over;
   T left(fixed);

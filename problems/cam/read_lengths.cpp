@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/read_follower.hpp"
 #include "problems/cam/read_motion.hpp"
 #include "problems/cam/rules.hpp"
@@ -171,7 +172,7 @@ void check_arm(CamLengthTables& tables, const CamProblem& problem) {
     return;
   }
   const double up = (*base - least) * (*base + least), down = (most - *base) * (most + *base);
-  check_swing(tables, problem, 2 * std::atan2(std::sqrt(up), std::sqrt(down)), std::numbers::pi);
+  check_swing(tables, problem, 2 * std::atan2(std::sqrt(up), std::sqrt(down)), kPi);
 }
 
 void check_face(CamLengthTables& tables, const CamProblem& problem) {
@@ -188,7 +189,7 @@ void check_face(CamLengthTables& tables, const CamProblem& problem) {
                     *base, *offset, *centre, *centre));
     return;
   }
-  check_swing(tables, problem, std::asin(sine), std::numbers::pi / 2);
+  check_swing(tables, problem, std::asin(sine), kRightAngle);
 }
 
 }  // namespace
@@ -203,7 +204,7 @@ void read_cam_lengths(CamLengthTables& tables, CamProblem& problem) {
 void check_cam_assembly(CamLengthTables& tables, const CamProblem& problem) {
   const FollowerType type = problem.follower;
   const double swing = is_oscillating(type) ? greatest_rise(problem.motion) : 0;
-  if (swing >= std::numbers::pi) {
+  if (swing >= kPi) {
     tables.follower.fault("type",
                           fmt::format("is \"{}\", which the motion swings by {:.6g} degrees; "
                                       "less than 180 is wanted",

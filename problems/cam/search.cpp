@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/limits.hpp"
 #include "problems/cam/model.hpp"
@@ -23,7 +22,6 @@ constexpr std::size_t kMostPlaces = 40;
 constexpr double kBroken = 0.3 * kCamFeasibility;
 /// A relaxation that ends with more is taken to have no solution near its start.
 constexpr double kHopeless = 1e-6;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool covers(cam::Stretch stretch, cam::Stroke stroke) {
   using cam::Stretch, cam::Stroke;
@@ -234,7 +232,7 @@ class Exchange {
   double turn_missed(std::span<const double> x) const {
     double turn = 0;
     for (const auto& segment : variables_.motion(x)) turn += segment.over;
-    return std::abs(turn / (2 * std::numbers::pi) - 1);
+    return std::abs(turn / (kTurn)-1);
   }
 
   double objective(const Cam& cam) const {

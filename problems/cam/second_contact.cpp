@@ -2,22 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/cam/extremes.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/variables.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kHalfTurn = std::numbers::pi;
-
 /// Cam angles of the first half turn between which both a position and its opposite one stay within
 /// a piece each.
 std::vector<double> borders(const cam::MotionProgramme& programme) {
-  std::vector<double> angles = {0, kHalfTurn};
+  std::vector<double> angles = {0, kPi};
   for (const auto& piece : programme.pieces()) {
-    angles.push_back(piece.begin < kHalfTurn ? piece.begin : piece.begin - kHalfTurn);
+    angles.push_back(piece.begin < kPi ? piece.begin : piece.begin - kPi);
   }
   std::ranges::sort(angles);
   return angles;
@@ -53,9 +51,9 @@ cam::CamFollower<double> conjugate_follower(const cam::Cam& first, const SecondC
 }  // namespace
 
 BreadthFault breadth_fault(const cam::MotionProgramme& programme) {
-  const double wanted = programme.at(0).displacement + programme.at(kHalfTurn).displacement;
+  const double wanted = programme.at(0).displacement + programme.at(kPi).displacement;
   const auto deviation = [&](double angle) {
-    return programme.at(angle).displacement + programme.at(angle + kHalfTurn).displacement - wanted;
+    return programme.at(angle).displacement + programme.at(angle + kPi).displacement - wanted;
   };
   BreadthFault worst;
   const auto all = borders(programme);
@@ -73,7 +71,7 @@ BreadthFault breadth_fault(const cam::MotionProgramme& programme) {
 
 double constant_breadth(const cam::Cam& cam) {
   return 2 * cam.system.start + cam.programme.at(0).displacement +
-         cam.programme.at(kHalfTurn).displacement;
+         cam.programme.at(kPi).displacement;
 }
 
 std::optional<cam::Cam> conjugate_cam(const cam::Cam& first, const SecondContact& contact) {

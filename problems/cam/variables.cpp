@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string>
 
 #include "analysis/cam/universal_law.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {
@@ -70,9 +70,7 @@ void CamVariables::add_start() {
   place_[0] = 0;
   const bool angular = is_oscillating(problem_->follower);
   if (angular) {
-    const double most = problem_->follower == cam::FollowerType::oscillating_flat
-                            ? 0.5 * std::numbers::pi
-                            : std::numbers::pi;
+    const double most = problem_->follower == cam::FollowerType::oscillating_flat ? 0.5 * kPi : kPi;
     variables_.push_back({"start", kLeast, most - kLeast, 1});
     return;
   }

@@ -4,17 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <variant>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
 constexpr double kSlack = 1e-12;
 constexpr double kAtRest = 64 * std::numeric_limits<double>::epsilon();
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Whether `angle` lies counter-clockwise between `from` and `to`, the ends included.
 bool between_angles(double angle, double from, double to) {

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/coupler_curve/curve_features.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/output_travel.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kCoupler = 2;
 
 /// The drive's positions at which a motion takes a position of its linkage.

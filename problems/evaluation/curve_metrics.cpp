@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/coupler_curve/curve_features.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -148,7 +148,7 @@ void CurveValues::find_descriptors() {
   for (std::size_t i = 0; i < kPhases.size(); ++i) {
     const Vec2d& c = found.of(kPhases[i]);
     if (norm(c) < kNoDirection) continue;
-    all[kMagnitudes.size() + i] = std::atan2(c.y, c.x) * (180 / std::numbers::pi);
+    all[kMagnitudes.size() + i] = std::atan2(c.y, c.x) * (180 / kPi);
   }
 }
 

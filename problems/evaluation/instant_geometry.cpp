@@ -2,19 +2,18 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "analysis/coupler_curve/path_curvature.hpp"
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec2d kNowhere{kNaN, kNaN};
 
 constexpr std::array kColumns = {

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Where the travel passes the value `target` in `run`. Between `limits` it goes one way.
 class Passages {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -45,7 +46,7 @@ class ForceFacts {
         sweep_(sweep),
         refined_(refined),
         at_(slides(problem) ? "_at" : "_at_deg"),
-        unit_(slides(problem) ? 1 : 180 / std::numbers::pi) {}
+        unit_(slides(problem) ? 1 : 180 / kPi) {}
 
   ForceSummary collect() {
     add_drive();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <variant>
 
@@ -14,15 +13,13 @@
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/output_travel.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 #include "problems/mechanism/joint_names.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegrees = 180 / kPi;
 
 using Facts = std::vector<Fact>;
 
@@ -131,10 +128,10 @@ class Summary {
     }
     if (mechanism_.dyads.empty()) return;
     if (problem_.mechanism.four_bar) all = by_diagonal(*problem_.mechanism.four_bar);
-    add("transmission_angle_deg.min", kDegrees * all.min);
-    add("transmission_angle_deg.max", kDegrees * all.max);
-    add("transmission_angle_deg.acute_min", kDegrees * all.acute_min);
-    if (pressure) add("pressure_angle_max_deg", kDegrees * *pressure);
+    add("transmission_angle_deg.min", kDegreesInRadian * all.min);
+    add("transmission_angle_deg.max", kDegreesInRadian * all.max);
+    add("transmission_angle_deg.acute_min", kDegreesInRadian * all.acute_min);
+    if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);
   }
 
   /// The angles of a four-bar by its diagonal, over the ranges of the course.
@@ -143,7 +140,7 @@ class Summary {
     const double frame = frame_angle(linkage);
     TransmissionAngles all{kPi, 0, kPi};
     for (const CourseRun& run : course_.runs) {
-      const bool whole = run.to - run.from >= 2 * kPi && crank_rotates(links);
+      const bool whole = run.to - run.from >= kTurn && crank_rotates(links);
       const auto part = whole ? transmission_angles(links)
                               : transmission_angles(links, {run.from - frame, run.to - frame});
       all = {std::min(all.min, part.min), std::max(all.max, part.max),
@@ -172,7 +169,7 @@ class Summary {
     Course driven = course_;
     driven.runs = {course_.start <= course_.end ? course_.runs.front() : course_.runs.back()};
     const auto own = is_one ? all : output_range(mechanism_, driven, travel_);
-    const double unit = travel_.slides ? 1 : kDegrees;
+    const double unit = travel_.slides ? 1 : kDegreesInRadian;
     if (own && (travel_.slides || own->stroke() < kFullTurn)) {
       add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
     } else if (own) {
@@ -185,7 +182,7 @@ class Summary {
     }
   }
 
-  static constexpr double kFullTurn = 2 * kPi * (1 - 1e-12);
+  static constexpr double kFullTurn = kTurn * (1 - 1e-12);
 
   void add(const char* name, double value) { summary_.facts.push_back({name, value}); }
 

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "analysis/coupler_curve/path_curvature.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// ẋ = x′·q̇.
 template <class Value>
@@ -68,7 +66,7 @@ template <int Order>
 void RowFiller<Order>::write_bodies() {
   for (const auto& [body, columns] : plan_->bodies) {
     const auto& motion = motion_.bodies()[static_cast<std::size_t>(body)];
-    Values angle{std::atan2(motion.direction.y, motion.direction.x) * kDegrees};
+    Values angle{std::atan2(motion.direction.y, motion.direction.x) * kDegreesInRadian};
     for (int k = 1; k <= Order; ++k) {
       angle[static_cast<std::size_t>(k)] = motion.turn[static_cast<std::size_t>(k - 1)];
     }
@@ -100,8 +98,8 @@ void RowFiller<Order>::write_transmissions() {
   for (const auto& [dyad, pressure, column] : plan_->transmissions) {
     const auto& closure = motion_.closures()[static_cast<std::size_t>(dyad)];
     const double sine = std::abs(closure.sine);
-    put(column, kDegrees * (pressure ? std::atan2(closure.cosine, sine)
-                                     : std::atan2(sine, closure.cosine)));
+    put(column, kDegreesInRadian * (pressure ? std::atan2(closure.cosine, sine)
+                                             : std::atan2(sine, closure.cosine)));
   }
 }
 

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <variant>
 
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/load_breaks.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Parts of the drive's scale: places closer than this are one.
 constexpr double kSamePlace = 1e-12;
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "analysis/linkage/cognates.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/evaluation/curve_landmarks.hpp"
 #include "problems/evaluation/curve_metrics.hpp"
@@ -78,7 +78,7 @@ Work work_of(const AnalysisProblem& problem, const Sweep& sweep, const Run& run,
 /// antiparallelogram takes two).
 Course summarised_course(const AnalysisProblem& problem, const Sweep& sweep,
                          const Deadline& deadline) {
-  const double most = 4 * std::numbers::pi;
+  const double most = 4 * kPi;
   const double length = problem.drive.end - problem.drive.start;
   const auto& drive = problem.mechanism.mechanism.drive;
   const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
@@ -100,9 +100,9 @@ void count_with_rows(std::vector<Landmark>& landmarks, const AnalysisProblem& pr
   for (Landmark& landmark : landmarks) {
     const double row = std::round((landmark.drive - start) / (end - start) * steps);
     if (!(row >= 0 && row < static_cast<double>(angles.size()))) continue;
-    const double there = angles[static_cast<std::size_t>(row)] * std::numbers::pi / 180;
+    const double there = angles[static_cast<std::size_t>(row)] * kPi / 180;
     if (std::isfinite(there)) {
-      landmark.value = there + std::remainder(landmark.value - there, 2 * std::numbers::pi);
+      landmark.value = there + std::remainder(landmark.value - there, kTurn);
     }
   }
 }

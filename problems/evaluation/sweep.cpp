@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/evaluation/continuous_angle.hpp"
 #include "problems/evaluation/drive_rows.hpp"
@@ -18,7 +19,6 @@ namespace cognate::problems {
 namespace {
 
 constexpr int kRowsOfBlock = 256;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The rows [first, last) of a block, by one thread.
 template <int Order>

@@ -1,7 +1,8 @@
 #include "problems/evaluation/whole_motion.hpp"
 
-#include <numbers>
 #include <variant>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 
@@ -14,7 +15,7 @@ Course whole_motion(const AnalysisProblem& problem, const Deadline& deadline) {
   const auto& drive = problem.mechanism.mechanism.drive;
   const double start = problem.drive.start;
   const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
-  const double end = slides ? problem.drive.end : start + 2 * std::numbers::pi;
+  const double end = slides ? problem.drive.end : start + kTurn;
   return follow_until(problem, start, end, deadline);
 }
 

@@ -1,9 +1,9 @@
 #include "problems/function/certificate.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/length_ranges.hpp"
 #include "problems/linkage/verify.hpp"
 
@@ -22,7 +22,7 @@ std::optional<LimitOfOutput> limit_of(FunctionStart start) {
 Range phase_range(const FunctionProblem& problem) {
   if (problem.start != FunctionStart::free) return {0, 0};
   if (problem.input_start) return {*problem.input_start, *problem.input_start};
-  const double turn = 2 * std::numbers::pi;
+  const double turn = kTurn;
   const Range whole{0, synthesis::Interval::above(turn)};
   const Range range = problem.input_start_bounds.value_or(whole);
   return range.max - range.min < turn ? range : whole;

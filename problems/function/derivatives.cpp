@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -26,7 +27,7 @@ Coefficients interpolant(const std::function<double(double)>& f, const Range& wi
   const double middle = 0.5 * (window.min + window.max), half = 0.5 * (window.max - window.min);
   Coefficients values{}, result{};
   for (int j = 0; j <= kDegree; ++j) {
-    const double t = std::cos(std::numbers::pi * j / kDegree);
+    const double t = std::cos(kPi * j / kDegree);
     values[j] = f(std::clamp(middle + half * t, window.min, window.max));
   }
   for (int k = 0; k <= kDegree; ++k) {
@@ -34,7 +35,7 @@ Coefficients interpolant(const std::function<double(double)>& f, const Range& wi
     for (int j = 0; j <= kDegree; ++j) {
       const double end = j == 0 || j == kDegree ? 0.5 : 1;
       // The angle is reduced by whole turns before it is rounded.
-      sum += end * values[j] * std::cos(std::numbers::pi * ((j * k) % (2 * kDegree)) / kDegree);
+      sum += end * values[j] * std::cos(kPi * ((j * k) % (2 * kDegree)) / kDegree);
     }
     result[k] = sum * (k == 0 || k == kDegree ? 1.0 : 2.0) / kDegree;
   }

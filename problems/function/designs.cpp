@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -25,13 +25,13 @@ double ranked_error(const Design& design, FunctionObjective objective) {
 void check_start_angle(std::vector<ConstraintCheck>& checks, const std::string& key, double angle,
                        const std::optional<double>& given, const std::optional<Range>& bounds) {
   if (given) {
-    const double off = std::remainder(angle - *given, 2 * std::numbers::pi);
+    const double off = std::remainder(angle - *given, kTurn);
     checks.push_back({"mechanism." + key, degrees(*given + off), degrees(*given),
                       std::abs(off) <= kCheckTolerance});
   }
   if (bounds) {
     const double middle = 0.5 * (bounds->min + bounds->max);
-    const double near = middle + std::remainder(angle - middle, 2 * std::numbers::pi);
+    const double near = middle + std::remainder(angle - middle, kTurn);
     checks.push_back(
         {"bounds." + key, degrees(near), Range{degrees(bounds->min), degrees(bounds->max)},
          near >= bounds->min - kCheckTolerance && near <= bounds->max + kCheckTolerance});

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/exact_generators.hpp"
 #include "problems/function/exact_notes.hpp"
 #include "problems/function/family_table.hpp"
@@ -23,8 +22,6 @@ namespace {
 
 using synthesis::GivenStart;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kLineSamples = 360;     ///< of a family on one number
 constexpr int kPlaneSamples = 60;     ///< of each of two numbers
 constexpr int kMostRefined = 24;      ///< local minima among the samples that are refined
@@ -40,9 +37,9 @@ using Place = std::array<double, 2>;
 
 /// How good a design is: the lesser the better, what it violates first.
 struct Merit {
-  double violation = kInfinite;
+  double violation = kInfinity;
   bool limiting = true;  ///< links so long that they are those of a slider
-  double score = kInfinite;
+  double score = kInfinity;
 
   friend bool operator<(const Merit& a, const Merit& b) {
     return std::tie(a.violation, a.limiting, a.score) < std::tie(b.violation, b.limiting, b.score);
@@ -113,7 +110,7 @@ class FamilySearch {
 FreeStart FamilySearch::free_start(bool input) const {
   const bool slider = problem_.type == MechanismType::slider_crank;
   const auto& bounds = input ? problem_.input_start_bounds : problem_.output_start_bounds;
-  if (slider && !input) return {false, false, {-kPi / 2, kPi / 2}, false};
+  if (slider && !input) return {false, false, {-kRightAngle, kRightAngle}, false};
   if (bounds && bounds->max - bounds->min < kPi) return {input, true, *bounds, false};
   return {input, true, {0, kPi}, true};
 }

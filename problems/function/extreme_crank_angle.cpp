@@ -1,17 +1,16 @@
 #include "problems/function/extreme_crank_angle.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Whether `sweep`, turned by `start`, passes `angle`.
 bool passes(const Range& sweep, double start, double angle) {
-  const double turns = std::ceil((sweep.min + start - angle) / (2 * kPi));
-  return angle + 2 * kPi * turns <= sweep.max + start;
+  const double turns = std::ceil((sweep.min + start - angle) / (kTurn));
+  return angle + kTurn * turns <= sweep.max + start;
 }
 
 }  // namespace

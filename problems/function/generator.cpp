@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion_within.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/error_peaks.hpp"
 
 namespace cognate::problems {
@@ -14,13 +13,10 @@ namespace {
 
 using synthesis::AnglePair;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// Inputs of `sweep`, increments from the start, where the linkage may be at or near a dead point:
 /// those at the ends and where crank and frame are collinear, if the transmission angle is near 0
 /// or 180° there.
 std::vector<double> critical_inputs(const FunctionGenerator& generator, const Range& sweep) {
-  constexpr double kPi = std::numbers::pi;
   const double start = generator.input_start;
   std::vector<double> inputs{sweep.min, sweep.max};
   for (double k = std::ceil((start + sweep.min) / kPi); k * kPi < start + sweep.max; ++k) {
@@ -36,7 +32,7 @@ std::vector<double> critical_inputs(const FunctionGenerator& generator, const Ra
 }  // namespace
 
 double wrapped(double angle) {
-  return std::remainder(angle, 2 * std::numbers::pi);
+  return std::remainder(angle, kTurn);
 }
 
 StructuralError::StructuralError(const FunctionGenerator& generator)
@@ -54,7 +50,7 @@ double StructuralError::sum_of_squares(std::span<const AnglePair> wanted) const 
   double sum = 0;
   for (const AnglePair& pair : wanted) {
     const auto error = at(pair);
-    if (!error) return kInfinite;
+    if (!error) return kInfinity;
     sum += *error * *error;
   }
   return sum;
@@ -73,7 +69,7 @@ std::vector<AnglePair> StructuralError::peaks(const FunctionSamples& wanted) con
 }
 
 TargetError StructuralError::over(const FunctionSamples& wanted) const {
-  TargetError result{kInfinite, kInfinite, kInfinite};
+  TargetError result{kInfinity, kInfinity, kInfinity};
   const double sum = sum_of_squares(wanted.samples);
   if (!std::isfinite(sum)) return result;
   result = {sum, 0, 0};

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/extreme_crank_angle.hpp"
 #include "problems/function/length_ranges.hpp"
@@ -16,7 +16,6 @@ using L = Lengths<double>;
 constexpr std::array<double L::*, 4> kLinks{&L::crank, &L::coupler, &L::rocker, &L::frame};
 constexpr std::array<const char*, 6> kNames{"crank", "coupler",     "rocker",
                                             "frame", "input_start", "output_start"};
-constexpr double kPi = std::numbers::pi;
 /// How far solvers keep the transmission angle from 0 and 180°, in radians, where nothing else
 /// limits it: beyond rounding, so that what they find closes between the samples too.
 constexpr double kClosingMargin = 3e-7;

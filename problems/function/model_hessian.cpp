@@ -1,8 +1,8 @@
 /// Second derivatives of the function model, for start angles that do not depend on the lengths.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/extreme_crank_angle.hpp"
 #include "problems/function/model.hpp"
 #include "problems/linkage/transmission_hessian.hpp"
@@ -36,7 +36,7 @@ void FunctionModel::add_sweep_curvature(const FunctionGenerator& g, std::span<co
   const auto& [l1, l2, l3, l4] = g.links;
   for (int i = 0; i < 2; ++i) {
     const double sense = i == 0 ? 1 : -1;
-    ExtremeCrankAngle extreme{i == 0 ? 0 : std::numbers::pi, false};
+    ExtremeCrankAngle extreme{i == 0 ? 0 : kPi, false};
     if (limited_ == LimitedMotion::sweep) {
       extreme = extreme_crank_angle(wanted_.sweep, g.input_start, sense);
     }

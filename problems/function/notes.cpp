@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -11,13 +10,12 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/function/jumps.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A transmission angle nearer to 0 or 180° than this, in radians, is that of a dead point.
 constexpr double kDead = 1e-3;
@@ -27,7 +25,7 @@ constexpr int kIntervals = 1000;  ///< in which a function is searched for jumps
 /// min(μ, π − μ) at a crank angle.
 double acute_transmission(const Design& design, double angle) {
   if (const auto* slider = std::get_if<SliderCrank>(&design.mechanism.description)) {
-    return kPi / 2 - std::abs(pressure_angle(*slider, angle).value_or(kPi / 2));
+    return kRightAngle - std::abs(pressure_angle(*slider, angle).value_or(kRightAngle));
   }
   return transmission_angles(lengths(four_bar(design)), {angle, angle}).acute_min;
 }
@@ -38,7 +36,7 @@ std::optional<double> dead_input(const Design& design, const Range& sweep) {
   const bool slider = std::holds_alternative<SliderCrank>(design.mechanism.description);
   const auto ranges = slider ? crank_ranges(std::get<SliderCrank>(design.mechanism.description))
                              : crank_ranges(lengths(four_bar(design)));
-  const double start = *design.metrics.input_start, first = slider ? kPi / 2 : 0;
+  const double start = *design.metrics.input_start, first = slider ? kRightAngle : 0;
   const double from = start + sweep.min, to = start + sweep.max;
   if (!motion_within(ranges, {from, to})) return std::nullopt;
   std::vector<double> angles{from};

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::problems {
@@ -66,7 +66,7 @@ std::optional<EqualTurning> equal_turning(const FunctionSamples& wanted) {
 
 std::optional<FunctionGenerator> parallelogram(const FunctionProblem& problem,
                                                const FunctionSamples& wanted, double offset) {
-  const double across = std::numbers::pi / 2 - 0.5 * (wanted.sweep.min + wanted.sweep.max);
+  const double across = kRightAngle - 0.5 * (wanted.sweep.min + wanted.sweep.max);
   FunctionGenerator generator;
   generator.links = lengths_of(problem);
   if (problem.input_start || !problem.output_start) {

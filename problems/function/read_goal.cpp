@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/read_target.hpp"
 
 namespace cognate::problems::reading {
@@ -107,7 +107,7 @@ void check_turn(TableReader& table, const std::vector<double>& at, const Functio
   const double width = function.domain.max - function.domain.min;
   const double turn = function.input_range ? std::abs(*function.input_range) : width;
   const double sweep = (at.back() - at.front()) / width * turn;
-  if (std::abs(sweep - 2 * std::numbers::pi) <= 1e-9) {
+  if (std::abs(sweep - kTurn) <= 1e-9) {
     table.fault("at",
                 "puts its first and last point a whole turn of the input apart; precision "
                 "points at different positions of the input are wanted");
@@ -189,23 +189,21 @@ void read_samples(Goal& goal, TableReader& target, const FunctionOfX& function,
 
 // Inputs a whole number of turns apart are one position of the input link.
 bool same_input(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= 1e-9;
+  return std::abs(std::remainder(a - b, kTurn)) <= 1e-9;
 }
 
 void check_pair_inputs(TableReader& target, std::string_view key, const AnglePairs& pairs,
                        bool exact) {
   std::vector<std::size_t> order(pairs.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto reduced = [&](std::size_t i) {
-    return std::remainder(pairs[i].first, 2 * std::numbers::pi);
-  };
+  const auto reduced = [&](std::size_t i) { return std::remainder(pairs[i].first, kTurn); };
   std::ranges::stable_sort(order, {}, reduced);
   std::size_t distinct = order.size();
   for (std::size_t j = 0; j < order.size(); ++j) {
     // The neighbour on the circle of angles; the first one's, across its seam, is the last.
     const std::size_t a = order[j == 0 ? order.size() - 1 : j - 1];
     const std::size_t b = order[j];
-    const bool no_seam = j == 0 && reduced(a) - reduced(b) < std::numbers::pi;
+    const bool no_seam = j == 0 && reduced(a) - reduced(b) < kPi;
     if (no_seam || !same_input(pairs[a].first, pairs[b].first)) continue;
     --distinct;
     if (!exact && same_input(pairs[a].second, pairs[b].second)) continue;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/jumps.hpp"
 #include "problems/function/poles.hpp"
 #include "problems/toml/expression.hpp"
@@ -186,7 +186,7 @@ void read_relation(TableReader& target, FunctionOfX& function, bool slider) {
          slider ? "with a relation x is the angle and y the displacement"
                 : "with a relation x and y are the angles");
   const double sweep = function.domain.max - function.domain.min;
-  if (sweep > 2 * std::numbers::pi * (1 + 1e-12)) {
+  if (sweep > kTurn * (1 + 1e-12)) {
     target.fault(
         target.has("domain") ? "domain" : "table",
         fmt::format("spans {} radians of the input; with relation = \"angles\" at most one "

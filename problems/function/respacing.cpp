@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/designs.hpp"
 #include "problems/function/exact_generators.hpp"
 #include "problems/function/exact_notes.hpp"
@@ -25,8 +25,6 @@ using synthesis::GeneratingFourBar;
 using synthesis::Respacing;
 using synthesis::RespacingOutcome;
 using synthesis::RespacingTask;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Linkages whose lengths agree to this, relative, have met at the same level peaks.
 constexpr double kSameWithin = 1e-6;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/length_ranges.hpp"
 #include "synthesis/lanes/function_fit.hpp"
@@ -13,8 +13,6 @@ namespace cognate::problems {
 namespace {
 
 using synthesis::FunctionCandidates;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 FunctionCandidates candidates_of(const std::vector<FunctionGenerator>& all) {
   constexpr std::size_t lanes = FunctionCandidates::lanes;
@@ -85,7 +83,7 @@ std::vector<FunctionStartPoint> FunctionScreen::screened(
   synthesis::screen(wanted_, given ? synthesis::OutputStart::given : synthesis::OutputStart::best,
                     candidates);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    FunctionStartPoint& best = points.emplace_back(FunctionStartPoint{all[i], kInfinite});
+    FunctionStartPoint& best = points.emplace_back(FunctionStartPoint{all[i], kInfinity});
     for (const Assembly assembly : assemblies()) {
       if (!starts_free() && assembly != all[i].assembly) continue;
       const double error = assembly == Assembly::open ? candidates.open[i] : candidates.crossed[i];
@@ -98,7 +96,7 @@ std::vector<FunctionStartPoint> FunctionScreen::screened(
 }
 
 FunctionStartPoint FunctionScreen::scored(FunctionGenerator g) const {
-  const FunctionStartPoint nothing{g, kInfinite};
+  const FunctionStartPoint nothing{g, kInfinity};
   if (!starts_free()) {
     const auto dead = dead_centre(g.links, g.assembly, problem_.start);
     if (!dead) return nothing;
@@ -117,7 +115,7 @@ FunctionStartPoint FunctionScreen::scored(FunctionGenerator g) const {
 }
 
 FunctionStartPoint FunctionScreen::best_assembly(FunctionGenerator g) const {
-  FunctionStartPoint best{g, kInfinite};
+  FunctionStartPoint best{g, kInfinity};
   for (const Assembly assembly : assemblies()) {
     g.assembly = assembly;
     const FunctionStartPoint point = scored(g);

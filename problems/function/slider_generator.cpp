@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/error_peaks.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
-constexpr double kRightAngle = kPi / 2;
 
 CrankRange motion_of(const SliderGenerator& generator, const Range& sweep) {
   return {generator.input_start + sweep.min, generator.input_start + sweep.max};
@@ -56,7 +51,7 @@ TargetError displacement_error_over(const SliderGenerator& generator,
                                     const FunctionSamples& wanted) {
   TargetError error;
   const auto at = [&](const synthesis::AnglePair& pair) {
-    return displacement_error(generator, pair).value_or(kInfinite);
+    return displacement_error(generator, pair).value_or(kInfinity);
   };
   for (const synthesis::AnglePair& pair : wanted.samples) {
     const double off = at(pair);

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/function/screen.hpp"
 #include "problems/linkage/link_ratios.hpp"
@@ -20,8 +19,6 @@ namespace {
 
 using synthesis::AnglePair;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kScreened = 21;  ///< samples looked at, at most
 constexpr int kGrid = 48;              ///< steps of each start angle over [0, π)
 constexpr int kReweightings = 2;       ///< fits weighted by the slopes of the fit before
@@ -74,7 +71,7 @@ std::vector<FunctionStartPoint> fitted(const FunctionScreen& screen, double inpu
     cells.push_back(i);
     generators.push_back(*generator);
   }
-  std::vector<FunctionStartPoint> points(count, {{}, kInfinite, StartOrigin::overlay});
+  std::vector<FunctionStartPoint> points(count, {{}, kInfinity, StartOrigin::overlay});
   const std::vector<FunctionStartPoint> screened = screen.screened(generators);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     points[cells[k]].generator = screened[k].generator;
@@ -129,7 +126,7 @@ std::vector<FunctionStartPoint> freudenstein_starts(const FunctionScreen& screen
   const auto outputs = angles(screen.problem().output_start, second_shift);
   const int rows = static_cast<int>(inputs.size()), columns = static_cast<int>(outputs.size());
   std::vector<FunctionStartPoint> grid(inputs.size() * outputs.size(),
-                                       FunctionStartPoint{{}, kInfinite});
+                                       FunctionStartPoint{{}, kInfinity});
   parallel_for(rows, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
     std::ranges::move(fitted(screen, inputs[i], outputs),
@@ -210,13 +207,13 @@ FunctionStartPoint drawn(const FunctionScreen& screen, std::uint64_t seed) {
   const auto points = screen.screened(generators);
   const auto best = std::ranges::min_element(points, {}, &FunctionStartPoint::error);
   const bool any = best != points.end() && std::isfinite(best->error);
-  return any ? screen.scored(best->generator) : FunctionStartPoint{{}, kInfinite};
+  return any ? screen.scored(best->generator) : FunctionStartPoint{{}, kInfinity};
 }
 
 std::vector<FunctionStartPoint> random_starts(const FunctionScreen& screen,
                                               const StartSearch& search,
                                               std::uint64_t& candidates) {
-  std::vector<FunctionStartPoint> starts(search.count, FunctionStartPoint{{}, kInfinite});
+  std::vector<FunctionStartPoint> starts(search.count, FunctionStartPoint{{}, kInfinity});
   parallel_for(search.count, search.threads, [&](int i, int) {
     if (search.deadline && search.deadline->reached()) return;
     starts[i] = drawn(screen, mixed(search.seed, search.first + i));

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
@@ -11,8 +11,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kRightAngle = std::numbers::pi / 2;
 
 /// Whether both are external gears, to which virtual gears apply.
 bool is_external(const gear::BevelPair& pair) {

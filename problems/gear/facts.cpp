@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::problems {
 namespace {
 
+using kPi;
 using gear::HelicalGear;
 using gear::SpurGear;
-using std::numbers::pi;
 
 /// Pins of this diameter, in modules, touch near the reference circle (DIN 3960).
 constexpr double kPinDiameter = 1.728;

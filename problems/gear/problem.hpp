@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/gear/other_gears.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
@@ -64,9 +64,9 @@ struct GearPairProblem {
   double ratio_tolerance = 0;      ///< relative
   double helix = 0;                ///< of the pinion; the wheel's is opposite
   double face_width = 0;
-  double shaft_angle = std::numbers::pi / 2;  ///< bevel
-  gear::WormPair worm;                        ///< worm: all that there is
-  std::optional<double> friction;             ///< worm: then efficiency and self-locking are told
+  double shaft_angle = kRightAngle;  ///< bevel
+  gear::WormPair worm;               ///< worm: all that there is
+  std::optional<double> friction;    ///< worm: then efficiency and self-locking are told
   GearObjective objective = GearObjective::balanced_sliding;
   GearConstraints constraints;
   Solve solve;

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/rules.hpp"
 
 namespace cognate::problems::reading {
@@ -61,7 +61,7 @@ gear::BasicRack read_rack(TableReader& document) {
                    fmt::format("has flanks that meet before its tip; addendum and clearance "
                                "of at most {:.4g} modules together, or a lesser "
                                "pressure_angle_deg, is wanted",
-                               std::numbers::pi / 4 / std::tan(rack.pressure_angle)));
+                               kPi / 4 / std::tan(rack.pressure_angle)));
   } else if (rack.corner_radius && *rack.corner_radius > greatest) {
     table.fault(kTipRadius,
                 fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "

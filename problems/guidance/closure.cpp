@@ -1,8 +1,8 @@
 #include "problems/guidance/closure.hpp"
 
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -31,7 +31,6 @@ CosineRange within(double crank, const Vec2d& frame, double least, double greate
 
 CosineRange cosine_range(DyadKind kind, const GuidingDyad& crank, const SecondDyad& second) {
   const Vec2d point{second[0], second[1]};
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (kind == DyadKind::rr) {
     const double coupler = norm(point - crank.in_body), rocker = second[4];
     return within(crank.length, Vec2d{second[2], second[3]} - crank.fixed,
@@ -121,14 +120,13 @@ TurnSlopes turn_slopes(DyadKind kind, const SecondDyad& second, const Vec2d& fir
 
 std::vector<CrankRange> closing_arcs(DyadKind kind, const GuidingDyad& crank,
                                      const SecondDyad& second) {
-  constexpr double kPi = std::numbers::pi;
   const auto [centre, low, high] = cosine_range(kind, crank, second);
   if (!(low <= high) || low > 1 || high < -1) return {};
   const double nearest = high >= 1 ? 0 : std::acos(high),
                farthest = low <= -1 ? kPi : std::acos(low);
-  if (nearest == 0 && farthest == kPi) return {{centre, centre + 2 * kPi}};
+  if (nearest == 0 && farthest == kPi) return {{centre, centre + kTurn}};
   if (nearest == 0) return {{centre - farthest, centre + farthest}};
-  if (farthest == kPi) return {{centre + nearest, centre + 2 * kPi - nearest}};
+  if (farthest == kPi) return {{centre + nearest, centre + kTurn - nearest}};
   return {{centre + nearest, centre + farthest}, {centre - farthest, centre - nearest}};
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <variant>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -128,7 +128,7 @@ double transmission_at_poses(const MotionProblem& problem, const DyadPair& pair,
   if (pair.first.kind != DyadKind::rr) {
     return acute_angle(pair.first.direction, pair.second.direction);
   }
-  double least = std::numbers::pi / 2;
+  double least = kRightAngle;
   for (const Pose& pose : problem.poses) {
     const Vec2d c = synthesis::to_frame(pose, pair.second.in_body);
     const Vec2d b = synthesis::to_frame(pose, pair.first.in_body);
@@ -185,8 +185,7 @@ std::optional<Misses> misses(std::span<const Pose> poses, const GuidedMechanism&
     const auto pose = placed(guided, guided.stations[i]);
     if (!pose) return std::nullopt;
     all.place.push_back(norm(pose->at - poses[i].at));
-    all.angle.push_back(
-        std::abs(std::remainder(pose->angle - poses[i].angle, 2 * std::numbers::pi)));
+    all.angle.push_back(std::abs(std::remainder(pose->angle - poses[i].angle, kTurn)));
   }
   return all;
 }
@@ -220,8 +219,8 @@ void add_facts(const DyadPair& pair, const GuidedMechanism& guided, double turne
   const auto kinds = [](const GuidingDyad& dyad) { return std::string(to_string(dyad.kind)); };
   facts.push_back({"dyads", kinds(pair.first) + "+" + kinds(pair.second)});
   facts.push_back({"angle_error_max_deg", degrees(turned)});
-  facts.push_back({"body_angle_in_link_deg",
-                   degrees(std::remainder(guided.body_in_link.angle, 2 * std::numbers::pi))});
+  facts.push_back(
+      {"body_angle_in_link_deg", degrees(std::remainder(guided.body_in_link.angle, kTurn))});
 }
 
 void add_moving_bounds(const MotionProblem& problem, const DyadPair& pair,
@@ -357,7 +356,7 @@ std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& desi
   const FourBar& linkage = *design.mechanism.four_bar;
   const auto fact = std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
   if (!linkage.coupler_point || fact == design.metrics.facts.end()) return std::nullopt;
-  const double angle = std::get<double>(fact->value) * (std::numbers::pi / 180);
+  const double angle = std::get<double>(fact->value) * (kPi / 180);
   const Pose body_in_link{*linkage.coupler_point, angle};
   const auto link = [&](const Vec2d& in_link, const Vec2d& fixed, double length) {
     GuidingDyad dyad =

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <span>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/legs.hpp"
 #include "synthesis/fit/body_motion.hpp"
 #include "synthesis/fit/circle.hpp"
@@ -17,8 +17,6 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Links whose pivots differ by less than this share of the motion's size are one.
 constexpr double kSame = 1e-4;
@@ -175,7 +173,7 @@ std::vector<DyadCandidate> nearest_slides(const MotionProblem& scaled) {
   if (sliders) slides.push_back(synthesis::nearest_slider(poses));
   if (blocks) slides.push_back(synthesis::nearest_block(poses));
   for (int k = 0; k < kDirections; ++k) {
-    const double angle = std::numbers::pi * k / kDirections;
+    const double angle = kPi * k / kDirections;
     const Vec2d direction{std::cos(angle), std::sin(angle)};
     if (sliders) slides.push_back(synthesis::slider_along(poses, direction));
     if (blocks) slides.push_back(synthesis::block_along(poses, direction));

@@ -1,10 +1,10 @@
 /// The dyads where no pivot is given: anywhere about two or three poses, and of parallel poses.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/leg_parts.hpp"
 #include "problems/names.hpp"
 #include "synthesis/exact/motion/degenerate_poses.hpp"
@@ -86,7 +86,7 @@ void add_free_choices(const MotionProblem& problem, DyadKind kind, Leg& leg) {
     return;
   }
   if (!three) return add_grid(kSlidePlaces, {0, 0, 0, number}, {}, leg);
-  constexpr double kStep = std::numbers::pi / kDirections;
+  constexpr double kStep = kPi / kDirections;
   for (int i = 0; i < kDirections; ++i) {
     const LegPlace at{(i + 0.5) * kStep, 0, 0, number};
     if (const auto dyad = leg.dyad_at(at)) leg.choices.push_back({*dyad, at, {kStep}});
@@ -102,11 +102,11 @@ bool is_less_than_half_turn(const std::vector<Pose>& poses, const GuidingDyad& l
     angles.push_back(std::atan2(at.y, at.x));
   }
   std::ranges::sort(angles);
-  double widest = angles.front() + 2 * std::numbers::pi - angles.back();
+  double widest = angles.front() + kTurn - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i) {
     widest = std::max(widest, angles[i] - angles[i - 1]);
   }
-  return widest > std::numbers::pi;
+  return widest > kPi;
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {
@@ -42,7 +42,7 @@ Leg listed(const MotionProblem& problem, const DyadSolutions& found, const std::
 }
 
 double along(double parameter) {
-  return std::tan(parameter * std::numbers::pi / 2);
+  return std::tan(parameter * kRightAngle);
 }
 
 void add_grid(int side, const LegPlace& place, const LegPlace& step, Leg& leg) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
 
 namespace cognate::problems {
@@ -14,9 +14,6 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Links without a bound of the file are at most so many units long; beyond, a link is a slide.
 constexpr double kLongestLink = 1000;

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
 
 namespace cognate::problems {
@@ -14,8 +13,6 @@ namespace {
 
 using synthesis::Pose;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Angles beside those of the stations.
 constexpr int kSpread = 48;
 /// Of a long list at most so many angles of stations are looked at, in even steps, and fewer where

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/leg_parts.hpp"
 #include "synthesis/exact/motion/seen_from_body.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
@@ -64,7 +64,7 @@ Leg leg_at_pole(const MotionProblem& problem, const std::function<GuidingDyad(Ve
     add_grid(kSide, {}, {}, leg);
     return leg;
   }
-  constexpr double kStep = 2 * std::numbers::pi / kAngles;
+  constexpr double kStep = kTurn / kAngles;
   for (int i = 0; i < kAngles; ++i) {
     const LegPlace at{i * kStep};
     leg.choices.push_back({*leg.dyad_at(at), at, {kStep}});

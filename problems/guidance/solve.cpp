@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/least_squares.hpp"
@@ -27,7 +27,7 @@ constexpr double kOnePose = 1e-12;
 constexpr int kAll = 100;
 
 bool is_same(const Pose& a, const Pose& b, double extent) {
-  const double turn = std::remainder(a.angle - b.angle, 2 * std::numbers::pi);
+  const double turn = std::remainder(a.angle - b.angle, kTurn);
   return std::abs(turn) <= kOnePose && norm(a.at - b.at) <= kOnePose * extent;
 }
 

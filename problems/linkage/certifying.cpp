@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/names.hpp"
 
@@ -17,7 +17,6 @@ using synthesis::Interval;
 using synthesis::ProportionBox;
 using synthesis::Proportions;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSearchShare = 0.1;  // of a certified run, for progress
 
 Proportions proportions_of(const Constraints& constraints) {
@@ -88,7 +87,7 @@ std::vector<ProportionBox> proportion_roots(const Constraints& constraints, cons
     box.side[2] = Interval(0, Interval::above(ratio / (1 + ratio)));
   } else {
     box.side[1] = Interval(0, Interval::above(kPi));
-    box.side[2] = Interval(0, Interval::above(kPi / 2));
+    box.side[2] = Interval(0, Interval::above(kRightAngle));
   }
   box.side[3] = Interval(phase.min, phase.max);
   std::vector<ProportionBox> roots;

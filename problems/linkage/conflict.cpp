@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/names.hpp"
@@ -192,7 +192,7 @@ void add_constraints(const Constraints& constraints, std::vector<Relaxation>& al
     all.push_back({"transmission_angle_deg",
                    [](Limits& limits, double share) {
                      auto& range = limits.constraints.transmission_angle;
-                     range = widened(*range, {0, std::numbers::pi}, share);
+                     range = widened(*range, {0, kPi}, share);
                    },
                    [](const Limits& limits) {
                      const Range& range = *limits.constraints.transmission_angle;

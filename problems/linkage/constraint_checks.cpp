@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/required_class.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -13,8 +13,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double longest(const Lengths<double>& links) {
   return std::max({links.crank, links.coupler, links.rocker, links.frame});
@@ -136,7 +134,6 @@ class Checks {
  private:
   using Value = decltype(ConstraintCheck::value);
   using Bound = decltype(ConstraintCheck::bound);
-  static constexpr double kTurn = 2 * std::numbers::pi;
 
   void add(const std::string& name, Value value, Bound bound, bool satisfied) {
     checks_.push_back({name, std::move(value), std::move(bound), satisfied});

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Solvers keep the cosines this much inside, so that rounding does not open a linkage at the ends.
 constexpr double kMargin = 1e-11;
 
@@ -42,9 +42,9 @@ struct Place {
 /// The angle on the way nearest to 0 or to π, modulo 2π.
 Place extreme(const Range& way, bool shortest) {
   const double aim = shortest ? 0 : kPi;
-  if (aim + 2 * kPi * std::ceil((way.min - aim) / (2 * kPi)) <= way.max) return {aim, 0, 0};
-  const double near = std::remainder(way.min - aim, 2 * kPi);
-  const double far = std::remainder(way.max - aim, 2 * kPi);
+  if (aim + kTurn * std::ceil((way.min - aim) / (kTurn)) <= way.max) return {aim, 0, 0};
+  const double near = std::remainder(way.min - aim, kTurn);
+  const double far = std::remainder(way.max - aim, kTurn);
   return std::abs(near) <= std::abs(far) ? Place{way.min, 1, 0} : Place{way.max, 0, 1};
 }
 

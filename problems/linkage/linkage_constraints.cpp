@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -131,7 +131,7 @@ void LinkageConstraints::add_proportions(const std::array<Range, 4>& ranges, dou
 
 void LinkageConstraints::add_time_ratio(const Range& ratio) {
   // K = (π + δ)/(π − δ).
-  const auto cosine = [](double k) { return std::cos(std::numbers::pi * (k - 1) / (k + 1)); };
+  const auto cosine = [](double k) { return std::cos(kPi * (k - 1) / (k + 1)); };
   if (ratio.min > 1) {
     limits_.push_back({LinkLimit::Kind::time_ratio_min, {}, cosine(ratio.min), 0});
   }

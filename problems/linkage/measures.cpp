@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double transmission_angle(const Design& design) {
   return design.metrics.transmission_acute_min;
@@ -75,7 +73,7 @@ bool limit_metric(DesignLimits& limits, double greatest) {
 
 constexpr MeasureRule kRules[] = {
     {Measure::transmission_angle, "transmission_angle_deg.acute_min",
-     "the least acute transmission angle", true, kPi / 2, false, transmission_angle,
+     "the least acute transmission angle", true, kRightAngle, false, transmission_angle,
      limit_transmission_angle},
     {Measure::link_ratio, "link_ratio", "the ratio of the longest to the shortest link", false, 1,
      true, link_ratio, limit_link_ratio},

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "analysis/mechanism/course.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/motion_summary.hpp"
 #include "problems/evaluation/type_facts.hpp"
 #include "problems/linkage/verify.hpp"
@@ -17,8 +16,6 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2 * kPi;
 constexpr double kSame = 1e-7;  // of the drive's scale, as for four-bars
 
 using States = std::span<const DriveState>;
@@ -215,7 +212,8 @@ Metrics mechanism_metrics(const NamedMechanism& mechanism, States states, PointO
   const Passage passage(mechanism.mechanism, whole, states);
 
   Metrics metrics;
-  metrics.transmission_min = metrics.transmission_max = metrics.transmission_acute_min = kPi / 2;
+  metrics.transmission_min = metrics.transmission_max = metrics.transmission_acute_min =
+      kRightAngle;
   metrics.defects = passage.defects(order);
   AnalysisProblem problem;
   problem.mechanism = mechanism;

@@ -3,17 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Puts the points of a search into a result, with their tables and what is to be said of them.
 class FrontReport {

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How many local minima of a point are starts of others.
 constexpr std::size_t kStarts = 6;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -70,7 +71,7 @@ std::string_view pivots_key(TableReader& mechanism) {
 
 // Angles in radians, whole turns apart.
 bool same_direction(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSame;
+  return std::abs(std::remainder(a - b, kTurn)) <= kSame;
 }
 
 void check_pivots(TableReader& mechanism, const Given& given) {
@@ -94,7 +95,7 @@ void check_pivots(TableReader& mechanism, const Given& given) {
     mechanism.fault("frame_angle_deg",
                     fmt::format("contradicts the pivots given, whose direction is {} degrees; "
                                 "leave out frame_angle_deg or one of the pivots",
-                                angle * 180 / std::numbers::pi));
+                                angle * 180 / kPi));
   }
 }
 
@@ -129,7 +130,6 @@ void check_place_bounds(TableReader& mechanism, const Given& given, const Bounds
 
 void check_frame_angle_bounds(TableReader& mechanism, const Given& given, const Bounds& limits) {
   if (!given.frame_angle || !limits.frame_angle) return;
-  constexpr double kTurn = 2 * std::numbers::pi;
   const Range& range = *limits.frame_angle;
   const double above = *given.frame_angle - range.min;  // brought into [0, 2π) by whole turns
   const double excess = above - kTurn * std::floor(above / kTurn);

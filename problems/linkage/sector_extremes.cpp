@@ -1,14 +1,13 @@
 #include "problems/linkage/sector_extremes.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 
 TurnTable::TurnTable(const TurnDimensions& dimensions, TurnAngles angles)
-    : angles_(angles),
-      assembly_(sign(dimensions.assembly)),
-      step_(std::tan(std::numbers::pi / kAngles)) {
+    : angles_(angles), assembly_(sign(dimensions.assembly)), step_(std::tan(kPi / kAngles)) {
   const auto& [links, point, pivot, angle, assembly] = dimensions;
   plain_ = {links, point, pivot, {std::cos(angle), std::sin(angle)}};
   const auto jet = [](double value) { return OneJet(value); };
@@ -55,7 +54,7 @@ void TurnTable::follow_angles() {
   if (last == nullptr) return;
   const auto whole = [](const LinkTurning<double>& from, const LinkTurning<double>& to) {
     const double angle = angle_near(from, 0, to.direction) - to.angle;
-    return std::round(angle / (2 * std::numbers::pi));
+    return std::round(angle / (kTurn));
   };
   turns_ = {1, whole(last->coupler, first->coupler), whole(last->rocker, first->rocker)};
 }
@@ -64,7 +63,7 @@ const std::array<Vec2d, TurnTable::kAngles + 1>& TurnTable::half_directions() {
   static const auto all = [] {
     std::array<Vec2d, kAngles + 1> halves;
     for (int k = 0; k <= kAngles; ++k) {
-      const double half = std::numbers::pi * k / kAngles;
+      const double half = kPi * k / kAngles;
       halves.at(at(k)) = {std::cos(half), std::sin(half)};
     }
     return halves;

@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/turn_limits.hpp"
 #include "problems/linkage/turn_motion.hpp"
 
@@ -56,7 +56,7 @@ class TurnTable {
   /// where the linkage does not close.
   template <class Quantity>
   DimensionJet value(const Quantity& quantity, const Vec2d& half) const {
-    const double part = std::atan2(half.y, half.x) / std::numbers::pi;
+    const double part = std::atan2(half.y, half.x) / kPi;
     const int k = static_cast<int>(kAngles * part);
     const Vec2d beyond = half * conj(half_directions().at(at(k)));
     return full(quantity, k, beyond.y / beyond.x);
@@ -112,7 +112,6 @@ class TurnTable {
   /// `crank`.
   template <class T>
   void add_angles(int k, const T& crank, TurnState<T>& state) const {
-    constexpr double kTurn = 2 * std::numbers::pi;
     const bool again = k == kAngles;
     const TurnState<double>& near = states_[at(again ? 0 : k)].state;
     const auto turned = [&](MovingLink link) { return again ? kTurn * turns(link) : 0; };
@@ -124,7 +123,7 @@ class TurnTable {
   }
 
   static double crank_angle(int k, double offset) {
-    return 2 * std::numbers::pi * k / kAngles + 2 * std::atan(offset);
+    return kTurn * k / kAngles + 2 * std::atan(offset);
   }
 
   /// A value and its slope by the crank's angle, at the half direction of angle k and `offset`, the

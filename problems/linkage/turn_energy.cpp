@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The direction of half the crank's angle, in [0, π], where the crank has direction `crank`.
 Vec2d half_of(const Vec2d& crank) {

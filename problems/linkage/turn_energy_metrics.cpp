@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "problems/linkage/linkage_dynamics.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -13,8 +14,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct EnergyState {
   double inertia = 0;

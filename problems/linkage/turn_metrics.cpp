@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/linkage_dynamics.hpp"
 #include "problems/linkage/turn_scan.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// From where the crank points along the frame.
 TurnScan scan_of(const FourBar& linkage) {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::problems {
@@ -16,7 +16,7 @@ namespace cognate::problems {
 /// missed that accelerations and torques have near a change point, too narrow to be met by chance.
 struct TurnScan {
   static constexpr int kAngles = 720;
-  static constexpr double kStep = 2 * std::numbers::pi / kAngles;
+  static constexpr double kStep = kTurn / kAngles;
   using Values = std::array<double, kAngles>;
 
   double begin = 0;
@@ -34,7 +34,6 @@ struct TurnScan {
   /// some angle.
   template <class Function>
   double least(const Values& values, const Function& function) const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
       return -kInfinity;
     }

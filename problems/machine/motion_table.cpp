@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
@@ -38,7 +38,7 @@ std::array<double, kColumns.size()> row(const machine::Machine& machine,
   const auto [motor, load] = machine.torques(omega, time);
   const double acceleration = (motor + load - 0.5 * omega * omega * inertia.slope) / inertia.value;
   return {time,
-          phi * 180 / std::numbers::pi,
+          phi * 180 / kPi,
           omega,
           acceleration,
           inertia.value,

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace cognate::problems {
-
-inline constexpr double kTurn = 2 * std::numbers::pi;
 
 /// `phi` less whole periods, in [0, period).
 inline double in_period(double phi, double period) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "analysis/coupler_curve/circuit_samples.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/path/closed_curve.hpp"
 
@@ -100,7 +100,7 @@ std::vector<double> crank_angles_at(const FourBar& linkage, std::span<const Vec2
   for (const Vec2d& target : targets) {
     const auto distance = [&](const Vec2d& point) { return squared_norm(point - target); };
     const auto step = std::ranges::min_element(points, {}, distance) - points.begin();
-    const double angle = 2 * std::numbers::pi * static_cast<double>(step) / kSteps;
+    const double angle = kTurn * static_cast<double>(step) / kSteps;
     angles.push_back(in_one_turn(frame + angle));
   }
   return angles;

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/scale.hpp"
 
@@ -17,14 +16,13 @@ namespace {
 using synthesis::ProportionBox;
 using synthesis::TimedPath;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Where the file has no bounds of the coupler point it is taken to lie within so many times the
 /// path's size of B.
 constexpr double kFarthestPoint = 300;
 
 Range limits_of(const std::optional<double>& given, const std::optional<Range>& bounds) {
   if (given) return {*given, *given};
-  return bounds.value_or(Range{0, kInfinite});
+  return bounds.value_or(Range{0, kInfinity});
 }
 
 std::array<Range, 4> length_limits(const PathProblem& problem) {
@@ -60,7 +58,7 @@ Range phase_range(const PathProblem& problem) {
   if (problem.crank_reference == CrankReference::global && frame_angle) {
     return {-*frame_angle, -*frame_angle};
   }
-  return {0, synthesis::Interval::above(2 * std::numbers::pi)};
+  return {0, synthesis::Interval::above(kTurn)};
 }
 
 /// The points seen from the crank pivot where that is given, along the direction in which the
@@ -79,7 +77,7 @@ TimedPath timed_path(const PathProblem& scaled, bool clockwise) {
     const Vec2d point = scaled.points[j] - origin;
     path.points.push_back(turn * std::complex(point.x, point.y));
     const double angle = scaled.crank_angles[j] - (increments ? scaled.crank_angles.front() : 0);
-    path.crank_angles.push_back(std::remainder(clockwise ? -angle : angle, 2 * std::numbers::pi));
+    path.crank_angles.push_back(std::remainder(clockwise ? -angle : angle, kTurn));
   }
   path.weights = scaled.weights;
   path.weights.resize(path.points.size(), 1.0);

@@ -1,10 +1,10 @@
 #include "problems/path/crank_sense.hpp"
 
-#include <numbers>
 #include <optional>
 #include <string>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 
@@ -21,7 +21,7 @@ ConstraintCheck check_sense(CrankSense wanted, std::span<const double> crank_ang
 
 PossibleSenses senses_between(const PathProblem& problem) {
   // A last point that repeats the first comes a whole turn later, to rounding.
-  constexpr double kWholeTurn = 2 * std::numbers::pi * (1 + 1e-9);
+  constexpr double kWholeTurn = kTurn * (1 + 1e-9);
   double forward = 0, backward = 0;
   std::optional<double> before;
   for (std::size_t j = 0; j < problem.points.size(); ++j) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Samples of a whole turn before steps are halved, how often they are, and of what share of the
 /// curve's length no chord is to be longer.
 constexpr int kSamples = 96, kHalvings = 3;

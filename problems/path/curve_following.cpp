@@ -1,9 +1,9 @@
 #include "problems/path/curve_following.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -21,7 +21,7 @@ double curve_deviation(const ClosedCurve& curve, const FourBar& linkage,
   double greatest = 0;
   for (int k = 0; k < positions; ++k) {
     // Where rounding denies a position at a change point, its neighbours tell as much.
-    const auto pose = motion.at(2 * std::numbers::pi * k / positions);
+    const auto pose = motion.at(kTurn * k / positions);
     if (!pose || !pose->coupler_point) continue;
     greatest = std::max(greatest, curve.distance(placement.point_back(*pose->coupler_point)));
   }

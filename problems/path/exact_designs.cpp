@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/prevailing_side.hpp"
 #include "problems/linkage/verify.hpp"
@@ -122,7 +122,7 @@ std::optional<double> angle_error(const std::vector<std::optional<Pose>>& poses,
   for (std::size_t i = 1; i < angles.size(); ++i) {
     if (!poses[0] || !poses[i]) return std::nullopt;
     const double turn = direction(*poses[i]) - direction(*poses[0]);
-    const double error = std::remainder(turn - (angles[i] - angles[0]), 2 * std::numbers::pi);
+    const double error = std::remainder(turn - (angles[i] - angles[0]), kTurn);
     largest = std::max(largest, std::abs(error));
   }
   return largest;
@@ -182,7 +182,7 @@ std::vector<PathRoot> same_motion(const PathSystem& system, const PathRoot& root
 bool points_the_other_way(const PathProblem& problem, const PathRoot& root) {
   if (!problem.given.frame_angle) return false;
   const double angle = std::arg(root.second.fixed - root.first.fixed);
-  return std::abs(std::remainder(angle - *problem.given.frame_angle, 2 * std::numbers::pi)) > 1;
+  return std::abs(std::remainder(angle - *problem.given.frame_angle, kTurn)) > 1;
 }
 
 std::ptrdiff_t failed(const Design& design) {

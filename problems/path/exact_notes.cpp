@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -197,7 +197,7 @@ void tell_equal_angles(std::span<const double> angles, Result& result) {
   constexpr std::ptrdiff_t kDetermined = 3;
   for (const double angle : angles) {
     const auto alike = std::ranges::count_if(angles, [&](double other) {
-      return std::abs(std::remainder(other - angle, 2 * std::numbers::pi)) <= kSame;
+      return std::abs(std::remainder(other - angle, kTurn)) <= kSame;
     });
     if (alike < kDetermined) continue;
     result.notes.push_back(fmt::format(

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
@@ -39,7 +39,7 @@ std::vector<double> interpolated(const std::vector<double>& angles,
     const bool last = k + 1 == kept.size();
     const std::size_t to = last ? count : kept[k + 1];
     const double next = angles[last ? 0 : k + 1];
-    const double step = std::remainder(next - angles[k], 2 * std::numbers::pi);
+    const double step = std::remainder(next - angles[k], kTurn);
     for (std::size_t j = kept[k]; j < to; ++j) {
       all[j] = angles[k] + step * double(j - kept[k]) / double(to - kept[k]);
     }

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * std::uniform_real_distribution<double>()(random);
@@ -80,7 +77,7 @@ Box pivot_box(const PathProblem& problem, const std::optional<Box>& bounds) {
 }
 
 Vec2d direction(std::mt19937_64& random) {
-  const double angle = uniform(random, -std::numbers::pi, std::numbers::pi);
+  const double angle = uniform(random, -kPi, kPi);
   return {std::cos(angle), std::sin(angle)};
 }
 

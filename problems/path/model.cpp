@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Lengths without a bound of the file stay below this many sizes of the path; beyond it a link
 /// turns so little that the linkage is a slider-crank in all but name.
@@ -103,7 +101,7 @@ void PathModel::list_variables() {
                "pivot x");
   add_variable(anchor_y, side(anchor, &Vec2d::y), intersect(anywhere, side({own}, &Vec2d::y)),
                "pivot y");
-  const double turn = 2 * std::numbers::pi;
+  const double turn = kTurn;
   add_variable(angle, given.frame_angle, intersect({-4 * turn, 4 * turn}, bounds.frame_angle),
                "frame angle");
   const bool any_timed = first_timed_ < problem_.points.size();
@@ -124,7 +122,7 @@ void PathModel::list_increments(bool clockwise) {
 }
 
 void PathModel::list_local_angles() {
-  const double turns = 1e3 * 2 * std::numbers::pi;
+  const double turns = 1e3 * kTurn;
   for (std::size_t j = 0; j < problem_.points.size(); ++j) {
     local_.push_back(problem_.is_timed(j) ? -1 : local_count_++);
     local_of_residual_.insert(local_of_residual_.end(), 2, local_.back());
@@ -244,7 +242,7 @@ DrivenRange PathModel::driven_range() const {
   Range range{increment_.front(), increment_.front()};
   double at = range.min;
   for (std::size_t j = 1; j < increment_.size(); ++j) {
-    at += std::remainder(increment_[j] - increment_[j - 1], 2 * std::numbers::pi);
+    at += std::remainder(increment_[j] - increment_[j - 1], kTurn);
     range = {std::min(range.min, at), std::max(range.max, at)};
   }
   return {problem_.constraints, range};

@@ -1,8 +1,8 @@
 /// What a path model hands to the fit in SIMD lanes, and takes back.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/model.hpp"
 
 namespace cognate::problems {
@@ -18,7 +18,7 @@ static_assert(int(PathModel::crank) == synthesis::path_crank &&
 
 /// `angle` and whole turns, as near to `near` as can be.
 double turned_near(double angle, double near) {
-  return near + std::remainder(angle - near, 2 * std::numbers::pi);
+  return near + std::remainder(angle - near, kTurn);
 }
 
 }  // namespace

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/curve_branch.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// How far from a dead point the crank stays: beyond, rounding decides whether the linkage closes.
 constexpr double kFromDeadPoint = 1e-10;
 

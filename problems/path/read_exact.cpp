@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
@@ -55,7 +55,7 @@ bool are_alike(const PathProblem& problem, std::size_t i, std::size_t k) {
   const bool two_poses = k < problem.pose_angles.size();
   if (!two_poses) return true;
   const double turn = problem.pose_angles[i] - problem.pose_angles[k];
-  return std::abs(std::remainder(turn, 2 * std::numbers::pi)) <= kSameAngle;
+  return std::abs(std::remainder(turn, kTurn)) <= kSameAngle;
 }
 
 void check_distinct(TableReader& target, const PathProblem& problem) {

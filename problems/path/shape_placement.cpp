@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 
 Range limits(const std::optional<double>& given, const std::optional<Range>& bounds) {
   if (given) return {*given, *given};

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/backend_choice.hpp"
@@ -47,7 +47,7 @@ class Designs {
     const double turned = frame_angle(*cognate) - frame_angle(linkage);
     const bool from_x_axis =
         problem_.timing != Timing::free && problem_.crank_reference == CrankReference::global;
-    const double whole_turn = 2 * std::numbers::pi;
+    const double whole_turn = kTurn;
     if (from_x_axis && std::abs(std::remainder(turned, whole_turn)) > kCheckTolerance) return;
     std::vector<double> angles = crank_angles;
     for (double& angle : angles) angle = in_one_turn(angle + turned);

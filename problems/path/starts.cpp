@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/link_ratios.hpp"
 #include "problems/path/crank_sense.hpp"
 
@@ -17,7 +17,6 @@ namespace {
 using synthesis::PathCandidates;
 using synthesis::SeparableTarget;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Of a closed curve: the greatest amplitude of the logarithm of its speed.
 constexpr double kMostVariation = 2;
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/curve_following.hpp"
 
@@ -19,7 +19,6 @@ constexpr double kTimesTheError = 3, kShareOfLength = 0.02;
 
 /// Whether the angles go round once, in either sense.
 bool is_one_turn(std::span<const double> angles) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   double forward = 0, backward = 0;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     const double step = angles[(j + 1) % angles.size()] - angles[j];

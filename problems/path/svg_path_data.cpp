@@ -7,10 +7,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/toml/number_rules.hpp"
 
 namespace cognate::problems::reading {
@@ -58,8 +58,8 @@ PathSegment arc(const Vec2d& from, const Vec2d& to, Vec2d radii, double axis, bo
   const Vec2d first = unit - centre, last = Vec2d{-unit.x, -unit.y} - centre;
   const double start = std::atan2(first.y, first.x);
   double sweep = std::atan2(last.y, last.x) - start;
-  if (positive && sweep < 0) sweep += 2 * std::numbers::pi;
-  if (!positive && sweep > 0) sweep -= 2 * std::numbers::pi;
+  if (positive && sweep < 0) sweep += kTurn;
+  if (!positive && sweep > 0) sweep -= kTurn;
   const Vec2d middle = mix(from, to, 0.5);
   return {.kind = PathSegment::Kind::arc,
           .from = from,

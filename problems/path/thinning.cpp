@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -60,7 +61,7 @@ std::vector<double> PathThinning::interpolated(std::span<const double> crank_ang
   all[kept_.front()] = crank_angles.front();
   for (std::size_t k = 0; k + 1 < kept_.size(); ++k) {
     // By the shorter way: neighbours are much less than half a turn apart.
-    const double step = std::remainder(crank_angles[k + 1] - crank_angles[k], 2 * std::numbers::pi);
+    const double step = std::remainder(crank_angles[k + 1] - crank_angles[k], kTurn);
     const double gap = double(kept_[k + 1] - kept_[k]);
     for (std::size_t i = kept_[k]; i <= kept_[k + 1]; ++i) {
       all[i] = crank_angles[k] + step * double(i - kept_[k]) / gap;

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 void set_time_ratio(Design& design, double found, double wanted) {
@@ -156,7 +155,7 @@ NamedMechanism named_shaper(const synthesis::Shaper& shaper) {
   slide.type = DyadType::rrp;
   slide.joins = {"D"};
   slide.lengths = {shaper.rod};
-  slide.slides = {{Vec2d{0, shaper.ram_height}, std::numbers::pi}};
+  slide.slides = {{Vec2d{0, shaper.ram_height}, kPi}};
   slide.new_point = "E";
   slide.names = {"rod", "ram"};
   chain.dyads = {guide, slide};

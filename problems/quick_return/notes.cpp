@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/quick_return/designs.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
 
@@ -16,8 +16,6 @@ using synthesis::LengthInterval;
 using synthesis::PivotArc;
 using synthesis::RockerDegeneracy;
 using synthesis::SliderDegeneracy;
-
-constexpr double kPi = std::numbers::pi;
 
 /// Digits that tell `length` from the ends of the intervals, at least six.
 int digits_for(double length, const std::vector<LengthInterval>& intervals) {

@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Between these lengths of the stretch links are sought where nothing else limits them.
 constexpr double kShortest = 1e-3, kFarthest = 1e3;
 /// How far, in lengths of the stretch, the point keeps from a slider's pin, which moves straight in
@@ -80,7 +77,7 @@ double size_limit(const StraightLineProblem& problem) {
 std::vector<double> stretch_nodes(int cells) {
   std::vector<double> nodes(static_cast<std::size_t>(cells) + 1);
   for (int k = 0; k <= cells; ++k) {
-    nodes[static_cast<std::size_t>(k)] = -std::cos(std::numbers::pi * k / cells);
+    nodes[static_cast<std::size_t>(k)] = -std::cos(kPi * k / cells);
   }
   return nodes;
 }
@@ -161,7 +158,7 @@ StretchModel::StretchModel(const StraightLineProblem& problem, const LineStretch
   list_places();
   if (has_direction_) {
     const double off = start.frame_angle + start.line - *problem.goal->direction;
-    half_turns_ = std::numbers::pi * std::round(off / std::numbers::pi);
+    half_turns_ = kPi * std::round(off / kPi);
   }
   Rows rows(*this, {}, {});
   const std::vector<double> at = variables_of(start);
@@ -455,7 +452,7 @@ void StretchModel::add_links(const All& at, Rows& rows) const {
 /// from dead points.
 template <class T>
 void StretchModel::add_transmission(const Curve<T>& curve, Rows& rows) const {
-  Range limits{kDeadPointMargin, std::numbers::pi - kDeadPointMargin};
+  Range limits{kDeadPointMargin, kPi - kDeadPointMargin};
   const auto& asked = problem_.constraints.transmission_angle;
   if (asked && !link_limits_.limits_transmission()) {
     limits = {std::max(limits.min, asked->min), std::min(limits.max, asked->max)};

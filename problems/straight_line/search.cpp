@@ -4,10 +4,10 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/zeros.hpp"
@@ -56,7 +56,7 @@ double size_over_length(const LineStretch& stretch) {
 }
 
 double difference(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
+  return std::abs(std::remainder(a - b, kTurn));
 }
 
 /// Adds the places between nodes where `value` is greater by `more` than at any node.

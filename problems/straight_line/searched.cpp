@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/degrees.hpp"
 #include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
@@ -22,7 +22,6 @@ namespace cognate::problems {
 namespace {
 
 constexpr int kCoupler = 2;
-constexpr double kTurn = 2 * std::numbers::pi;
 
 Vec2d unit_vector(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -95,7 +94,7 @@ class StretchChecks {
   }
   /// Of a line, either way along it.
   void direction(double value, double wanted) {
-    const double off = std::remainder(value - wanted, std::numbers::pi);
+    const double off = std::remainder(value - wanted, kPi);
     design_.constraints.push_back({"target.direction_deg", degrees(wanted + off), degrees(wanted),
                                    std::abs(off) <= kStretchTolerance, std::abs(off)});
   }

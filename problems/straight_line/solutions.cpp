@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "analysis/linkage/change_point.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -155,7 +155,7 @@ class Collector {
           "inflection.");
       return;
     }
-    constexpr double kUpright = 0.5 * std::numbers::pi;
+    constexpr double kUpright = 0.5 * kPi;
     const double angle = problem_.crank_angle.value_or(kUpright);
     if (problem_.crank_angle) linkage->pivot_d = unit_vector(angle - kUpright) * linkage->pivot_d;
     add_position({*linkage, angle});

@@ -1,9 +1,9 @@
 /// Straight lines by the local theory, from problem to designs.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/deadline.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/result.hpp"
@@ -42,7 +42,7 @@ Locus inflection_locus(const synthesis::FamilyMember& member) {
   if (const auto circle = as_circle(locus, kReach * position->size)) {
     constexpr int kPoints = 180;
     for (int k = 0; k <= kPoints; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kPoints;
+      const double angle = kTurn * k / kPoints;
       points.push_back(pin + circle->centre +
                        circle->radius * Vec2d{std::cos(angle), std::sin(angle)});
     }

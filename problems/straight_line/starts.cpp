@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "problems/counter_random.hpp"
 #include "problems/linkage/required_class.hpp"
@@ -16,8 +16,6 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2 * kPi;
 constexpr int kSamples = 120;
 /// Fewer steps say nothing of how straight a stretch is: two samples are always in line.
 constexpr std::size_t kLeastCells = 4;
@@ -217,7 +215,6 @@ bool StretchStarts::sample(const LineStretch& drawn, bool second_range) {
   }
   curve_.clear();
   for (const double angle : angles_) {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     const CouplerPoint<double> point = motion.at(angle);
     const bool sound =
         point.closes && std::abs(point.transmission_cosine) < std::cos(kDeadPointMargin);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::problems {
@@ -49,7 +49,6 @@ std::optional<double> fit_line(LineStretch& stretch) {
   const CouplerMotion<double> motion(stretch.type, stretch.dimensions, sign(stretch.assembly));
   const auto path = [&motion](double angle) -> PathPoint {
     const CouplerPoint<double> point = motion.at(angle);
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (!point.closes) return {{kNaN, kNaN}, {kNaN, kNaN}};
     return {point.at, point.rate};
   };

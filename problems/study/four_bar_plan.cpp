@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// So many that those of a range of the crank are soon looked through.
 constexpr double kMostTurns = 100;
 

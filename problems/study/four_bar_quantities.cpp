@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
 
 using Stage = FourBarStage;
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 struct NamedFact {
   std::string_view name;
@@ -97,13 +95,13 @@ void ClosedForms::begin(const Lengths<double>& links) {
 
 double ClosedForms::transmission(double TransmissionAngles::*angle) {
   if (!angles_) angles_ = transmission_angles(links_);
-  return kDegrees * (*angles_).*angle;
+  return kDegreesInRadian * (*angles_).*angle;
 }
 
 Cell ClosedForms::swing() const {
   const auto outer = outer_limit(links_), inner = inner_limit(links_);
   if (!outer || !inner) return {};
-  return kDegrees * std::abs(outer->rocker_angle - inner->rocker_angle);
+  return kDegreesInRadian * std::abs(outer->rocker_angle - inner->rocker_angle);
 }
 
 Cell ClosedForms::operator()(FourBarFact fact) {

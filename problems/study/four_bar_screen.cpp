@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSlack = 1e-9;
 constexpr double kLeast = 1e-6, kGreatest = 1e6;  ///< of common lengths
 
@@ -81,8 +80,8 @@ void FourBarScreen::add(const FourBarFilter& filter) {
       break;
     case FourBarFact::time_ratio:
       // The shorter turn between the limits is 2π/(1 + K), at most half a turn.
-      advance_ = {limits.min > 1 ? std::cos(2 * kPi / (1 + limits.min)) - kSlack : -2,
-                  std::cos(2 * kPi / (1 + std::max(limits.max, 1.0))) + kSlack};
+      advance_ = {limits.min > 1 ? std::cos(kTurn / (1 + limits.min)) - kSlack : -2,
+                  std::cos(kTurn / (1 + std::max(limits.max, 1.0))) + kSlack};
       by_time_ratio_ = true;
       break;
     default:

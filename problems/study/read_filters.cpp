@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -139,8 +139,6 @@ class FilterReader {
     faults_.add(where, std::move(message));
     return std::nullopt;
   }
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const StudyNames& names_;
   FaultList& faults_;

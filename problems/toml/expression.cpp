@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -43,7 +44,7 @@ class Expression {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       parser_.DefineVar(variables_[i], &values_[i]);
     }
-    parser_.DefineConst("pi", std::numbers::pi);
+    parser_.DefineConst("pi", kPi);
     parser_.DefineConst("e", std::numbers::e);
     parser_.SetExpr(text_);
   }

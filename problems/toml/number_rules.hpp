@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string_view>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems::reading {
 
@@ -25,8 +25,6 @@ constexpr bool is_positive_magnitude(double x) {
 constexpr bool is_magnitude(double x) {
   return x == 0 || is_positive_magnitude(x < 0 ? -x : x);
 }
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline constexpr NumberRule kNumber{is_magnitude, "a number, 0 or of magnitude 1e-100 to 1e100,"};
 
@@ -74,7 +72,7 @@ inline constexpr NumberRule kTolerance{[](double x) { return x > 0 && x < 1; },
 
 /// Degrees to radians.
 constexpr double radians(double degrees) {
-  return degrees * (std::numbers::pi / 180.0);
+  return degrees * (kPi / 180.0);
 }
 
 }  // namespace cognate::problems::reading

@@ -1,7 +1,8 @@
 #include "synthesis/bounds/dead_centre_box.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -84,7 +85,7 @@ std::optional<LimitAngle> limit_angle(const ProportionBox& box, LimitOfOutput li
   for (Interval& side : middle.side) side = Interval(side.middle());
   const auto cosine = cosine_of(box, limit), cosine0 = cosine_of(middle, limit);
   if (!cosine || !cosine0) {  // nothing is known
-    angle.radius = angle.reach = 2 * std::numbers::pi;
+    angle.radius = angle.reach = kTurn;
     return angle;
   }
   const Interval& c = cosine->value;

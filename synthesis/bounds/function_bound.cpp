@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/bounds/box_quadratic.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-15;
 /// Errors of different samples differ by less than π wherever the sum of squares is below this, so
 /// that it is known how many whole turns lie between them.
@@ -20,7 +17,7 @@ constexpr double kMostSquares = 0.6;
 constexpr int kTerms = kBoxSides + 1;
 
 double wrapped(double angle) {
-  return std::remainder(angle, 2 * kPi);
+  return std::remainder(angle, kTurn);
 }
 
 /// The phase as a function of the other sides: what it adds to a direction goes to theirs.
@@ -149,7 +146,7 @@ double FunctionBound::bound(const std::vector<DirectionRange>& directions, doubl
 
 BoxBound FunctionBound::operator()(const ProportionBox& box, double wanted) const {
   std::vector<DirectionRange> directions;
-  if (!enclose(box, directions)) return {kInfinite, -1};
+  if (!enclose(box, directions)) return {kInfinity, -1};
   return {bound(directions, wanted), worst_side(box, directions)};
 }
 

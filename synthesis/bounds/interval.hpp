@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 
@@ -77,7 +78,7 @@ inline Interval clamped(const Interval& a, double low, double high) {
 
 /// For angles of a few turns at most, whose own rounding counts as well.
 inline Interval cos(const Interval& angle) {
-  constexpr double pi = std::numbers::pi, slack = 4e-15;
+  constexpr double pi = kPi, slack = 4e-15;
   if (angle.high - angle.low >= 2 * pi) return {-1, 1};
   const double a = std::cos(angle.low), b = std::cos(angle.high);
   const auto passes = [&](double phase) {  // whether phase + 2πk lies within, in doubt yes
@@ -90,7 +91,7 @@ inline Interval cos(const Interval& angle) {
 }
 
 inline Interval sin(const Interval& angle) {
-  constexpr double quarter = std::numbers::pi / 2;
+  constexpr double quarter = kRightAngle;
   return cos(Interval{angle.low - quarter, angle.high - quarter});
 }
 

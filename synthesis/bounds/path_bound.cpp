@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/bounds/box_quadratic.hpp"
 
 namespace cognate::synthesis {
@@ -12,7 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-15;
 /// A box is divided no further than this in each side.
 constexpr double kNarrowest = 1e-13;
@@ -328,19 +328,19 @@ BoxBound PathBound::operator()(const ProportionBox& box, double wanted) const {
   const ProportionRanges ranges = ranges_of(box);
   double low = 0, high = 0;
   if (!may_satisfy(ranges, limits_, turning) || !crank_range(ranges, path_.lengths, low, high)) {
-    return {kInfinite, -1};
+    return {kInfinity, -1};
   }
   if (turning && !may_transmit(ranges, limits_, ranges.inner, ranges.outer)) {
-    return {kInfinite, -1};
+    return {kInfinity, -1};
   }
   const BoxDirections box_directions(box);
   std::vector<DirectionRange> directions;
   for (std::size_t j = 0; j < path_.crank_angles.size(); ++j) {
     directions.push_back(box_directions.at(path_.crank_angles[j], DirectedLink::coupler));
     const DirectionRange& at = directions.back();
-    if (!at.closes) return {kInfinite, -1};
+    if (!at.closes) return {kInfinity, -1};
     if (!turning && !may_transmit(ranges, limits_, at.diagonal, at.diagonal)) {
-      return {kInfinite, -1};
+      return {kInfinity, -1};
     }
   }
   return {bound(directions, low, high, wanted), worst_side(box, directions)};
@@ -351,12 +351,12 @@ bool crank_range(const ProportionRanges& ranges, const LengthLimits& limits, dou
   const Interval size = ranges.inverse * ranges.difference, doubled = Interval(2) * ranges.inverse;
   const Interval coupler = Interval(1) + size, rocker = Interval(1) - size;
   const auto crank_by = [&](const Interval& share, const Interval& of) {
-    return of.low > 0 ? share * ranges.crank / of : Interval(0, kInfinite);
+    return of.low > 0 ? share * ranges.crank / of : Interval(0, kInfinity);
   };
   const Interval ratio[4] = {Interval(1), crank_by(doubled, coupler), crank_by(doubled, rocker),
                              crank_by(Interval(1), ranges.frame)};
   low = 0;
-  high = kInfinite;
+  high = kInfinity;
   for (int i = 0; i < 4; ++i) {
     if (limits.least[i] > 0) low = std::max(low, Interval::below(limits.least[i] * ratio[i].low));
     if (std::isfinite(limits.greatest[i])) {

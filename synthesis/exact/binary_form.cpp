@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::synthesis {
 namespace {
 
@@ -78,7 +80,7 @@ Few<double, 3> monic_roots(double b, double c, double d) {
     const double size = std::sqrt(p);
     const double angle = std::acos(std::clamp(q / (p * size), -1.0, 1.0)) / 3;
     for (int k = 0; k < 3; ++k) {
-      roots.push_back(2 * size * std::cos(angle - 2 * std::numbers::pi * k / 3) - b / 3);
+      roots.push_back(2 * size * std::cos(angle - kTurn * k / 3) - b / 3);
     }
   } else {
     const double root = std::cbrt(std::abs(q) + std::sqrt(std::max(0.0, square - cube)));

@@ -1,7 +1,8 @@
 #include "synthesis/exact/chebyshev.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 
@@ -11,7 +12,7 @@ std::vector<double> chebyshev_spacing(double first, double last, int count) {
   std::vector<double> points;
   for (int i = 1; i <= count; ++i) {
     // A cosine written as a sine of an angle about zero vanishes exactly at the middle point.
-    const double turn = std::numbers::pi * (2 * i - 1 - count) / (2 * count);
+    const double turn = kPi * (2 * i - 1 - count) / (2 * count);
     points.push_back(middle + half_width * std::sin(turn));
   }
   return points;

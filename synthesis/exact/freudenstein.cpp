@@ -4,7 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -92,8 +93,8 @@ FreudensteinLinkage freudenstein_linkage(const std::array<double, 3>& p) {
     return result;
   }
   result.links = {1, std::sqrt(result.coupler_squared), std::abs(m), std::abs(n)};
-  result.input_turn = n < 0 ? std::numbers::pi : 0;
-  result.output_turn = (n < 0) != (m < 0) ? std::numbers::pi : 0;
+  result.input_turn = n < 0 ? kPi : 0;
+  result.output_turn = (n < 0) != (m < 0) ? kPi : 0;
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -30,7 +31,7 @@ class ErrorCurve {
   double at(double input) const {
     const auto links = directions(input);
     const double off = std::atan2(links.rocker.y, links.rocker.x) - linkage_.output_start;
-    return std::remainder(off - task_.output(input), 2 * std::numbers::pi);
+    return std::remainder(off - task_.output(input), kTurn);
   }
 
   /// Its derivatives by ln l₂, ln l₃, ln l₄ and the start angles that are free.

@@ -3,13 +3,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Jacobi>
 #include <cmath>
-#include <limits>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
 using Eigen::Index;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/cam/turn_extremes.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/json_values.hpp"
 #include "app/documents/problem_json.hpp"
 #include "app/documents/result_json.hpp"
@@ -23,8 +23,6 @@ using problems::CamDesign;
 using problems::CamProblem;
 using problems::CamResult;
 using problems::to_string;
-
-constexpr double kRightAngle = std::numbers::pi / 2;
 
 /// `problem` with everything that it leaves free as `design` has it.
 CamProblem settled(const CamProblem& problem, const CamDesign& design) {

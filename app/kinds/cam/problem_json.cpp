@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/problem_tables.hpp"
 #include "problems/names.hpp"
 
@@ -38,7 +39,6 @@ class FreeValues {
 /// The angle, in degrees, of which the reader makes the share `at` of a segment.
 double place_deg(double at, double over) {
   const double nearest = problems::degrees(at * over);
-  constexpr double kDegree = std::numbers::pi / 180;
   double low = nearest, high = nearest;
   for (int i = 0; i < 8; ++i) {  // rounding is a few units in the last place
     if (low * kDegree / over == at) return low;

@@ -2,24 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::page {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kGoldenSteps = 50;  // from a quarter turn to 1e-10
 
 }  // namespace
 
 double miss(const Motion& motion, const Target& target, double crank) {
   const auto pose = motion.at(crank);
-  if (!pose || !pose->coupler_point) return kInfinite;
+  if (!pose || !pose->coupler_point) return kInfinity;
   const double place = squared_norm(*pose->coupler_point - target.at);
   if (target.weight == 0) return place;
   const Vec2d along = pose->c - pose->b;
@@ -28,7 +25,7 @@ double miss(const Motion& motion, const Target& target, double crank) {
 }
 
 double nearest_from(const Motion& motion, const Target& target, double start) {
-  constexpr double kFirstStep = 1e-4, kGrowth = 2, kMost = std::numbers::pi / 2;
+  constexpr double kFirstStep = 1e-4, kGrowth = 2, kMost = kRightAngle;
   const auto f = [&](double crank) { return miss(motion, target, crank); };
   const double here = f(start);
   if (!std::isfinite(here)) return start;
@@ -53,12 +50,12 @@ std::optional<double> nearest(const FourBar& linkage, const Motion& motion, cons
   constexpr int kPlaces = 360;
   constexpr double kHair = 1e-9;  // within a range, at whose ends rounding decides what closes
   const double frame = frame_angle(linkage);
-  double best = 0, value = kInfinite;
+  double best = 0, value = kInfinity;
   for (const CrankRange& range : crank_ranges(lengths(linkage))) {
     const double half = 0.5 * (range.to - range.from) - kHair;
     for (int i = 0; i <= kPlaces; ++i) {
       // Closer together at the ends, where the linkage moves as the square root of the crank.
-      const double share = std::cos(std::numbers::pi * i / kPlaces);
+      const double share = std::cos(kPi * i / kPlaces);
       const double crank = frame + 0.5 * (range.from + range.to) - half * share;
       const double here = miss(motion, target, crank);
       if (here < value) {

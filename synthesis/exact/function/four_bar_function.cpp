@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/binary_form.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
@@ -174,8 +174,8 @@ FourBarFunction as_linkage(const Coefficients& c, const Row& first, double condi
   result.links = {links.crank, 0, std::abs(links.rocker), std::abs(links.frame)};
   result.input_turned = links.frame < 0;
   result.output_turned = (links.frame < 0) != (links.rocker < 0);
-  result.input_start = c.input_start + (result.input_turned ? std::numbers::pi : 0);
-  result.output_start = c.output_start + (result.output_turned ? std::numbers::pi : 0);
+  result.input_start = c.input_start + (result.input_turned ? kPi : 0);
+  result.output_start = c.output_start + (result.output_turned ? kPi : 0);
   if (result.outcome == FourBarOutcome::infinite_rocker) {
     result.guide_offset = (result.output_turned ? -1 : 1) * c.k[2] / c.k[3];
   }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/binary_form.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
@@ -188,7 +188,7 @@ SliderCrankFunction as_linkage(const Coefficients& c, const Setting& setting) {
   result.coupler = unit * coupler;
   if (!(coupler > kInfiniteRatio * std::abs(c.r))) result.outcome = SliderCrankOutcome::no_coupler;
   result.input_turned = c.r < 0;
-  result.input_start = c.input_start + (c.r < 0 ? std::numbers::pi : 0);
+  result.input_start = c.input_start + (c.r < 0 ? kPi : 0);
   result.output_start = setting.start.output.value_or(unit * c.output_start - setting.scale.origin);
   if (!setting.start.input) result.input_turned = false;
   return result;
@@ -240,7 +240,7 @@ Vector nearest_yoke(const Vector& u, const Vector& v, const std::array<int, Coun
     uv += u[i] * v[i];
     vv += v[i] * v[i];
   }
-  const Vec2d t = direction(0.5 * std::atan2(2 * uv, uu - vv) + std::numbers::pi / 2);
+  const Vec2d t = direction(0.5 * std::atan2(2 * uv, uu - vv) + kRightAngle);
   return t.x * u + t.y * v;
 }
 

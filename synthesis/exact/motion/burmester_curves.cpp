@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/binary_form.hpp"
 #include "synthesis/exact/motion/cubic_pencil.hpp"
 #include "synthesis/exact/motion/degenerate_poses.hpp"
@@ -167,7 +167,7 @@ DyadSolutions BurmesterCurves::Data::at_infinity(const PivotCurve& curve) const 
   }
   std::array<std::optional<PivotPair>, 4> pairs;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double angle = 0.25 * std::numbers::pi * static_cast<double>(k);
+    const double angle = 0.25 * kPi * static_cast<double>(k);
     pairs[k] = curve.pair_at(Vector3d(std::cos(angle), std::sin(angle), 0));
   }
   DyadSolutions result = dyads(pairs);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/quartic_signs.hpp"
 
 namespace cognate::synthesis {
@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 /// Values of the cubic below this, its forms being of norm 1, are none.
 constexpr double kVanishes = 1e-14;

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 
 namespace cognate::synthesis {
@@ -55,15 +55,15 @@ Gap widest_gap(std::vector<double> angles, double period) {
 /// frame and crank differ. Where the link keeps to less than half a turn all its positions are on
 /// one side of the frame, and as far from it as they can be; else no position is along the frame.
 Vec2d to_second_link(std::span<const Pose> poses, const Vec2d& link) {
-  constexpr double kLonger = 1.5, kPi = std::numbers::pi;
+  constexpr double kLonger = 1.5;
   std::vector<double> angles;
   for (const Pose& pose : poses) {
     const Vec2d at = link + (pose.at - poses[0].at);
     angles.push_back(std::atan2(at.y, at.x));
   }
-  const Gap of_turn = widest_gap(angles, 2 * kPi);
-  const double direction =
-      of_turn.width > kPi ? of_turn.middle + kPi / 2 : widest_gap(std::move(angles), kPi).middle;
+  const Gap of_turn = widest_gap(angles, kTurn);
+  const double direction = of_turn.width > kPi ? of_turn.middle + kRightAngle
+                                               : widest_gap(std::move(angles), kPi).middle;
   return kLonger * norm(link) * Vec2d{std::cos(direction), std::sin(direction)};
 }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -28,7 +29,7 @@ Vec2d Displacement::way(const Vec2d& x) const {
 }
 
 Displacement displacement(const Pose& from, const Pose& to) {
-  const double angle = std::remainder(to.angle - from.angle, 2 * std::numbers::pi);
+  const double angle = std::remainder(to.angle - from.angle, kTurn);
   const Vec2d half = unit(0.5 * angle);
   return {from.at, to.at - from.at, angle, Vec2d{0, 2 * half.y} * half};
 }

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <utility>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -29,7 +30,7 @@ struct Turned {
   double angle(double z) const {
     const Vector2d at = z * axis + Vector2d(-axis.y(), axis.x());
     const double angle = std::atan2(at.y(), at.x());
-    return angle < 0 ? angle + std::numbers::pi : angle;
+    return angle < 0 ? angle + kPi : angle;
   }
 };
 
@@ -54,7 +55,7 @@ Turned turned(const Quartic& c) {
   Turned result;
   double greatest = -1;
   for (int i = 0; i < 8; ++i) {
-    const double angle = i * std::numbers::pi / 8;
+    const double angle = i * kPi / 8;
     const Vector2d axis(std::cos(angle), std::sin(angle));
     const double value = std::abs(binary_form(c, axis));
     if (value > greatest) {

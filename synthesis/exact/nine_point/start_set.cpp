@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <random>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/refine.hpp"
 
 namespace cognate::synthesis::nine_point {
@@ -25,7 +25,7 @@ class RandomNumbers {
   /// Of modulus in [low, high) and any argument.
   Number complex(double low, double high) {
     const double modulus = real(low, high);
-    return std::polar(modulus, real(0, 2 * std::numbers::pi));
+    return std::polar(modulus, real(0, kTurn));
   }
   void shuffle(std::span<int> order) {
     for (std::size_t i = order.size(); i > 1; --i) {

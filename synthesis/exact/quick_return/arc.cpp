@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 /// Where crank and coupler point at a limit: crank angle from the x axis.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -21,7 +21,7 @@ bool confirm(const ReturnAngle& wanted, QuickReturnGuide& design) {
   if (!found || !limits[0] || !limits[1] || !time_ratio(bar)) return false;
   design.residual = std::abs(*found - wanted.angle);
   // Angles there count from A→C, which points down.
-  constexpr double down = -std::numbers::pi / 2;
+  constexpr double down = -kRightAngle;
   const bool first_is_left = std::sin(limits[0]->crank_angle) < 0;
   design.left = in_one_turn(limits[first_is_left ? 0 : 1]->crank_angle + down);
   design.right = in_one_turn(limits[first_is_left ? 1 : 0]->crank_angle + down);

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/pivot.hpp"
 
 namespace cognate::synthesis {
 
 ReturnAngle return_angle(double time_ratio) {
-  constexpr double pi = std::numbers::pi;
+  constexpr double pi = kPi;
   const double share = (time_ratio - 1) / (time_ratio + 1);
   // π/2 − θ/2 = π/(K + 1), which keeps the cosine accurate where θ is near π.
   return {pi * share, std::sin(0.5 * pi * share), std::sin(pi / (time_ratio + 1))};

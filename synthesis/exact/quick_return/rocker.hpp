@@ -23,12 +23,12 @@
 #pragma once
 
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 
 namespace cognate::synthesis {
@@ -96,7 +96,7 @@ struct RockerBounds {
   LengthInterval crank, coupler, frame;
   double link_ratio_max = std::numeric_limits<double>::infinity();
   double transmission_min = 0;
-  double transmission_max = std::numbers::pi;
+  double transmission_max = kPi;
 };
 
 /// Of each arc (and both mirror images) the linkage whose least transmission angle (the least of μ

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// |ψ + β| < 90°. β falls and rises with cos ψ, so the sum is greatest within the swing or at its
 /// end; it is bounded by the sum of both greatest angles, and looked at closely only beyond that.
 bool keeps_sense(const Shaper& shaper, double half_swing) {
-  constexpr double right_angle = std::numbers::pi / 2;
+  constexpr double right_angle = kRightAngle;
   if (half_swing + shaper.pressure < right_angle) return true;
   constexpr int steps = 256;
   for (int i = -steps; i <= steps; ++i) {
@@ -62,7 +62,7 @@ Mechanism<double> as_mechanism(const Shaper& shaper) {
 std::optional<RamMotion> simulate(const Shaper& shaper) {
   constexpr int ram = 5;
   const Mechanism<double> mechanism = as_mechanism(shaper);
-  const Course course = follow(mechanism, 0, 2 * std::numbers::pi);
+  const Course course = follow(mechanism, 0, kTurn);
   const auto range = output_range(mechanism, course, travels(mechanism)[ram]);
   if (!range) return std::nullopt;
   const auto ratio = time_ratio(mechanism, course, *range);

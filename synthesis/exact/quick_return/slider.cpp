@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/pivot.hpp"
 
 namespace cognate::synthesis {
@@ -35,7 +35,7 @@ bool confirm(const Slide& slide, QuickReturnSlider& design) {
   const auto outer = outer_limit(design.mechanism), inner = inner_limit(design.mechanism);
   const auto pressure = pressure_angles(design.mechanism);
   if (!ratio || !travel || !outer || !inner || !pressure) return false;
-  const double angle = std::numbers::pi * (*ratio - 1) / (*ratio + 1);
+  const double angle = kPi * (*ratio - 1) / (*ratio + 1);
   const double stroke_error = std::abs(*travel / slide.task.stroke - 1);
   design.residual = std::max(std::abs(angle - slide.angle.angle), stroke_error);
   design.outer = outer->crank_angle;

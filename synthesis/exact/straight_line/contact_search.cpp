@@ -4,15 +4,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::synthesis {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Values = std::array<double, 3>;
 

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "analysis/linkage/change_point.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 std::optional<CouplerPosition> position(const FourBar& linkage, double crank_angle) {
   const double from_frame = crank_angle - frame_angle(linkage);
