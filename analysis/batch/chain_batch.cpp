@@ -11,7 +11,7 @@ namespace batch {
 namespace {
 
 /// Rows of a piece for a thread.
-constexpr std::size_t kPieceRows = 4096;
+constexpr std::size_t kChainPieceRows = 4096;
 
 ChainKernels chain_kernels_of(InstructionSet set) {
   switch (set) {
@@ -127,11 +127,11 @@ BatchStatus evaluate_batch(const Mechanism<double>& mechanism, std::span<const d
   batch::ChainKernels kernels = batch::chain_kernels_of(set);
   if (drives.size() < kernels.lanes) kernels = batch::scalar::chain_kernels();
 
-  const std::size_t pieces = std::max<std::size_t>(1, drives.size() / batch::kPieceRows);
+  const std::size_t pieces = std::max<std::size_t>(1, drives.size() / batch::kChainPieceRows);
   const auto evaluate_piece = [&](int i, int /*thread*/) {
     const auto piece = static_cast<std::size_t>(i);
-    const std::size_t begin = piece * batch::kPieceRows;
-    const std::size_t end = piece + 1 == pieces ? drives.size() : begin + batch::kPieceRows;
+    const std::size_t begin = piece * batch::kChainPieceRows;
+    const std::size_t end = piece + 1 == pieces ? drives.size() : begin + batch::kChainPieceRows;
     kernels.by_order[outputs.order()]({&mechanism.drive, mechanism.dyads.data(), sides.data(),
                                        mechanism.dyads.size(), drives.cos().data(),
                                        drives.sin().data(), drives.displacement().data(), begin,

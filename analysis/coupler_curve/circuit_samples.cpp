@@ -19,7 +19,7 @@ Dual signed_root(const Dual& root, const Dual& factor) {
 }
 
 /// The two triangles on the diagonal: four times their signed areas, and δ over its bounds.
-struct Diagonal {
+struct SampledDiagonal {
   Dual square;        ///< δ = |BD|²
   Dual over_least;    ///< δ − (l₄ − l₁)²
   Dual crank_area;    ///< 2 l₁ l₄ sin θ
@@ -45,13 +45,13 @@ class Circuit {
   }
 
   /// At σ with the cosine and sine given.
-  Diagonal at(double cosine, double sine) const {
+  SampledDiagonal at(double cosine, double sine) const {
     return crank_low_ == crank_high_ ? in_one_turn(cosine, sine) : in_two_turns(cosine, sine);
   }
 
  private:
   /// σ = τ.
-  Diagonal in_one_turn(double cosine, double sine) const {
+  SampledDiagonal in_one_turn(double cosine, double sine) const {
     const Dual half_swing(0.5 * swing_);
     const Dual rise = half_swing * Dual(1 - cosine, sine);
     const Dual fall = half_swing * Dual(1 + cosine, -sine);
@@ -63,7 +63,7 @@ class Circuit {
   }
 
   /// σ = τ/2: one end of δ turns the one triangle over, the other the other.
-  Diagonal in_two_turns(double cosine, double sine) const {
+  SampledDiagonal in_two_turns(double cosine, double sine) const {
     const Dual c(cosine, -sine), s(sine, cosine), swing(swing_);
     const Dual rise = swing * s * s, fall = swing * c * c;
     const Dual root(std::sqrt(swing_));
@@ -82,7 +82,8 @@ class Circuit {
 };
 
 /// The coupler point in the frame's axes from A; `ratio` is (P − B)/(C − B).
-Vec2<Dual> coupler_point(const Lengths<double>& links, const Vec2d& ratio, const Diagonal& at) {
+Vec2<Dual> coupler_point(const Lengths<double>& links, const Vec2d& ratio,
+                         const SampledDiagonal& at) {
   const auto [l1, l2, l3, l4] = links;
   const Dual over(1 / (2 * l4));
   const Vec2<Dual> pin{Dual(l1) - over * at.over_least, over * at.crank_area};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
@@ -12,10 +13,6 @@ namespace {
 
 /// The share of a range, from either end, that goes by the transmission angle.
 constexpr double kEndShare = 0.2;
-
-Vec2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 Vec2d normalised(const Vec2d& v) {
   constexpr double kSmall = 1e-280;  // below it the square loses digits

@@ -8,7 +8,7 @@
 namespace cognate {
 namespace {
 
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kContactRounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// Angular velocity and acceleration below this share of the velocity over the size are none.
 constexpr double kNoTurn = 1e-13;
@@ -45,7 +45,7 @@ std::optional<Circle> as_circle(const CircleOrLine& locus, double reach) {
 
 std::optional<Line> as_line(const CircleOrLine& locus, double size) {
   const double across = norm(locus.linear);
-  if (across == 0 || std::abs(locus.square) * size > kRounding * across) return std::nullopt;
+  if (across == 0 || std::abs(locus.square) * size > kContactRounding * across) return std::nullopt;
   const Vec2d normal = (1 / across) * locus.linear;
   return Line{(-locus.constant / across) * normal, perp(normal)};
 }
@@ -57,7 +57,7 @@ std::array<std::optional<double>, 2> meet(const CircleOrLine& locus, const Vec2d
   const double b = dot(a * from + 0.5 * locus.linear, direction);
   const double c = value(locus, from);
   double discriminant = b * b - a * c;
-  if (std::abs(discriminant) <= kRounding * (b * b + std::abs(a * c))) discriminant = 0;
+  if (std::abs(discriminant) <= kContactRounding * (b * b + std::abs(a * c))) discriminant = 0;
   if (discriminant < 0) return {};
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   const auto root = [](double above, double below) -> std::optional<double> {

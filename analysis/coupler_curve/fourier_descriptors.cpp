@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-Vec2d unit_at(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 /// The integral from the third of six samples to the fourth, over the step: by the polynomial
 /// through six samples about it (weights of its antiderivative, of order h⁷).
@@ -28,20 +25,16 @@ void reverse(FourierDescriptors& found) {
 void turn(FourierDescriptors& found, double turned, double started) {
   for (int k = -kHarmonics; k <= kHarmonics; ++k) {
     Vec2d& c = found.of(k);
-    c = unit_at(turned + k * started) * c;
+    c = unit_vector(turned + k * started) * c;
   }
-}
-
-double angle(const Vec2d& c) {
-  return std::atan2(c.y, c.x);
 }
 
 /// As `FourierDescriptors` has it. A coefficient that is nothing but rounding has no direction.
 void normalise(FourierDescriptors& found) {
   constexpr double kNothing = 1e-12;
   if (norm(found.of(1)) < norm(found.of(-1))) reverse(found);
-  const double first = angle(found.of(1));
-  const double last = norm(found.of(-1)) > kNothing ? angle(found.of(-1)) : first;
+  const double first = angle_of(found.of(1));
+  const double last = norm(found.of(-1)) > kNothing ? angle_of(found.of(-1)) : first;
   turn(found, -0.5 * (first + last), -0.5 * (first - last));
   if (found.of(2).x < -kNothing) turn(found, kTurn / 2, kTurn / 2);
 }
@@ -65,7 +58,7 @@ FourierDescriptors DescriptorFinder::operator()(const CurveSamples& curve) {
   double along = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2d rate{curve.dx[i], curve.dy[i]};
-    const Vec2d back = unit_at(-kTurn * along / sum);
+    const Vec2d back = unit_vector(-kTurn * along / sum);
     Vec2d power = back;
     for (int k = 1; k <= kHarmonics; ++k, power = power * back) {
       Vec2d& forward = found.of(k);
@@ -92,7 +85,7 @@ FourierDescriptors descriptors_of(std::span<const Vec2d> points, double length) 
     for (int k = -kHarmonics; k <= kHarmonics; ++k) {
       if (k == 0) continue;
       Vec2d& c = found.of(k);
-      c = c + unit_at(-kTurn * k * static_cast<double>(i) / count) * points[i];
+      c = c + unit_vector(-kTurn * k * static_cast<double>(i) / count) * points[i];
     }
   }
   for (Vec2d& c : found.coefficients) c = (kTurn / (length * count)) * c;

@@ -15,9 +15,9 @@ constexpr double kGolden = 0.6180339887498949;
 /// Samples of a path about a place, and the pairs of them between which it is straight enough. The
 /// width of the strip only grows with the stretch, but so does its length: the stretches that are
 /// straight enough need not be connected, and all pairs are looked at, the longest first.
-class SampledStretches {
+class StretchesAround {
  public:
-  SampledStretches(const Path& path, double at, const CrankRange& forward, double relative)
+  StretchesAround(const Path& path, double at, const CrankRange& forward, double relative)
       : relative_(relative) {
     const auto [origin, rate] = path(at);
     const Vec2d to_tangent = conj((1 / norm(rate)) * rate);
@@ -183,11 +183,11 @@ Candidate golden_section(const EndRefinement& ends, Candidate best, double low, 
 }  // namespace
 
 Stretch longest_stretch(const Path& path, double at, const CrankRange& forward, double relative) {
-  SampledStretches samples(path, at, forward, relative);
+  StretchesAround samples(path, at, forward, relative);
   const auto [i, j] = samples.longest();
   // The longest of the sampled pairs may be some cells beside the longest of all stretches.
   constexpr std::size_t kNear = 4;
-  const std::size_t middle = SampledStretches::kMiddle;
+  const std::size_t middle = StretchesAround::kMiddle;
   const double right_from = samples.place(std::max(j, middle + kNear) - kNear);
   const EndRefinement ends(path, relative, {right_from, samples.place(j + kNear)});
   const double left_from = samples.place(i - std::min(i, kNear));

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/vec2.hpp"
+
 namespace cognate {
 namespace {
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
-bool is_finite(const Vec2d& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y);
-}
+constexpr double kPoleRounding = 16 * std::numeric_limits<double>::epsilon();
 
 Centrode centrode(const Vec2d& at, const Vec2d& rate, const Vec2d& second) {
   const double speed = norm(rate);
@@ -23,8 +21,8 @@ Centrode centrode(const Vec2d& at, const Vec2d& rate, const Vec2d& second) {
 }  // namespace
 
 InstantMotion instant_motion(const BodyMotion<double, 3>& body, double h) {
-  if (std::abs(body.turn[0]) * h > kRounding) return InstantMotion::rotation;
-  const bool stands = norm(body.origin[1]) <= kRounding * h * norm(body.origin[2]);
+  if (std::abs(body.turn[0]) * h > kPoleRounding) return InstantMotion::rotation;
+  const bool stands = norm(body.origin[1]) <= kPoleRounding * h * norm(body.origin[2]);
   return stands ? InstantMotion::rest : InstantMotion::translation;
 }
 

@@ -4,15 +4,12 @@
 #include <limits>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
 namespace {
 
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
-bool is_finite(const Vec2d& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y);
-}
 
 }  // namespace
 

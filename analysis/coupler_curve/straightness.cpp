@@ -6,14 +6,11 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
 namespace {
-
-bool is_finite(const Vec2d& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y);
-}
 
 /// The last place towards `to` at which the function is a number, as it is at `from`.
 template <class Function>

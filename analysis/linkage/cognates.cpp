@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/angle.hpp"
 
 namespace cognate {
 namespace {
-
-double angle(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
 
 /// Whether a ratio is lost in the rounding of the coupler point, so that it has no direction.
 bool vanishes(const Vec2d& ratio) {
@@ -63,7 +60,7 @@ std::optional<CognateAt> coupler_cognate(const FourBar& linkage, double crank_an
   cognate.assembly = assembly_of(cross(pose->b - linkage.pivot_a, pose->c - linkage.pivot_d));
   // P − B' = B − A and C' − B' = z (B − A).
   cognate.coupler_point = (linkage.crank / size) * conj(z);
-  return CognateAt{cognate, angle(z * (pose->c - pose->b))};
+  return CognateAt{cognate, angle_of(z * (pose->c - pose->b))};
 }
 
 std::optional<CognateAt> from_other_end(const FourBar& linkage, double crank_angle) {

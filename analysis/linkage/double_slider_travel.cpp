@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-double angle(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
-
-Vec2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 /// The acute angle between a direction and a line.
 double acute(const Vec2d& direction, const Vec2d& line) {
@@ -24,7 +17,7 @@ double acute(const Vec2d& direction, const Vec2d& line) {
 /// The least and the greatest of k·v(θ) + c over θ, where v(θ) is the component of the unit vector
 /// at θ across the unit vector `line`, to its right.
 std::array<SliderPosition, 2> extremes_across(const Vec2d& line, double k, double c) {
-  const double right = angle(-perp(line)), left = angle(perp(line));
+  const double right = angle_of(-perp(line)), left = angle_of(perp(line));
   const SliderPosition a{right, c + k}, b{left, c - k};
   if (k > 0) return {b, a};
   return {a, b};
@@ -122,7 +115,7 @@ Ellipse path(const EllipticTrammel& mechanism, const Vec2d& at) {
   const Vec2d against = half * perp(g);
   const double a = norm(with), b = norm(against);
   // The two vectors meet where θ turns them to the same direction, half way between.
-  const double half_way = (angle(with) + angle(against)) / 2;
+  const double half_way = (angle_of(with) + angle_of(against)) / 2;
   const Vec2d direction = mechanism.direction * unit_vector(half_way);
   return {mechanism.centre, a + b, std::abs(a - b), direction};
 }

@@ -89,7 +89,7 @@ Extremes extremes(const Lengths<double>& links) {
 }
 
 /// tan²(μ/2) = p/q at a crank angle from A→D, counted from whichever end of the frame is nearer.
-struct Diagonal {
+struct FoldedDiagonal {
   double p, q;
 };
 
@@ -119,7 +119,7 @@ double half_cosine_fall(double end, double angle) {
   return std::sin(0.5 * (angle - end)) * std::sin(0.5 * (angle + end));
 }
 
-Diagonal diagonal(const Lengths<double>& links, const Extremes& at, double crank_angle) {
+FoldedDiagonal diagonal(const Lengths<double>& links, const Extremes& at, double crank_angle) {
   const auto [l1, l2, l3, l4] = normalised(links);
   const auto [least, greatest] = range_ends(links, at);
   const double whole = 4 * l2 * l3;  // p + q

@@ -5,21 +5,21 @@
 #include <limits>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/linkage/reach.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/half_angle.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
-/// Dimensions times a power of two, which rounds nothing, so that the longest is in [1, 2).
-struct Dimensions {
+/// SliderCrankDimensions times a power of two, which rounds nothing, so that the longest is in [1,
+/// 2).
+struct SliderCrankDimensions {
   double crank, coupler, offset;
   double unit;  ///< what they are to be multiplied by
 };
 
-Dimensions normalised(const SliderCrank& mechanism) {
+SliderCrankDimensions normalised(const SliderCrank& mechanism) {
   const double longest = std::max({mechanism.crank, mechanism.coupler, std::abs(mechanism.offset)});
   const double unit = std::ldexp(1.0, std::ilogb(longest));
   return {mechanism.crank / unit, mechanism.coupler / unit, mechanism.offset / unit, unit};
@@ -32,16 +32,11 @@ struct Room {
   double left, right, reach_left, reach_right;
 };
 
-Room room(const Dimensions& d) {
+Room room(const SliderCrankDimensions& d) {
   return {compensated_sum(d.coupler, d.offset, -d.crank, 0.0),
           compensated_sum(d.coupler, -d.offset, -d.crank, 0.0),
           compensated_sum(d.coupler, d.offset, d.crank, 0.0),
           compensated_sum(d.coupler, -d.offset, d.crank, 0.0)};
-}
-
-/// Whether a difference of normalised lengths is negative only by rounding, if at all.
-bool suffices(double room) {
-  return room >= -kRounding;
 }
 
 /// How far θ is beyond π/2 and −π/2 where the ranges end.
@@ -52,17 +47,12 @@ double gap_right(const Room& r) {
   return angle_of_half(-r.right, r.reach_right);
 }
 
-/// √(a b) of factors that rounding may have left just below zero.
-double root(double a, double b) {
-  return std::sqrt(std::max(a, 0.0)) * std::sqrt(std::max(b, 0.0));
-}
-
 /// l₂ sin α and l₂ cos α; empty where the links do not reach the line.
 struct Rise {
   double across, along;
 };
 
-std::optional<Rise> rise(const Dimensions& d, double crank_angle) {
+std::optional<Rise> rise(const SliderCrankDimensions& d, double crank_angle) {
   const Room r = room(d);
   const double sine = std::sin(crank_angle / 2 - kPi / 4),
                cosine = std::cos(crank_angle / 2 - kPi / 4);
@@ -79,11 +69,11 @@ std::optional<double> along_line(double a, double b, double offset) {
   return root(beyond, compensated_sum(a, b, std::abs(offset), 0.0));
 }
 
-std::optional<double> outer_reach(const Dimensions& d) {
+std::optional<double> outer_reach(const SliderCrankDimensions& d) {
   return along_line(d.crank, d.coupler, d.offset);
 }
 
-std::optional<double> inner_reach(const Dimensions& d) {
+std::optional<double> inner_reach(const SliderCrankDimensions& d) {
   return along_line(std::max(d.crank, d.coupler), -std::min(d.crank, d.coupler), d.offset);
 }
 
@@ -125,15 +115,15 @@ bool crank_rotates(const SliderCrank& mechanism) {
 bool is_change_point(const SliderCrank& mechanism) {
   const auto [l1, l2, e, unit] = normalised(mechanism);
   return std::abs(compensated_sum(std::max(l1, l2), -std::min(l1, l2), -std::abs(e), 0.0)) <=
-         kRounding;
+         kReachRounding;
 }
 
 std::vector<SliderPosition> change_points(const SliderCrank& mechanism) {
   const Room r = room(normalised(mechanism));
   std::vector<SliderPosition> found;
   if (!is_change_point(mechanism)) return found;
-  if (std::abs(r.left) <= kRounding) found.push_back({kRightAngle, 0});
-  if (std::abs(r.right) <= kRounding) found.push_back({-kRightAngle, 0});
+  if (std::abs(r.left) <= kReachRounding) found.push_back({kRightAngle, 0});
+  if (std::abs(r.right) <= kReachRounding) found.push_back({-kRightAngle, 0});
   return found;
 }
 
@@ -150,7 +140,7 @@ std::vector<CrankRange> crank_ranges(const SliderCrank& mechanism) {
 
 std::vector<SliderPosition> dead_points(const SliderCrank& mechanism) {
   if (crank_rotates(mechanism) || !can_assemble(mechanism)) return {};
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   const Room r = room(d);
   std::vector<SliderPosition> found;
   // l₁² − (l₂ ± e)² = l₁² cos² θ where the ranges end.
@@ -168,7 +158,7 @@ std::vector<SliderPosition> dead_points(const SliderCrank& mechanism) {
 }
 
 std::optional<double> displacement(const SliderCrank& mechanism, double crank_angle) {
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   const auto at = rise(d, crank_angle);
   if (!at) return std::nullopt;
   return d.unit * (d.crank * std::cos(crank_angle) + sign(mechanism.assembly) * at->along);
@@ -181,7 +171,7 @@ std::optional<double> pressure_angle(const SliderCrank& mechanism, double crank_
 }
 
 std::optional<SliderPosition> outer_limit(const SliderCrank& mechanism) {
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   const auto along = outer_reach(d);
   if (!along) return std::nullopt;
   const double s = sign(mechanism.assembly) * *along;
@@ -189,7 +179,7 @@ std::optional<SliderPosition> outer_limit(const SliderCrank& mechanism) {
 }
 
 std::optional<SliderPosition> inner_limit(const SliderCrank& mechanism) {
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   if (d.crank == d.coupler) return std::nullopt;
   const auto along = inner_reach(d);
   if (!along) return std::nullopt;
@@ -200,7 +190,7 @@ std::optional<SliderPosition> inner_limit(const SliderCrank& mechanism) {
 }
 
 std::optional<double> stroke(const SliderCrank& mechanism) {
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   const auto outer = outer_reach(d);
   if (!outer) return std::nullopt;
   const auto inner = inner_reach(d);
@@ -211,7 +201,7 @@ std::optional<double> stroke(const SliderCrank& mechanism) {
 }
 
 std::optional<double> time_ratio(const SliderCrank& mechanism) {
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   if (!crank_rotates(mechanism) || d.crank >= d.coupler) return std::nullopt;
   const auto outer = outer_reach(d);
   const auto inner = inner_reach(d);
@@ -223,7 +213,7 @@ std::optional<double> time_ratio(const SliderCrank& mechanism) {
 
 std::optional<PressureAngles> pressure_angles(const SliderCrank& mechanism) {
   if (!can_assemble(mechanism)) return std::nullopt;
-  const Dimensions d = normalised(mechanism);
+  const SliderCrankDimensions d = normalised(mechanism);
   const Room r = room(d);
   double min = -kRightAngle, max = kRightAngle;
   if (suffices(r.left)) max = std::atan2(d.crank - d.offset, root(r.left, r.reach_right));

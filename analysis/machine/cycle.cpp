@@ -14,12 +14,12 @@ namespace {
 
 /// What the components of the state are: the growth of K, the time, the works of motor and loads
 /// (all scaled), and the logarithm of a small deviation of ω.
-enum Component : std::size_t { grown, elapsed, motor, load, deviation };
+enum CycleComponent : std::size_t { grown, elapsed, motor_work, load_work, deviation };
 
 /// Forwards, with no speed to speak of.
-constexpr double kBarely = std::numeric_limits<double>::min();
+constexpr double kLeastRate = std::numeric_limits<double>::min();
 /// The step, relative to ω, of ∂M/∂ω by central differences.
-constexpr double kDifference = 1e-5;
+constexpr double kRateDifference = 1e-5;
 /// A machine of which deviations decay so much in a period is integrated implicitly.
 constexpr double kDamped = 1e5;
 /// The error of K is held, in explicit steps, against no less than this part of the work: a smaller
@@ -27,7 +27,7 @@ constexpr double kDamped = 1e5;
 constexpr double kLeastScale = 1e-10;
 /// The longest of the steps that are compared with others, in parts of the period.
 constexpr double kFine = 1.0 / 256;
-constexpr std::size_t kAsk = 256;
+constexpr std::size_t kAskOfCycle = 256;
 
 }  // namespace
 
@@ -48,12 +48,12 @@ double Cycle::kinetic(const State& y) const {
 
 /// ω, or the least there is.
 double Cycle::speed(double inertia, double kinetic) const {
-  return kinetic > 0 ? std::max(std::sqrt(2 * kinetic / inertia), kBarely) : kBarely;
+  return kinetic > 0 ? std::max(std::sqrt(2 * kinetic / inertia), kLeastRate) : kLeastRate;
 }
 
 /// ∂M/∂ω where the machine stands.
 double Cycle::torque_slope(double speed, double time) const {
-  const double step = kDifference * speed;
+  const double step = kRateDifference * speed;
   const double change =
       machine_.torques(speed + step, time).sum() - machine_.torques(speed - step, time).sum();
   return step > 0 ? change / (2 * step) : 0;
@@ -65,8 +65,8 @@ Cycle::State Cycle::slope_at(double inertia, double speed, double time) {
   if (!(inertia > 0)) slope[grown] = std::numeric_limits<double>::quiet_NaN();
   if (!detailed_) return slope;
   slope[elapsed] = 1 / (speed * time_scale_);
-  slope[motor] = acting.motor / work_;
-  slope[load] = acting.load / work_;
+  slope[motor_work] = acting.motor / work_;
+  slope[load_work] = acting.load / work_;
   slope[deviation] = torque_slope(speed, time) / (inertia * speed);
   return slope;
 }
@@ -81,11 +81,11 @@ Sensitivity<Cycle::State> Cycle::sensitivity(const State& y, const State& slope,
   Sensitivity<State> sensitivity;
   const double inertia = machine_.move_to(pieces_.inside(place_.piece, phi)).value;
   const double omega = speed(inertia, kinetic(y));
-  if (omega > kBarely) {
+  if (omega > kLeastRate) {
     const double time = y[elapsed] * time_scale_;
-    const State above = slope_at(inertia, omega * (1 + kDifference), time);
-    const State below = slope_at(inertia, omega * (1 - kDifference), time);
-    const double by_speed = 1 / (2 * kDifference * omega);
+    const State above = slope_at(inertia, omega * (1 + kRateDifference), time);
+    const State below = slope_at(inertia, omega * (1 - kRateDifference), time);
+    const double by_speed = 1 / (2 * kRateDifference * omega);
     for (std::size_t i = 0; i < y.size(); ++i) {
       sensitivity.by_first[i] = (above[i] - below[i]) * by_speed * (scale_ / (inertia * omega));
     }
@@ -127,8 +127,8 @@ MachineState Cycle::state(double phi, const State& y) {
   return {.time = y[elapsed] * time_scale_,
           .phi = pieces_.counted({place_.turn, place_.piece, phi}),
           .omega = speed(inertia, kinetic(y)),
-          .motor_work = y[motor] * work_,
-          .load_work = y[load] * work_};
+          .motor_work = y[motor_work] * work_,
+          .load_work = y[load_work] * work_};
 }
 
 void Cycle::note_energy(const State& y) {
@@ -204,7 +204,7 @@ void Cycle::choose_method(bool implicit) {
 /// After every step whether to go on, now and then whether implicitly.
 CycleEnd Cycle::count_step() {
   if (++taken_ >= accuracy_.most_steps) return CycleEnd::gave_up;
-  if (taken_ % kAsk != 0) return CycleEnd::whole;
+  if (taken_ % kAskOfCycle != 0) return CycleEnd::whole;
   if (accuracy_.stop && accuracy_.stop()) return CycleEnd::stopped;
   const double rate = decay(stepper_.x(), kinetic(stepper_.y()));
   always_implicit_ = always_implicit_ || rate * (stepper_.x() - stepper_.x_before()) > 1;
@@ -246,7 +246,7 @@ CycleEnd Cycle::go(double kinetic, CycleDetail* detail, int steps) {
   taken_ = 0;
   place_ = pieces_.place(phi0_, 1);
   choose_method(always_implicit_ || decay(place_.phi, kinetic) * machine_.period > kDamped);
-  const double least_scale = stepper_.is_implicit() ? kBarely : kLeastScale * work_;
+  const double least_scale = stepper_.is_implicit() ? kLeastRate : kLeastScale * work_;
   scale_ = kinetic > 0 ? std::clamp(kinetic, least_scale, work_) : work_;
   State y{};
   if (detailed_) {

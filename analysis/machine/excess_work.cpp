@@ -11,7 +11,7 @@
 namespace cognate::machine {
 namespace {
 
-constexpr std::size_t kAsk = 256;
+constexpr std::size_t kAskOfWork = 256;
 
 /// ∫ (M − M̄) dφ at a constant speed, over a period.
 class ExcessWork {
@@ -74,7 +74,7 @@ class ExcessWork {
 
   bool is_over() {
     if (++taken_ >= accuracy_.most_steps) return true;
-    return taken_ % kAsk == 0 && accuracy_.stop && accuracy_.stop();
+    return taken_ % kAskOfWork == 0 && accuracy_.stop && accuracy_.stop();
   }
 
   const Machine& machine_;

@@ -11,9 +11,9 @@ namespace cognate::machine {
 namespace {
 
 /// Flywheels are looked for from this part of the approximate one on, doubled so many times.
-constexpr double kFirst = 1.0 / 64;
-constexpr int kMostDoublings = 40;
-constexpr int kSamples = 720;
+constexpr double kFirstInertia = 1.0 / 64;
+constexpr int kMostInertiaDoublings = 40;
+constexpr int kPowerSamples = 720;
 /// (ω_max − ω_min)/ω_m of a drive that comes to rest.
 constexpr double kComesToRest = 2;
 
@@ -29,10 +29,10 @@ bool falls_short(const SteadyState& steady) {
 
 double mean_inertia(const Machine& machine) {
   double sum = 0;
-  for (int i = 0; i < kSamples; ++i) {
-    sum += machine.move_to(machine.period * (i + 0.5) / kSamples).value;
+  for (int i = 0; i < kPowerSamples; ++i) {
+    sum += machine.move_to(machine.period * (i + 0.5) / kPowerSamples).value;
   }
-  return sum / kSamples;
+  return sum / kPowerSamples;
 }
 
 class FlywheelSearch {
@@ -86,8 +86,8 @@ class FlywheelSearch {
     double low = 0, at_low = beyond(found.without);
     if (std::isnan(at_low)) return std::nullopt;
     if (at_low <= 0) return 0;
-    double high = kFirst * std::fmax(found.approximate, mean_inertia_);
-    for (int i = 0; i < kMostDoublings; ++i, high *= 2) {
+    double high = kFirstInertia * std::fmax(found.approximate, mean_inertia_);
+    for (int i = 0; i < kMostInertiaDoublings; ++i, high *= 2) {
       const double at_high = beyond(high);
       if (std::isnan(at_high)) return std::nullopt;
       if (at_high <= 0) return refine(low, at_low, high, at_high);

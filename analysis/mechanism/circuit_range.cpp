@@ -13,7 +13,7 @@ namespace cognate {
 namespace {
 
 /// Parts of the scale of the drive: ends of branches closer than this are one.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameRange = 1e-6;
 /// No circuit of a mechanism worth following has more branches.
 constexpr int kMostBranches = 64;
 
@@ -74,7 +74,7 @@ class Circuit {
         sense > 0 ? std::move(branch.course.runs.front()) : std::move(branch.course.runs.back());
     const double begins = sense > 0 ? run.from : run.to;
     scale_ = branch.course.scale;
-    if (std::abs(begins - start) > kSamePlace * scale_) return std::nullopt;
+    if (std::abs(begins - start) > kSameRange * scale_) return std::nullopt;
     branch.end = sense > 0 ? run.to : run.from;
     branch.dyad = sense > 0 ? run.to_dyad : run.from_dyad;
     if (branch.dyad < 0 && !turns()) return std::nullopt;
@@ -116,7 +116,7 @@ class Circuit {
       flipped = -flipped;
       place = next->end;
       const bool is_back = sense < 0 && sides == first_sides;
-      if (is_back && std::abs(place - start) <= kSamePlace * scale_) {
+      if (is_back && std::abs(place - start) <= kSameRange * scale_) {
         const bool came_round = !travel_.slides && std::abs(value) > 1;
         return came_round ? CircuitRange{kTurn, true} : result(greatest - least);
       }

@@ -13,7 +13,7 @@ namespace cognate {
 namespace {
 
 /// Parts of the scale of the drive: places closer than this are one.
-constexpr double kSamePlace = 1e-7;
+constexpr double kSameLimit = 1e-7;
 /// An output slower than this part of what it might be stands still.
 constexpr double kStanding = 1e-11;
 
@@ -89,7 +89,7 @@ class Collector {
 
   void add_limit(double drive, double reference) {
     for (const OutputValue& limit : range_.limits) {
-      if (std::abs(limit.drive - drive) <= kSamePlace * motion_.course().scale) return;
+      if (std::abs(limit.drive - drive) <= kSameLimit * motion_.course().scale) return;
     }
     if (!motion_.move_to(drive)) return;
     const OutputValue limit{drive, value_near(reference)};
@@ -134,7 +134,7 @@ class Collector {
     if (course.end < course.start) std::ranges::reverse(limits);
     const bool turns = !std::holds_alternative<DrivingSlider<double>>(motion_.mechanism().drive);
     if (turns && limits.size() > 1 &&
-        std::abs(std::abs(limits.back().drive - limits.front().drive) - kTurn) < kSamePlace) {
+        std::abs(std::abs(limits.back().drive - limits.front().drive) - kTurn) < kSameLimit) {
       limits.pop_back();
     }
   }
@@ -150,7 +150,7 @@ class Collector {
 /// Whether `limits` holds the place `at`, but for whole turns.
 bool is_limit(const std::vector<OutputValue>& limits, const OutputValue& at) {
   return std::ranges::any_of(limits, [&](const OutputValue& limit) {
-    return std::abs(std::remainder(limit.drive - at.drive, kTurn)) <= kSamePlace;
+    return std::abs(std::remainder(limit.drive - at.drive, kTurn)) <= kSameLimit;
   });
 }
 

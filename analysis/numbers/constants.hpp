@@ -11,6 +11,7 @@ inline constexpr double kTurn = 2 * kPi;  ///< a whole turn in radians
 inline constexpr double kRightAngle = kPi / 2;
 inline constexpr double kDegree = kPi / 180;           ///< a degree in radians
 inline constexpr double kDegreesInRadian = 180 / kPi;  ///< a radian in degrees
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

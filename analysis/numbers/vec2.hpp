@@ -65,4 +65,13 @@ inline double norm(const Vec2d& a) {
   return std::hypot(a.x, a.y);
 }
 
+/// |x| + |y|.
+inline double norm1(const Vec2d& a) {
+  return std::abs(a.x) + std::abs(a.y);
+}
+
+inline bool is_finite(const Vec2d& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y);
+}
+
 }  // namespace cognate

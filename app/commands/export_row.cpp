@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 /// NAME of NAME.study.db.
-std::string stem_of(const fs::path& file) {
+std::string study_stem_of(const fs::path& file) {
   const fs::path stem = file.stem();
   return stem.extension() == ".study" ? stem.stem().string() : stem.string();
 }
@@ -78,7 +78,7 @@ ExitStatus export_row_command(const fs::path& file, std::int64_t row, const Opti
   const auto text = text_of(file, row);
   if (!text) return complain_that(text.error());
   const fs::path folder = options.out.value_or(".");
-  const auto name = fmt::format("{}.{}.toml", stem_of(file), row);
+  const auto name = fmt::format("{}.{}.toml", study_stem_of(file), row);
   auto written = prepare_folder(folder, {name});
   if (written) written = write_file(folder / name, *text);
   if (!written) return complain_that(written.error());

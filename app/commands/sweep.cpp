@@ -45,7 +45,7 @@ struct Sweep {
   fs::path path(const char* ending) const { return folder / (stem + ending); }
 };
 
-ExitStatus complain_that(const std::string& what) {
+ExitStatus refuse_study(const std::string& what) {
   complain(what);
   return exit_bad_input;
 }
@@ -109,7 +109,7 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
     const auto rows = report_rows(database.connection(), sweep.study, kReportedRows);
     const auto written =
         write_file(sweep.path(".report.html"), study_report_html(document, sweep.study, rows));
-    if (!written) return complain_that(written.error());
+    if (!written) return refuse_study(written.error());
   }
   say_end(sweep, summary);
   std::string text;
@@ -144,15 +144,15 @@ ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_vie
     }
   }
   if (!processes.agree(database.has_value(), input)) {
-    return fault.empty() ? exit_bad_input : complain_that(fault);
+    return fault.empty() ? exit_bad_input : refuse_study(fault);
   }
   try {
     auto summary = run(sweep, *database, processes);
     return report(sweep, *database, summary);
   } catch (const StudyFileError& error) {
-    return complain_that(error.what());
+    return refuse_study(error.what());
   } catch (const SqliteError& error) {
-    return complain_that(
+    return refuse_study(
         fmt::format("cannot read '{}': {}", database->file().string(), error.what()));
   }
 }

@@ -15,9 +15,9 @@ using cam::Closure;
 using problems::CamDesign;
 using problems::CamProblem;
 
-constexpr double kDefaultTolerance = 1e-4;  // of the base radius
-constexpr double kLeastTolerance = 1e-9;    // as many points as can be handled
-constexpr double kGreatestCutter = 1e6;     // of the base radius
+constexpr double kDefaultCamTolerance = 1e-4;  // of the base radius
+constexpr double kLeastCamTolerance = 1e-9;    // as many points as can be handled
+constexpr double kGreatestCutter = 1e6;        // of the base radius
 constexpr std::size_t kMostPoints = 2'000'000;
 
 /// A curve parallel to the one that the follower gives.
@@ -60,7 +60,7 @@ std::optional<std::string> gouging(const CamProblem& problem, const cam::Cam& ca
 }
 
 /// Why the order is not possible for this cam; empty where it is.
-std::optional<std::string> refusal(const CamProblem& problem, const CamDesign& design,
+std::optional<std::string> refused_cam(const CamProblem& problem, const CamDesign& design,
                                    const DrawingOrder& order) {
   const auto& follower = design.cam.system.follower;
   if (order.kind == ExportedCurve::pitch && follower.dimensions.roller_radius == 0) {
@@ -68,12 +68,12 @@ std::optional<std::string> refusal(const CamProblem& problem, const CamDesign& d
            "or cutter";
   }
   const double size = follower.dimensions.base_radius;
-  const double tolerance = order.chord_tolerance.value_or(kDefaultTolerance * size);
-  if (!(tolerance >= kLeastTolerance * size && tolerance <= size)) {
+  const double tolerance = order.chord_tolerance.value_or(kDefaultCamTolerance * size);
+  if (!(tolerance >= kLeastCamTolerance * size && tolerance <= size)) {
     return fmt::format(
         "--chord-tolerance: {} is not possible for a base radius of {}; allowed is a length from "
         "{:.3g} to {:.6g}",
-        tolerance, size, kLeastTolerance * size, size);
+        tolerance, size, kLeastCamTolerance * size, size);
   }
   if (order.kind != ExportedCurve::cutter) return std::nullopt;
   if (*order.cutter_radius > kGreatestCutter * size) {
@@ -146,11 +146,11 @@ class DrawingMaker {
 tl::expected<CamDrawing, std::string> cam_drawing(const CamProblem& problem,
                                                   const CamDesign& design,
                                                   const DrawingOrder& order) {
-  if (const auto why = refusal(problem, design, order)) return tl::unexpected(*why);
+  if (const auto why = refused_cam(problem, design, order)) return tl::unexpected(*why);
   const auto& follower = design.cam.system.follower;
   DrawingMaker maker(
       problem, order,
-      order.chord_tolerance.value_or(kDefaultTolerance * follower.dimensions.base_radius));
+      order.chord_tolerance.value_or(kDefaultCamTolerance * follower.dimensions.base_radius));
   maker.add(design.cam, design.second ? "cam-1" : "", false);
   // The second roller of a translating follower is below the shaft; a swinging one has its pivot
   // where the first has it.

@@ -4,7 +4,7 @@ namespace cognate::app {
 namespace {
 
 /// Half a line of the mark at the cam's centre, as a share of the reach.
-constexpr double kCentreMark = 0.04;
+constexpr double kCamCentreMark = 0.04;
 
 const char* layer_of(ExportedCurve kind) {
   switch (kind) {
@@ -41,7 +41,7 @@ Plan cam_plan(const CamDrawing& drawing, const std::string& title) {
     plan.outlines.push_back(outline_of(curve, layer));
     if (curve.base_radius > 0) plan.circles.push_back({"BASE_CIRCLE", {}, curve.base_radius});
   }
-  const double arm = kCentreMark * reach;
+  const double arm = kCamCentreMark * reach;
   plan.outlines.push_back(plan_line("CENTRE", {-arm, 0}, {arm, 0}));
   plan.outlines.push_back(plan_line("CENTRE", {0, -arm}, {0, arm}));
   return plan;

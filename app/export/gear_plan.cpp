@@ -17,8 +17,8 @@ namespace {
 using gear::OutlinePart;
 using nlohmann::ordered_json;
 
-constexpr double kDefaultTolerance = 1e-3;  // of the module
-constexpr double kLeastTolerance = 1e-5, kGreatestTolerance = 0.1;
+constexpr double kDefaultGearTolerance = 1e-3;  // of the module
+constexpr double kLeastGearTolerance = 1e-5, kGreatestTolerance = 0.1;
 constexpr double kCentreMark = 0.1;  // half a line of it, of the root radius
 
 const char* name_of(OutlinePart part) {
@@ -88,12 +88,12 @@ void add_gear(const DrawnGear& drawn, Plan& plan) {
 tl::expected<GearDrawing, std::string> gear_drawing(const ResultGears& given,
                                                     std::optional<double> chord_tolerance) {
   const double module = given.gears.front().section.module;
-  const double tolerance = chord_tolerance.value_or(kDefaultTolerance * module);
-  if (!(tolerance >= kLeastTolerance * module && tolerance <= kGreatestTolerance * module)) {
+  const double tolerance = chord_tolerance.value_or(kDefaultGearTolerance * module);
+  if (!(tolerance >= kLeastGearTolerance * module && tolerance <= kGreatestTolerance * module)) {
     return tl::unexpected(
         fmt::format("--chord-tolerance: {} is not possible for a module of {:.6g}; allowed is a "
                     "length from {:.3g} to {:.6g}",
-                    tolerance, module, kLeastTolerance * module, kGreatestTolerance * module));
+                    tolerance, module, kLeastGearTolerance * module, kGreatestTolerance * module));
   }
   GearDrawing drawing{given.title, tolerance, {}};
   for (const auto& gear : given.gears) drawing.gears.push_back(drawn(gear, tolerance));

@@ -20,7 +20,7 @@ using problems::AnalysisResult;
 
 /// Rows and values of the table that a page holds at most: curves are some hundred pixels wide, and
 /// a value takes about ten characters.
-constexpr std::size_t kRows = 721, kCells = 70'000;
+constexpr std::size_t kAnalysisRows = 721, kAnalysisCells = 70'000;
 
 /// Whether the last position of the drive is the first one again.
 bool comes_round(const AnalysisProblem& problem) {
@@ -40,7 +40,7 @@ ordered_json moved_drive(const AnalysisProblem& problem) {
 
 /// The rows' drive coordinates, and each column's values in them.
 ordered_json table_json(const AnalysisProblem& problem, const AnalysisResult& result) {
-  const auto rows = drawn_rows(result.columns, kRows, kCells);
+  const auto rows = drawn_rows(result.columns, kAnalysisRows, kAnalysisCells);
   const double unit = drive_unit(problem.mechanism);
   const double steps = std::max(1, problem.drive.steps);
   ordered_json drive = ordered_json::array(), columns = ordered_json::array();

@@ -20,7 +20,7 @@ using problems::CamProblem;
 using problems::CamResult;
 
 /// Segments and jumps that a table on a page holds at most.
-constexpr std::size_t kRows = 400;
+constexpr std::size_t kCamRows = 400;
 
 ordered_json optional_json(const std::optional<double>& value, double unit = 1) {
   return value ? drawn(unit * *value) : ordered_json(nullptr);
@@ -54,7 +54,7 @@ ordered_json segments_json(const CamDesign& design,
   const bool swings = is_oscillating(design.cam.system.follower.type);
   ordered_json list = ordered_json::array();
   double from = 0;
-  for (std::size_t i = 0; i < std::min(kRows, design.motion.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kCamRows, design.motion.size()); ++i) {
     const cam::MotionSegment& segment = design.motion[i];
     list.push_back({{"law", problems::to_string(segment.law)},
                     {"from_deg", drawn(kDegreesInRadian * from)},
@@ -82,7 +82,7 @@ const char* name_of(cam::Stroke stroke) {
 ordered_json strokes_json(const cam::MotionProgramme& programme) {
   const auto strokes = cam_strokes(programme);
   ordered_json list = ordered_json::array();
-  if (strokes.size() > kRows) return list;
+  if (strokes.size() > kCamRows) return list;
   for (const CamStroke& stroke : strokes) {
     list.push_back({{"from_deg", drawn(kDegreesInRadian * stroke.from)},
                     {"to_deg", drawn(kDegreesInRadian * stroke.to)},
@@ -106,7 +106,7 @@ ordered_json proof_json(const std::optional<problems::SizeProof>& proof) {
 
 ordered_json jumps_json(const CamResult& result) {
   ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < std::min(kRows, result.jumps.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kCamRows, result.jumps.size()); ++i) {
     const cam::Jump& jump = result.jumps[i];
     list.push_back({{"deg", drawn(kDegreesInRadian * jump.angle)},
                     {"order", jump.order},

@@ -49,7 +49,7 @@ ordered_json mechanism_motion(const Design& design, int samples) {
   return table;
 }
 
-ordered_json pair_json(const Vec2d& point) {
+ordered_json drawn_point(const Vec2d& point) {
   return ordered_json::array({drawn(point.x), drawn(point.y)});
 }
 
@@ -75,7 +75,7 @@ ordered_json outline_json(const Design& design, const GuidedBody& guided) {
     corners.insert(corners.end(), outline.begin(), outline.end());
   }
   ordered_json list = ordered_json::array();
-  for (const Vec2d& corner : convex_hull(corners, 0)) list.push_back(pair_json(corner));
+  for (const Vec2d& corner : convex_hull(corners, 0)) list.push_back(drawn_point(corner));
   return list;
 }
 

@@ -32,7 +32,7 @@ std::size_t point_count(std::span<const problems::Locus> loci) {
 }
 
 /// Null where a point is not finite: there the curve has a gap.
-ordered_json drawn_point(const Vec2d& point) {
+ordered_json point_or_gap(const Vec2d& point) {
   const ordered_json x = drawn(point.x), y = drawn(point.y);
   if (x.is_null() || y.is_null()) return nullptr;
   return ordered_json::array({x, y});
@@ -51,7 +51,7 @@ ordered_json drawn_loci(std::span<const problems::Locus> loci) {
           32, static_cast<std::size_t>(share * static_cast<double>(branch.size())));
       ordered_json points = ordered_json::array();
       for (const std::size_t i : thinned(branch.size(), most))
-        points.push_back(drawn_point(branch[i]));
+        points.push_back(point_or_gap(branch[i]));
       branches.push_back(points);
     }
     list.push_back({{"name", locus.name}, {"branches", branches}});

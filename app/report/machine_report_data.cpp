@@ -17,10 +17,10 @@ using problems::MachineProblem;
 using problems::MachineResult;
 
 /// Rows and values of the table of a motion that a page holds at most.
-constexpr std::size_t kRows = 721, kCells = 40'000;
+constexpr std::size_t kMachineRows = 721, kMachineCells = 40'000;
 
 ordered_json motion_json(const MachineMotion& motion) {
-  const auto rows = drawn_rows(motion.columns, kRows, kCells);
+  const auto rows = drawn_rows(motion.columns, kMachineRows, kMachineCells);
   ordered_json columns = ordered_json::array();
   for (const problems::Column& column : motion.columns) {
     ordered_json values = ordered_json::array();

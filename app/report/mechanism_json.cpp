@@ -26,7 +26,7 @@ int sample_count(const AnalysisProblem& problem) {
   return std::clamp(kNumbers / (3 * bodies), kFewestSamples, kMostSamples);
 }
 
-ordered_json pair_json(const Vec2d& v) {
+ordered_json vector_json(const Vec2d& v) {
   return {drawn(v.x), drawn(v.y)};
 }
 
@@ -40,8 +40,9 @@ ordered_json track_json(const std::vector<double>& values, double unit) {
 
 ordered_json shape_json(const BodyShape& shape) {
   ordered_json outline = ordered_json::array(), rails = outline;
-  for (const Vec2d& corner : shape.outline) outline.push_back(pair_json(corner));
-  for (const Rail& rail : shape.rails) rails.push_back({pair_json(rail.from), pair_json(rail.to)});
+  for (const Vec2d& corner : shape.outline) outline.push_back(vector_json(corner));
+  for (const Rail& rail : shape.rails)
+    rails.push_back({vector_json(rail.from), vector_json(rail.to)});
   return {{"outline", outline}, {"rails", rails}, {"block", shape.block}};
 }
 
@@ -64,7 +65,7 @@ ordered_json bodies_json(const NamedMechanism& mechanism, const MechanismPoses& 
 }
 
 ordered_json place_json(const Attached<double>& place) {
-  return {{"body", place.body}, {"at", pair_json(place.at)}};
+  return {{"body", place.body}, {"at", vector_json(place.at)}};
 }
 
 ordered_json pins_json(const MechanismShapes& shapes) {

@@ -24,7 +24,7 @@ ordered_json point_json(const Vec2d& point) {
   return {point.x, point.y};
 }
 
-ordered_json drawn_degrees(const std::vector<double>& angles) {
+ordered_json rounded_degrees(const std::vector<double>& angles) {
   ordered_json list = ordered_json::array();
   for (const double angle : angles) {
     list.push_back(round_to_digits(kDegreesInRadian * angle, kDrawnDigits));
@@ -36,8 +36,8 @@ ordered_json trace_json(const FunctionTrace& trace) {
   ordered_json x = ordered_json::array();
   for (const double value : trace.x) x.push_back(round_to_digits(value, kDrawnDigits));
   return {{"x", trace.x.empty() ? ordered_json(nullptr) : x},
-          {"crank_deg", drawn_degrees(trace.crank)},
-          {"error_deg", drawn_degrees(trace.error)}};
+          {"crank_deg", rounded_degrees(trace.crank)},
+          {"error_deg", rounded_degrees(trace.error)}};
 }
 
 ordered_json poses_json(const std::vector<synthesis::Pose>& poses) {

@@ -20,8 +20,8 @@ using problems::Cell;
 using problems::Study;
 
 /// What a page bears that is to open at once.
-constexpr std::size_t kRows = 5'000;
-constexpr std::size_t kCells = 80'000;
+constexpr std::size_t kStudyRows = 5'000;
+constexpr std::size_t kStudyCells = 80'000;
 constexpr std::size_t kBaseText = 200'000;
 /// A column of at most this many different numbers is written as these and an index for each row.
 constexpr std::size_t kLevels = 64;
@@ -107,7 +107,7 @@ class Columns {
   static void describe(const problems::StudyVariable& variable, ordered_json& column) {
     if (variable.logarithmic) column["log"] = true;
     if (variable.range) column["range"] = {variable.range->min, variable.range->max};
-    if (!variable.values.empty() && variable.values.size() <= kRows) {
+    if (!variable.values.empty() && variable.values.size() <= kStudyRows) {
       column["grid"] = variable.values;
     }
   }
@@ -156,7 +156,8 @@ ordered_json base_pieces(const Study& study) {
 
 std::vector<std::size_t> drawn_study_rows(const StudyRows& rows) {
   const std::size_t count = rows.ids.size();
-  const std::size_t room = std::min(kRows, kCells / std::max<std::size_t>(1, rows.columns.size()));
+  const std::size_t room =
+      std::min(kStudyRows, kStudyCells / std::max<std::size_t>(1, rows.columns.size()));
   std::vector<std::size_t> best, others;
   for (std::size_t i = 0; i < count; ++i) (rows.best[i] ? best : others).push_back(i);
   const auto thin = [](std::vector<std::size_t>& list, std::size_t wanted) {

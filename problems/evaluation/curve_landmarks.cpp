@@ -15,9 +15,9 @@ namespace {
 constexpr int kCoupler = 2;
 
 /// The drive's positions at which a motion takes a position of its linkage.
-class Passages {
+class LandmarkPassages {
  public:
-  explicit Passages(const Course& course) : course_(course) {}
+  explicit LandmarkPassages(const Course& course) : course_(course) {}
 
   std::vector<double> of(const CrankPosition& position) const {
     const auto [low, high] = std::minmax(course_.start, course_.end);
@@ -91,7 +91,7 @@ class CurveLandmarks {
                                   : std::numeric_limits<double>::quiet_NaN();
   }
 
-  Passages passages_;
+  LandmarkPassages passages_;
   Travel travel_;
   FollowedMotion<0> motion_;
   std::vector<Landmark> all_;

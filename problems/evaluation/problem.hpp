@@ -60,4 +60,9 @@ struct AnalysisProblem {
   Vec2d gravity{};
 };
 
+/// Whether what drives the mechanism is a slider rather than a crank.
+inline bool drive_slides(const AnalysisProblem& problem) {
+  return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
+}
+
 }  // namespace cognate::problems

@@ -10,11 +10,11 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kDegree = 24;
+constexpr int kPolynomialDegree = 24;
 constexpr int kWindows = 14;
 constexpr double kShrink = 0.7;
 
-using Coefficients = std::array<double, kDegree + 1>;
+using Coefficients = std::array<double, kPolynomialDegree + 1>;
 
 /// The part of the domain about x, `width` wide, moved inwards where it would leave the domain.
 Range window_about(double x, const Range& domain, double width) {
@@ -26,18 +26,19 @@ Range window_about(double x, const Range& domain, double width) {
 Coefficients interpolant(const std::function<double(double)>& f, const Range& window) {
   const double middle = 0.5 * (window.min + window.max), half = 0.5 * (window.max - window.min);
   Coefficients values{}, result{};
-  for (int j = 0; j <= kDegree; ++j) {
-    const double t = std::cos(kPi * j / kDegree);
+  for (int j = 0; j <= kPolynomialDegree; ++j) {
+    const double t = std::cos(kPi * j / kPolynomialDegree);
     values[j] = f(std::clamp(middle + half * t, window.min, window.max));
   }
-  for (int k = 0; k <= kDegree; ++k) {
+  for (int k = 0; k <= kPolynomialDegree; ++k) {
     double sum = 0;
-    for (int j = 0; j <= kDegree; ++j) {
-      const double end = j == 0 || j == kDegree ? 0.5 : 1;
+    for (int j = 0; j <= kPolynomialDegree; ++j) {
+      const double end = j == 0 || j == kPolynomialDegree ? 0.5 : 1;
       // The angle is reduced by whole turns before it is rounded.
-      sum += end * values[j] * std::cos(kPi * ((j * k) % (2 * kDegree)) / kDegree);
+      sum +=
+          end * values[j] * std::cos(kPi * ((j * k) % (2 * kPolynomialDegree)) / kPolynomialDegree);
     }
-    result[k] = sum * (k == 0 || k == kDegree ? 1.0 : 2.0) / kDegree;
+    result[k] = sum * (k == 0 || k == kPolynomialDegree ? 1.0 : 2.0) / kPolynomialDegree;
   }
   return result;
 }
@@ -45,8 +46,8 @@ Coefficients interpolant(const std::function<double(double)>& f, const Range& wi
 /// The coefficients of the derivative by t in [−1, 1].
 Coefficients slope(const Coefficients& c) {
   Coefficients d{};
-  for (int k = kDegree; k > 0; --k) {
-    const double above = k + 1 <= kDegree ? d[k + 1] : 0;
+  for (int k = kPolynomialDegree; k > 0; --k) {
+    const double above = k + 1 <= kPolynomialDegree ? d[k + 1] : 0;
     d[k - 1] = above + 2 * k * c[k];
   }
   d[0] *= 0.5;
@@ -55,7 +56,7 @@ Coefficients slope(const Coefficients& c) {
 
 double value(const Coefficients& c, double t) {
   double b1 = 0, b2 = 0;
-  for (int k = kDegree; k > 0; --k) {
+  for (int k = kPolynomialDegree; k > 0; --k) {
     const double b0 = 2 * t * b1 - b2 + c[k];
     b2 = b1;
     b1 = b0;
@@ -63,13 +64,13 @@ double value(const Coefficients& c, double t) {
   return t * b1 - b2 + c[0];
 }
 
-/// The degree behind which coefficients are rounding; kDegree where they do not fall so far, so
-/// that the polynomial is not the function.
+/// The degree behind which coefficients are rounding; kPolynomialDegree where they do not fall so
+/// far, so that the polynomial is not the function.
 int resolved_degree(const Coefficients& c) {
   double largest = 0;
   for (const double coefficient : c) largest = std::max(largest, std::abs(coefficient));
   const double noise = 8 * std::numeric_limits<double>::epsilon() * largest;
-  int degree = kDegree;
+  int degree = kPolynomialDegree;
   while (degree > 0 && std::abs(c[degree]) <= noise) --degree;
   return degree;
 }
@@ -97,9 +98,9 @@ std::vector<Derivative> in_window(const std::function<double(double)>& f, double
   const double t = std::clamp((x - window.min) / half - 1, -1.0, 1.0);
   Coefficients c = interpolant(f, window);
   const int degree = resolved_degree(c);
-  resolved = degree <= kDegree - 3;
+  resolved = degree <= kPolynomialDegree - 3;
   double change = 0;
-  for (int k = 1; k <= kDegree; ++k) {
+  for (int k = 1; k <= kPolynomialDegree; ++k) {
     if (k > degree) c[k] = 0;
     change = std::max(change, std::abs(c[k]));
   }

@@ -29,7 +29,7 @@ constexpr double kLeastStep = 1e-10;  ///< of a start angle, at which refinement
 constexpr int kMostMoves = 300;       ///< after which every further step is a shorter one
 
 /// Designs whose lengths agree so far are one.
-constexpr double kSameWithin = 1e-4;
+constexpr double kSameMember = 1e-4;
 
 /// A place in the family: the coordinates of the starts that are free, angles or the arctangents of
 /// displacements.
@@ -185,7 +185,7 @@ std::vector<Design> FamilySearch::distinct(std::vector<Candidate> candidates) co
   for (Candidate& candidate : candidates) {
     if (designs.size() == static_cast<std::size_t>(problem_.solve.designs)) break;
     const bool known = std::ranges::any_of(designs, [&](const Design& other) {
-      return same_lengths(other, candidate.design, kSameWithin);
+      return same_lengths(other, candidate.design, kSameMember);
     });
     if (!known) designs.push_back(std::move(candidate.design));
   }

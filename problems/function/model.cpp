@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/extreme_crank_angle.hpp"
@@ -19,10 +20,6 @@ constexpr std::array<const char*, 6> kNames{"crank", "coupler",     "rocker",
 /// How far solvers keep the transmission angle from 0 and 180°, in radians, where nothing else
 /// limits it: beyond rounding, so that what they find closes between the samples too.
 constexpr double kClosingMargin = 3e-7;
-
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 double typical_length(const std::array<Range, 4>& ranges) {
   double logarithm = 0;
@@ -58,7 +55,7 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
   transmission_ = limits_transmission ? *problem.constraints.transmission_angle
                                       : Range{kClosingMargin, kPi - kClosingMargin};
   if (!limits_transmission) limited_ = LimitedMotion::sweep;
-  for (const auto& pair : wanted.samples) half_input_.push_back(unit(0.5 * pair.input));
+  for (const auto& pair : wanted.samples) half_input_.push_back(unit_vector(0.5 * pair.input));
 }
 
 void FunctionModel::list_variables() {
@@ -161,7 +158,7 @@ bool FunctionModel::residuals(std::span<const double> x, std::span<double> r,
   L input_slope, output_slope;
   if (!set_start(g, input_slope, output_slope)) return false;
   const Closure<double> closure(g.links);
-  const Vec2d half_start = unit(0.5 * g.input_start);
+  const Vec2d half_start = unit_vector(0.5 * g.input_start);
   for (std::size_t i = 0; i < wanted_.samples.size(); ++i) {
     const auto crank = crank_direction(half_start * half_input_[i]);
     const auto at = closure.at(crank, sign(assembly_));

@@ -27,7 +27,7 @@ using synthesis::RespacingOutcome;
 using synthesis::RespacingTask;
 
 /// Linkages whose lengths agree to this, relative, have met at the same level peaks.
-constexpr double kSameWithin = 1e-6;
+constexpr double kSameSpacing = 1e-6;
 
 /// x as a share of the domain, as the input goes from `from` to `to`.
 double share_at(const RespacingTask& task, double input) {
@@ -53,7 +53,7 @@ GeneratingFourBar start_of(const Design& design) {
 }
 
 /// The file's scale: where it gives the frame instead of the crank, that is kept.
-Lengths<double> scaled(const Lengths<double>& links, const Given& given) {
+Lengths<double> to_file_scale(const Lengths<double>& links, const Given& given) {
   if (!given.frame || given.crank) return links;
   const double factor = *given.frame / links.frame;
   return {factor * links.crank, factor * links.coupler, factor * links.rocker, *given.frame};
@@ -63,7 +63,7 @@ Lengths<double> scaled(const Lengths<double>& links, const Given& given) {
 Design design_of(const FunctionProblem& problem, const FunctionSamples& wanted,
                  const RespacingTask& task, const Respacing& found, const std::string& origin) {
   FunctionGenerator generator;
-  generator.links = scaled(found.linkage.links, problem.given);
+  generator.links = to_file_scale(found.linkage.links, problem.given);
   generator.assembly = found.linkage.assembly;
   generator.input_start = found.linkage.input_start;
   generator.output_start = found.linkage.output_start;
@@ -117,7 +117,7 @@ bool same(const Respaced& a, const Respaced& b) {
   if (a.found.outcome != RespacingOutcome::level || b.found.outcome != a.found.outcome)
     return false;
   const Lengths<double> x = lengths(four_bar(a.design)), y = lengths(four_bar(b.design));
-  const auto near = [](double p, double q) { return std::abs(p - q) <= kSameWithin * (p + q); };
+  const auto near = [](double p, double q) { return std::abs(p - q) <= kSameSpacing * (p + q); };
   return near(x.coupler, y.coupler) && near(x.rocker, y.rocker) && near(x.frame, y.frame) &&
          near(a.found.greatest, b.found.greatest);
 }

@@ -30,7 +30,7 @@ constexpr std::size_t kFinished = 4;
 constexpr std::size_t kMinimaxReserve = 64;
 /// Starts of a round that are refined minimax, and how many must have come to the best to end it.
 constexpr std::size_t kTurnedRound = 32;
-constexpr int kEnoughHits = 5;
+constexpr int kEnoughBestHits = 5;
 /// Rounds in which peaks between the samples join them.
 constexpr int kExchangeRounds = 5;
 /// Generators closer than this in the logarithms of lengths and in angles are one minimum.
@@ -164,7 +164,7 @@ void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness&
                         kTurningIterations, turning_shares(done, starts.size()));
     std::ranges::move(round, std::back_inserter(all_));
     keep_best(kMinimaxReserve);
-    const bool known = !all_.empty() && all_.front().hits >= kEnoughHits &&
+    const bool known = !all_.empty() && all_.front().hits >= kEnoughBestHits &&
                        all_.front().violation <= kFunctionFeasibility;
     if (done == starts.size() || known) break;
     const std::size_t next = std::min(done + kTurnedRound, starts.size());

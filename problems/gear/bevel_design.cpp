@@ -18,10 +18,6 @@ bool is_external(const gear::BevelPair& pair) {
          gear::bevel_gear(pair, 1).cone_angle < kRightAngle;
 }
 
-void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  notes.insert(notes.end(), more.begin(), more.end());
-}
-
 class BevelDesign {
  public:
   explicit BevelDesign(const GearPairProblem& asked)

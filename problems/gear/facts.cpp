@@ -10,7 +10,6 @@
 namespace cognate::problems {
 namespace {
 
-using kPi;
 using gear::HelicalGear;
 using gear::SpurGear;
 
@@ -34,7 +33,7 @@ double pin_radius(const HelicalGear& gear, double diameter) {
   const SpurGear section = gear::transverse(gear);
   const double alpha = normal.rack.pressure_angle, z = normal.teeth;
   const double space =
-      0.5 * pi - 2 * normal.profile_shift * std::tan(alpha) + normal.thinning / normal.module;
+      0.5 * kPi - 2 * normal.profile_shift * std::tan(alpha) + normal.thinning / normal.module;
   const double inv = gear::involute(section.rack.pressure_angle) +
                      diameter / (normal.module * z * std::cos(alpha)) - space / z;
   return inv > 0 ? gear::base_radius(section) / std::cos(gear::involute_angle(inv)) : NAN;
@@ -133,12 +132,12 @@ std::optional<SpanMeasurement> span_measurement(const HelicalGear& gear) {
   const double inv = gear::involute(section.rack.pressure_angle);
   const double base_helix = gear::base_helix(gear);
   const double cosine = std::cos(base_helix);
-  const double count = (z * (roll / (cosine * cosine) - inv) - thicker) / pi + 0.5;
+  const double count = (z * (roll / (cosine * cosine) - inv) - thicker) / kPi + 0.5;
   const int middle = static_cast<int>(std::clamp(std::round(count), 1.0, std::max(1.0, z - 1)));
   for (const int teeth : {middle, middle + 1, middle - 1}) {
     if (teeth < 1 || teeth >= z) continue;
     const double length =
-        normal.module * std::cos(alpha) * (pi * (teeth - 0.5) + z * inv + thicker) -
+        normal.module * std::cos(alpha) * (kPi * (teeth - 0.5) + z * inv + thicker) -
         normal.thinning * std::cos(alpha);
     const bool has_width =
         gear.face_width == 0 || gear.face_width > length * std::abs(std::sin(base_helix));
@@ -150,7 +149,7 @@ std::optional<SpanMeasurement> span_measurement(const HelicalGear& gear) {
 double measurement_over_pins(const HelicalGear& gear, double diameter) {
   const double across = 2 * pin_radius(gear, diameter);
   const double z = gear.normal.teeth;
-  return across * (is_odd(z) ? std::cos(pi / (2 * z)) : 1) + diameter;
+  return across * (is_odd(z) ? std::cos(kPi / (2 * z)) : 1) + diameter;
 }
 
 bool pins_can_be_measured(const HelicalGear& gear, double diameter) {
@@ -163,9 +162,9 @@ bool pins_can_be_measured(const HelicalGear& gear, double diameter) {
   if (centre - 0.5 * diameter < gear::root_radius(section)) return false;
   // Along the line from pin to pin, or for an odd number of teeth beside it.
   const double z = section.teeth, tip = gear::flank_end_radius(section);
-  const double anvil = centre * (is_odd(z) ? std::cos(pi / (2 * z)) : 1) + 0.5 * diameter;
+  const double anvil = centre * (is_odd(z) ? std::cos(kPi / (2 * z)) : 1) + 0.5 * diameter;
   const double half_tip = std::max(0.0, 0.5 * gear::tooth_thickness(section, tip) / tip);
-  const double aside = std::max(0.0, (is_odd(z) ? 0.5 : 1) * pi / z - half_tip);
+  const double aside = std::max(0.0, (is_odd(z) ? 0.5 : 1) * kPi / z - half_tip);
   return anvil > tip * std::cos(aside);
 }
 

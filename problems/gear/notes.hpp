@@ -22,6 +22,11 @@ std::string undercut_note(const gear::SpurGear& section, double needed_shift,
 std::string undercut_note_of_cone(const gear::SpurGear& section, double cosine,
                                   const std::string& name);
 
+/// Adds `more` to `notes`.
+inline void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
 /// `note`, if any, and where it `is_allowed` that `key` is what allows it.
 std::string allowed(const std::string& note, bool is_allowed, const char* key);
 

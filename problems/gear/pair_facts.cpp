@@ -9,9 +9,9 @@
 namespace cognate::problems {
 namespace {
 
-class Facts {
+class PairFacts {
  public:
-  Facts(const GearPairDesign& design, const std::optional<gear::PairGeometry>& mesh)
+  PairFacts(const GearPairDesign& design, const std::optional<gear::PairGeometry>& mesh)
       : design_(design), settled_(design.settled), mesh_(mesh) {}
 
   std::vector<Fact> all() && {
@@ -79,7 +79,7 @@ class Facts {
 
 std::vector<Fact> cylindrical_facts(const GearPairDesign& design,
                                     const std::optional<gear::PairGeometry>& mesh) {
-  return Facts(design, mesh).all();
+  return PairFacts(design, mesh).all();
 }
 
 void append(std::vector<Fact>& facts, const std::vector<Fact>& of) {

@@ -10,8 +10,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kTeethKey = "teeth", kHelixKey = "helix_deg", kShift = "profile_shift",
-                           kReduction = "tip_reduction", kTipRadius = "tip_radius";
+constexpr std::string_view kHelixKey = "helix_deg", kTipRadius = "tip_radius";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are told by the pair that they are one of.

@@ -10,9 +10,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kTeethKey = "teeth", kModule = "module", kShift = "profile_shift",
-                           kDistance = "centre_distance", kBacklashKey = "backlash",
-                           kReduction = "tip_reduction", kFace = "face_width",
+constexpr std::string_view kBacklashKey = "backlash", kFace = "face_width",
                            kShaft = "shaft_angle_deg", kFree = "free";
 
 /// So many that a search of all of them ends.

@@ -9,8 +9,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kTeethKey = "teeth", kModule = "module", kModulesKey = "modules",
-                           kShift = "profile_shift", kDistance = "centre_distance";
+constexpr std::string_view kModulesKey = "modules";
 
 constexpr std::size_t kMostModules = 50;
 /// So many combinations of teeth and modules that trying all of them takes less than a minute.
@@ -30,7 +29,7 @@ void want_either(TableReader& mechanism, std::string_view key, TableReader& boun
                                    bounds.name(bound), form));
 }
 
-void read_teeth(TableReader& bounds, GearPairProblem& problem) {
+void read_teeth_ranges(TableReader& bounds, GearPairProblem& problem) {
   const auto ranges = bounds.twos(kTeethKey, kTeeth, "[[min, max], [min, max]]", {2, 2, "ranges"});
   if (!ranges) return;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -78,7 +77,7 @@ void check_count(TableReader& bounds, const GearPairProblem& problem) {
 }  // namespace
 
 void read_gear_pair_bounds(TableReader& mechanism, TableReader& bounds, GearPairProblem& problem) {
-  read_teeth(bounds, problem);
+  read_teeth_ranges(bounds, problem);
   read_modules(bounds, problem);
   read_shifts(mechanism, bounds, problem);
   const auto distances = bounds.range(kDistance, kDistanceLimit);

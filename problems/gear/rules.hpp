@@ -6,6 +6,9 @@
 
 namespace cognate::problems::reading {
 
+inline constexpr std::string_view kTeethKey = "teeth", kModule = "module", kShift = "profile_shift",
+                                  kDistance = "centre_distance", kReduction = "tip_reduction";
+
 constexpr bool is_whole_number(double x) {
   return x == static_cast<double>(static_cast<int>(x));
 }

@@ -156,10 +156,6 @@ std::optional<GearPairDesign> given_design(const GearPairProblem& problem) {
   return cylindrical_design(problem, found->numbers, "given");
 }
 
-void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  notes.insert(notes.end(), more.begin(), more.end());
-}
-
 std::vector<std::string> notes_of(const GearPairDesign& design) {
   switch (design.settled.gearing) {
     case Gearing::bevel:

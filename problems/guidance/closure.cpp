@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
@@ -10,10 +11,6 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
-
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 /// A range of a cosine and the direction from which its angle counts.
 struct CosineRange {
@@ -36,7 +33,7 @@ CosineRange cosine_range(DyadKind kind, const GuidingDyad& crank, const SecondDy
     return within(crank.length, Vec2d{second[2], second[3]} - crank.fixed,
                   std::abs(coupler - rocker), coupler + rocker);
   }
-  const Vec2d n = unit(second[2]);
+  const Vec2d n = unit_vector(second[2]);
   if (kind == DyadKind::pr) {
     const double away = second[3] - dot(n, crank.fixed), reach = norm(point - crank.in_body);
     return {second[2], (away - reach) / crank.length, (away + reach) / crank.length};
@@ -70,7 +67,7 @@ GuidingDyad guiding_dyad(DyadKind kind, const SecondDyad& second, const Pose& fi
   const Vec2d at{second[0], second[1]};
   const Vec2d moving = to_frame(first, at);
   if (kind == DyadKind::rr) return {kind, at, moving, {second[2], second[3]}, {1, 0}, second[4]};
-  const Vec2d normal = unit(second[2]);
+  const Vec2d normal = unit_vector(second[2]);
   if (kind == DyadKind::pr) {
     return {kind, at, moving, on_line(moving, normal, second[3]), -perp(normal)};
   }
@@ -95,7 +92,7 @@ TurnCondition turn_condition(DyadKind kind, const SecondDyad& second, const Vec2
     const double length = second[4];
     return {conj(away) * m, 0.5 * (length * length - squared_norm(away) - squared_norm(m))};
   }
-  const Vec2d n = unit(second[2]);
+  const Vec2d n = unit_vector(second[2]);
   if (kind == DyadKind::pr) return {conj(n) * (point - first), second[3] - dot(n, pin)};
   return {n * conj(point - pin), second[3] - dot(n, first)};
 }
@@ -109,7 +106,7 @@ TurnSlopes turn_slopes(DyadKind kind, const SecondDyad& second, const Vec2d& fir
     return {
         dot(link, perp(arm)), link, -in_body, {in_body.x, in_body.y, -link.x, -link.y, -second[4]}};
   }
-  const Vec2d n = unit(second[2]);
+  const Vec2d n = unit_vector(second[2]);
   if (kind == DyadKind::pr) {
     const Vec2d arm = turn * (point - first), in_body = conj(turn) * n;
     return {dot(n, perp(arm)), n, -in_body, {in_body.x, in_body.y, dot(perp(n), pin + arm), -1, 0}};

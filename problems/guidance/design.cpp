@@ -26,10 +26,6 @@ using synthesis::Pose;
 constexpr double kSizePenalty = 0.1;
 constexpr double kAtPoses = 0.1;
 
-double angle_of(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
-
 SlideDescription slide(const Guide<double>& guide) {
   return {guide.through, angle_of(guide.direction), guide.offset, "frame"};
 }

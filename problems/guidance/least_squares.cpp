@@ -45,7 +45,7 @@ bool is_same(const DyadPair& a, const DyadPair& b, double size) {
          (is_same(a.first, b.second, size) && is_same(a.second, b.first, size));
 }
 
-struct Candidate {
+struct StartDesign {
   DyadPair pair;
   Design design;
   double violation = 0;
@@ -66,7 +66,7 @@ class Designs {
     if (!best) return;
     auto& list = best->violation > 0 ? violating_ : feasible_;
     const bool known = std::ranges::any_of(
-        list, [&](const Candidate& other) { return is_same(other.pair, best->pair, size_); });
+        list, [&](const StartDesign& other) { return is_same(other.pair, best->pair, size_); });
     if (!known) list.push_back(std::move(*best));
   }
 
@@ -76,17 +76,17 @@ class Designs {
   std::vector<Design> take() {
     auto& all = feasible_.empty() ? violating_ : feasible_;
     // Several searches may have added to them.
-    std::ranges::stable_sort(all, {}, [](const Candidate& c) {
+    std::ranges::stable_sort(all, {}, [](const StartDesign& c) {
       return std::pair(c.violation, c.design.error.sum_of_squares);
     });
-    const auto exact = std::stable_partition(all.begin(), all.end(), [&](const Candidate& c) {
+    const auto exact = std::stable_partition(all.begin(), all.end(), [&](const StartDesign& c) {
       return c.design.error.sum_of_squares <= kMetExactly * size_ * size_;
     });
-    std::stable_sort(all.begin(), exact, [](const Candidate& a, const Candidate& b) {
+    std::stable_sort(all.begin(), exact, [](const StartDesign& a, const StartDesign& b) {
       return a.design.metrics.transmission_acute_min > b.design.metrics.transmission_acute_min;
     });
     std::vector<Design> designs;
-    for (Candidate& candidate : all) {
+    for (StartDesign& candidate : all) {
       if (std::ssize(designs) == problem_.solve.designs) break;
       designs.push_back(std::move(candidate.design));
     }
@@ -94,23 +94,23 @@ class Designs {
   }
 
  private:
-  static bool is_better(const Candidate& a, const Candidate& b) {
+  static bool is_better(const StartDesign& a, const StartDesign& b) {
     if (a.violation != b.violation) return a.violation < b.violation;
     return a.design.metrics.transmission_acute_min > b.design.metrics.transmission_acute_min;
   }
 
-  std::optional<Candidate> candidate(const DyadPair& pair, const std::vector<Pose>& reached,
-                                     const std::string& origin) const {
+  std::optional<StartDesign> candidate(const DyadPair& pair, const std::vector<Pose>& reached,
+                                       const std::string& origin) const {
     auto design = nearest_design(problem_, pair, reached, origin);
     if (!design || !std::isfinite(design->error.sum_of_squares)) return std::nullopt;
     check_error(problem_, *design);
     const double amount = violation(design->constraints);
-    return Candidate{pair, std::move(*design), amount};
+    return StartDesign{pair, std::move(*design), amount};
   }
 
   const MotionProblem& problem_;
   double size_;
-  std::vector<Candidate> feasible_, violating_;
+  std::vector<StartDesign> feasible_, violating_;
 };
 
 Status status_of(const Deadline& deadline, bool ended_early, const Designs& designs,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
 
@@ -22,14 +23,6 @@ constexpr double kShortestLink = 1e-6;
 /// Where the dimensions of the two dyads begin; a point is two of them.
 constexpr int kMoving1 = 0, kFixed1 = 2, kLength1 = 4, kSecond = 5;
 constexpr int kMoving2 = kSecond, kFixed2 = kSecond + 2, kLength2 = kSecond + 4;
-
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
-
-double angle_of(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
 
 SecondDyad second_of(const std::array<double, MotionModel::dimensions>& v) {
   SecondDyad second;
@@ -66,7 +59,7 @@ MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
   for (const Pose& pose : problem.poses) {
     const Vec2d pin = to_frame(pose, pair.first.in_body);
     const auto condition = turn_condition(form.second, second, pair.first.in_body, pin);
-    form.sides.push_back(cross(conj(condition.k), unit(pose.angle)) < 0 ? -1 : 1);
+    form.sides.push_back(cross(conj(condition.k), unit_vector(pose.angle)) < 0 ? -1 : 1);
     sum += form.sides.back();
   }
   if (problem.constraints.no_branch_defect || problem.constraints.no_circuit_defect) {
@@ -227,7 +220,7 @@ MotionModel::Full MotionModel::full(std::span<const double> x) const {
 
 std::optional<MotionModel::Station> MotionModel::station(const Full& v, std::size_t pose,
                                                          double crank_angle) const {
-  const Vec2d crank = unit(crank_angle);
+  const Vec2d crank = unit_vector(crank_angle);
   const Vec2d pin = point(v, kFixed1) + v[kLength1] * crank;
   const auto condition = turn_condition(form_.second, second_of(v), point(v, kMoving1), pin);
   if (!(condition.discriminant() > 0)) return std::nullopt;
@@ -249,7 +242,7 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
     const Vec2d miss = at->pin - arm - problem_.poses[j].at;
     r[3 * j] = miss.x;
     r[3 * j + 1] = miss.y;
-    r[3 * j + 2] = weight * angle_of(at->turn * conj(unit(problem_.poses[j].angle)));
+    r[3 * j + 2] = weight * angle_of(at->turn * conj(unit_vector(problem_.poses[j].angle)));
     if (jacobian.empty() && local.empty()) continue;
 
     const TurnSlopes slopes = turn_slopes(form_.second, second, first, at->pin, at->turn);

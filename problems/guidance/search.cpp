@@ -12,11 +12,11 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 
-constexpr double kApart = 0.2;     // extents between starts of refinements
-constexpr double kSame = 0.05;     // and between results
-constexpr int kRounds = 14;        // halvings of the step
-constexpr int kMostSteps = 40;     // in one round
-constexpr std::size_t kSpare = 4;  // refinements for each design wanted
+constexpr double kApart = 0.2;        // extents between starts of refinements
+constexpr double kSameResult = 0.05;  // and between results
+constexpr int kRounds = 14;           // halvings of the step
+constexpr int kMostSteps = 40;        // in one round
+constexpr std::size_t kSpare = 4;     // refinements for each design wanted
 
 /// Two choices, of which either may drive.
 struct Candidate {
@@ -131,7 +131,7 @@ class Search {
     });
     std::vector<RankedPair> kept;
     for (const RankedPair& pair : found) {
-      if (!has_like(kept, pair, kSame)) kept.push_back(pair);
+      if (!has_like(kept, pair, kSameResult)) kept.push_back(pair);
     }
     return kept;
   }

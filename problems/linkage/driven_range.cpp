@@ -11,7 +11,7 @@ namespace cognate::problems {
 namespace {
 
 /// Solvers keep the cosines this much inside, so that rounding does not open a linkage at the ends.
-constexpr double kMargin = 1e-11;
+constexpr double kRangeMargin = 1e-11;
 
 /// cos μ at the crank angle θ from the frame: d² = l₁² + l₄² − 2 l₁ l₄ cos θ, written as a square
 /// and a product that do not cancel.
@@ -79,7 +79,7 @@ void DrivenRange::evaluate(const Lengths<double>& links, const Range& way, std::
                                         place.angle);
     const std::size_t row = shortest ? 0 : 1;
     const double sense = shortest ? -1 : 1;
-    values[row] = sense * (mu.value - (shortest ? greatest_cosine_ : least_cosine_)) - kMargin;
+    values[row] = sense * (mu.value - (shortest ? greatest_cosine_ : least_cosine_)) - kRangeMargin;
     if (slopes.empty()) continue;
     for (std::size_t i = 0; i < 4; ++i) slopes[row][i] = sense * mu.slopes[i];
     slopes[row][4] = place.by_from * sense * mu.slopes[4];

@@ -47,9 +47,9 @@ std::vector<double> all_of(const LinkLengths& links) {
 }
 
 /// Collects the checks of one mechanism that is no four-bar.
-class Checks {
+class MechanismChecks {
  public:
-  Checks(const NamedMechanism& mechanism, const Metrics& metrics)
+  MechanismChecks(const NamedMechanism& mechanism, const Metrics& metrics)
       : mechanism_(mechanism), metrics_(metrics), links_(link_lengths(mechanism)) {
     for (const double link : all_of(links_)) longest_ = std::max(longest_, link);
   }
@@ -181,7 +181,7 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   if (mechanism.four_bar) {
     return check_constraints(constraints, bounds, Given{}, *mechanism.four_bar, metrics);
   }
-  Checks checks(mechanism, metrics);
+  MechanismChecks checks(mechanism, metrics);
   checks.lengths(bounds);
   checks.pivots(bounds);
   if (constraints.required_class) checks.mobility(*constraints.required_class);

@@ -10,26 +10,26 @@
 namespace cognate::problems {
 namespace {
 
-struct Named {
+struct NamedColumn {
   const char* name;
   const char* quantity;
   const char* unit;
 };
 
-constexpr std::array<Named, 14> kColumns{{{"time_s", "time", "s"},
-                                          {"crank_deg", "drive", "deg"},
-                                          {"speed_rad_s", "speed", "rad/s"},
-                                          {"acceleration_rad_s2", "acceleration", "rad/s²"},
-                                          {"inertia_kg_m2", "inertia", "kg m²"},
-                                          {"inertia_slope_kg_m2", "inertia", "kg m²/rad"},
-                                          {"motor_N_m", "torque", "N m"},
-                                          {"load_N_m", "torque", "N m"},
-                                          {"motor_power_W", "power", "W"},
-                                          {"load_power_W", "power", "W"},
-                                          {"motor_work_J", "work", "J"},
-                                          {"load_work_J", "work", "J"},
-                                          {"kinetic_energy_J", "work", "J"},
-                                          {"excess_work_J", "work", "J"}}};
+constexpr std::array<NamedColumn, 14> kColumns{{{"time_s", "time", "s"},
+                                                {"crank_deg", "drive", "deg"},
+                                                {"speed_rad_s", "speed", "rad/s"},
+                                                {"acceleration_rad_s2", "acceleration", "rad/s²"},
+                                                {"inertia_kg_m2", "inertia", "kg m²"},
+                                                {"inertia_slope_kg_m2", "inertia", "kg m²/rad"},
+                                                {"motor_N_m", "torque", "N m"},
+                                                {"load_N_m", "torque", "N m"},
+                                                {"motor_power_W", "power", "W"},
+                                                {"load_power_W", "power", "W"},
+                                                {"motor_work_J", "work", "J"},
+                                                {"load_work_J", "work", "J"},
+                                                {"kinetic_energy_J", "work", "J"},
+                                                {"excess_work_J", "work", "J"}}};
 
 std::array<double, kColumns.size()> row(const machine::Machine& machine,
                                         const machine::MachineState& state) {

@@ -9,7 +9,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-using Table = std::vector<std::pair<double, double>>;
+using Samples = std::vector<std::pair<double, double>>;
 
 // `angle` plus whole turns, in [first, first + 2π).
 double from_first(double angle, double first) {
@@ -18,9 +18,9 @@ double from_first(double angle, double first) {
 }
 
 // The table with `rows` rows of the turns before and after it.
-Table continued(const Table& table, std::size_t rows) {
+Samples continued(const Samples& table, std::size_t rows) {
   const std::size_t n = table.size();
-  Table all;
+  Samples all;
   for (std::size_t i = 0; i < n + 2 * rows; ++i) {
     const std::size_t place = i + n * rows - rows;
     const std::size_t turns = place / n;
@@ -30,8 +30,8 @@ Table continued(const Table& table, std::size_t rows) {
   return all;
 }
 
-Interpolant straight(const Table& table) {
-  const auto rows = std::make_shared<const Table>(continued(table, 1));
+Interpolant straight(const Samples& table) {
+  const auto rows = std::make_shared<const Samples>(continued(table, 1));
   // The row at which the line through `x` begins.
   const auto line = [rows](double x) {
     const auto after = std::upper_bound(rows->begin() + 1, rows->end() - 1, x,
@@ -55,7 +55,7 @@ double within_turn(double angle) {
   return in_period(angle, kTurn);
 }
 
-Interpolant periodic(const Table& table, bool smooth) {
+Interpolant periodic(const Samples& table, bool smooth) {
   const double first = table.front().first;
   // A row's slope depends on its neighbours, those at the ends are of half a parabola only.
   auto one_turn = smooth ? interpolant(continued(table, 2)) : straight(table);

@@ -32,7 +32,7 @@ constexpr double kLeast = 1e-30;
 constexpr double kLeastDegrees = 1e-6;
 constexpr double kRounding = 1e-3;
 
-constexpr NumberRule kInertia{is_positive_quantity, "an inertia from 1e-30 to 1e30"};
+constexpr NumberRule kInertiaRule{is_positive_quantity, "an inertia from 1e-30 to 1e30"};
 
 constexpr std::string_view kVariables[] = {"phi", "w", "t", "s", "v"};
 
@@ -42,7 +42,7 @@ std::span<const std::string_view> variables_of(FunctionOf of) {
 }
 
 const NumberRule& values_of(const FunctionRule& rule) {
-  return rule.positive ? kInertia : kQuantity;
+  return rule.positive ? kInertiaRule : kQuantity;
 }
 
 ReadFunction constant(double value) {

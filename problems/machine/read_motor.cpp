@@ -12,7 +12,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kTorque = "torque";
+constexpr std::string_view kTorqueKey = "torque";
 constexpr std::string_view kLine = "line";
 constexpr std::string_view kTable = "table";
 
@@ -24,7 +24,7 @@ constexpr NumberRule kEfficiency{[](double x) { return x >= 1e-6 && x <= 1; },
 
 bool has_exactly_one(TableReader& motor) {
   std::string_view first;
-  for (const std::string_view key : {kTorque, kLine, kTable}) {
+  for (const std::string_view key : {kTorqueKey, kLine, kTable}) {
     if (!motor.has(key)) continue;
     if (!first.empty()) {
       motor.fault(key, fmt::format("is given beside motor.{}; one of torque, line and table is "
@@ -35,7 +35,7 @@ bool has_exactly_one(TableReader& motor) {
     first = key;
   }
   if (!first.empty()) return true;
-  motor.fault(kTorque,
+  motor.fault(kTorqueKey,
               "is missing; a torque, a line = {stall_torque, no_load_speed} or a table = [[speed, "
               "torque], ...] is wanted");
   return false;
@@ -83,13 +83,13 @@ void read_speed_table(TableReader& motor, Motor& read) {
 }
 
 void read_torque(TableReader& motor, Motor& read) {
-  if (motor.has_array(kTorque)) {
-    motor.fault(kTorque,
+  if (motor.has_array(kTorqueKey)) {
+    motor.fault(kTorqueKey,
                 "is an array; a number or an expression in phi, w and t is wanted, and speeds with "
                 "their torques under table = [[speed, torque], ...]");
     return;
   }
-  auto torque = read_machine_function(motor, kTorque, {}, false);
+  auto torque = read_machine_function(motor, kTorqueKey, {}, false);
   if (torque) read.torque = std::move(torque->function);
 }
 
@@ -98,11 +98,11 @@ void read_torque(TableReader& motor, Motor& read) {
 Motor read_motor(TableReader& table) {
   Motor motor;
   motor.torque.smooth = read_interpolation(table, {kTable});
-  table.know({kTorque, kLine, kTable});
+  table.know({kTorqueKey, kLine, kTable});
   if (has_exactly_one(table)) {
     if (table.has(kLine)) read_line(table, motor);
     if (table.has(kTable)) read_speed_table(table, motor);
-    if (table.has(kTorque)) read_torque(table, motor);
+    if (table.has(kTorqueKey)) read_torque(table, motor);
   }
   motor.ratio = table.number("ratio", kGears).value_or(1);
   motor.efficiency = table.number("efficiency", kEfficiency).value_or(1);

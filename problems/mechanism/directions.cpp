@@ -4,7 +4,7 @@
 
 namespace cognate::problems::reading {
 
-Vec2d unit_vector(double degrees) {
+Vec2d unit_vector_at_degrees(double degrees) {
   int quarter = 0;
   const double rest = radians(std::remquo(degrees, 90.0, &quarter));
   const Vec2d turned{std::cos(rest), std::sin(rest)};

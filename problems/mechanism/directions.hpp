@@ -10,7 +10,7 @@
 namespace cognate::problems::reading {
 
 /// The unit vector at `degrees` from the first axis, exact at multiples of a right angle.
-Vec2d unit_vector(double degrees);
+Vec2d unit_vector_at_degrees(double degrees);
 
 /// The angle under `key`, in degrees; `otherwise` where there is none or a wrong one.
 double read_degrees(TableReader& table, std::string_view key, double otherwise);

@@ -116,7 +116,7 @@ void read_rpp(TableReader& table, Chain& chain, ReadDyad& read) {
   const auto joins = read_joins(table, chain, 1, "joins = \"...\"", dyad);
   const auto slide = read_slide_of(table, chain);
   const double degrees = read_degrees(table, "slot_deg", 90);
-  const Vec2d slot = unit_vector(degrees);
+  const Vec2d slot = unit_vector_at_degrees(degrees);
   read_new(table, dyad);
   if (are_parallel(slot, {1, 0})) {
     table.fault("slot_deg", fmt::format("is {}, parallel to the slide; an angle from the slide "

@@ -9,7 +9,7 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::size_t kMostTables = 2000;
+constexpr std::size_t kMostLoads = 2000;
 
 // Where the load acts: a point, or `at` in the axes that a body or two points tell.
 std::optional<Attached<double>> read_place(TableReader& load, const PartNames& names) {
@@ -99,7 +99,7 @@ std::optional<LoadRule> read_load(TableReader& load, const PartNames& names, boo
 }
 
 std::vector<TableReader> load_tables(TableReader& table) {
-  return table.tables("load", {0, kMostTables, "loads"});
+  return table.tables("load", {0, kMostLoads, "loads"});
 }
 
 std::vector<LoadRule> read_loads(TableReader& table, const PartNames& names, bool slides) {

@@ -32,7 +32,7 @@ Assembly read_assembly(TableReader& table) {
 }
 
 Vec2d read_direction(TableReader& table) {
-  return unit_vector(read_degrees(table, "direction_deg", 0));
+  return unit_vector_at_degrees(read_degrees(table, "direction_deg", 0));
 }
 
 void read_fixed_pivots(TableReader& table, Vec2d& first, Vec2d& second) {
@@ -52,7 +52,7 @@ void read_fixed_pivots(TableReader& table, Vec2d& first, Vec2d& second) {
 // The direction of a second line or slot from the first.
 Vec2d read_second_direction(TableReader& table, std::string_view key, std::string_view first) {
   const double degrees = read_degrees(table, key, 90);
-  const Vec2d direction = unit_vector(degrees);
+  const Vec2d direction = unit_vector_at_degrees(degrees);
   if (are_parallel(direction, {1, 0})) {
     table.fault(key, fmt::format("is {}, parallel to {}, so that nothing would drive; an angle "
                                  "that is no multiple of 180 is wanted",

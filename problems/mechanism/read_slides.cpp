@@ -65,7 +65,7 @@ std::optional<ReadSlide> read_slide(TableReader& table, Chain& chain) {
   slide.description.offset = table.number("offset", kQuantity).value_or(0);
   table.finish();
   if (!body || !through || table.faults().size() != before) return std::nullopt;
-  slide.guide = {*body, *through, unit_vector(degrees), slide.description.offset};
+  slide.guide = {*body, *through, unit_vector_at_degrees(degrees), slide.description.offset};
   return slide;
 }
 

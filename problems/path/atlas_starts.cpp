@@ -14,9 +14,9 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kPoints = 64;          ///< of the target, with which curves are compared
-constexpr int kBeginnings = 512;     ///< of a curve
-constexpr std::size_t kSteps = 256;  ///< of the crank
+constexpr int kPoints = 64;            ///< of the target, with which curves are compared
+constexpr int kCurveBeginnings = 512;  ///< of a curve
+constexpr std::size_t kSteps = 256;    ///< of the crank
 constexpr int kDescriptorPoints = 256;
 
 Vec2d centre_of(std::span<const Vec2d> points) {
@@ -113,7 +113,7 @@ PlacedCurve place_on_target(const PathProblem& problem, const FourBar& linkage) 
   PlacedCurve best{linkage, {}, std::numeric_limits<double>::infinity()};
   for (const FourBar& image : {linkage, mirrored(linkage)}) {
     const ClosedCurve curve(curve_points(image));
-    const Turning turning = best_turning(target, curve.equally_spaced(kBeginnings));
+    const Turning turning = best_turning(target, curve.equally_spaced(kCurveBeginnings));
     if (turning.error < best.error) best = {moved(image, turning), {}, turning.error};
   }
   best.crank_angles = crank_angles_at(best.linkage, problem.points);

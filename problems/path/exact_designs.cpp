@@ -189,7 +189,7 @@ std::ptrdiff_t failed(const Design& design) {
   return std::ranges::count(design.constraints, false, &ConstraintCheck::satisfied);
 }
 
-bool is_better(const TracedDesign& a, const TracedDesign& b) {
+bool is_better_traced(const TracedDesign& a, const TracedDesign& b) {
   const auto fails_a = failed(a.design), fails_b = failed(b.design);
   if (fails_a != fails_b) return fails_a < fails_b;
   const double far_a = violation(a.design.constraints), far_b = violation(b.design.constraints);
@@ -246,7 +246,7 @@ std::vector<TracedDesign> designs_of(const ExactRoots& roots, const PathProblem&
 }
 
 std::vector<Design> ranked(std::vector<TracedDesign> designs, int count) {
-  std::ranges::stable_sort(designs, is_better);
+  std::ranges::stable_sort(designs, is_better_traced);
   if (designs.size() > std::size_t(count)) designs.resize(std::size_t(count));
   std::map<int, int> first_of;
   std::vector<Design> all;

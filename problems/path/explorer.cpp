@@ -28,7 +28,7 @@ constexpr std::size_t kFewCandidates = 4;
 /// minimum after 60; the rest of a long valley is walked by the best ones only.
 constexpr int kExploringIterations = 80;
 constexpr double kExploringTolerance = 1e-10;
-constexpr int kDeepeningIterations = 600;
+constexpr int kDeepenedFitIterations = 600;
 /// With limits over the turn, whose evaluation costs more than that of most points.
 constexpr int kLimitedIterations = 120;
 /// Where order binds, as each evaluation places all points anew.
@@ -251,7 +251,7 @@ class Explorer {
     const auto done =
         std::stable_partition(pool_.begin(), pool_.end(), std::not_fn(&PathFound::deepened));
     fit_.most_iterations =
-        limits_turn(problem_.constraints) ? kLimitedIterations : kDeepeningIterations;
+        limits_turn(problem_.constraints) ? kLimitedIterations : kDeepenedFitIterations;
     fit_.tolerance = kDeepeningTolerance;
     fit({pool_.begin(), done}, {kFitted, 1}, true);
     for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
@@ -13,10 +14,6 @@ namespace {
 constexpr double kLongestLink = 1000;
 /// A length whose lower bound is 0 stays above this share of the path's size.
 constexpr double kShortestLink = 1e-6;
-
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 Range intersect(Range a, const std::optional<Range>& b) {
   return b ? Range{std::max(a.min, b->min), std::min(a.max, b->max)} : a;
@@ -117,7 +114,7 @@ void PathModel::list_increments(bool clockwise) {
   for (std::size_t j = 0; j < n; ++j) {
     const double increment = problem_.is_timed(j) ? problem_.crank_angles[j] - origin : 0;
     increment_.push_back(relative && clockwise ? -increment : increment);
-    increment_half_.push_back(unit(0.5 * increment_.back()));
+    increment_half_.push_back(unit_vector(0.5 * increment_.back()));
   }
 }
 
@@ -147,8 +144,8 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
   const Full v = full(x);
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
-  const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = unit(0.5 * timing_offset(v));
+  const Vec2d turn = unit_vector(v[angle]);
+  const Vec2d offset_half = unit_vector(0.5 * timing_offset(v));
   const Vec2d anchor{v[anchor_x], v[anchor_y]};
   // From the anchor to the crank pivot A, in the frame's axes.
   const Vec2d to_a{anchor_is_d_ ? -v[frame] : 0.0, 0.0};
@@ -272,7 +269,7 @@ void PathModel::limit_pivot(const Full& v, std::span<double> c, std::span<double
   if (pivot_limits() == 0) return;
   const std::size_t n = free_.size();
   const double away = anchor_is_d_ ? -1 : 1;
-  const Vec2d turn = unit(v[angle]);
+  const Vec2d turn = unit_vector(v[angle]);
   const Vec2d pivot = Vec2d{v[anchor_x], v[anchor_y]} + (away * v[frame]) * turn;
   std::size_t row = 0;
   const auto limit = [&](double distance, double toward, double Vec2d::*axis, Dimension anchor) {
@@ -297,7 +294,7 @@ void PathModel::limit_pivot(const Full& v, std::span<double> c, std::span<double
 void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
   if (turn_limits_.count() == 0) return;
   const std::size_t n = free_.size();
-  const Vec2d turn = unit(v[angle]), anchor{v[anchor_x], v[anchor_y]};
+  const Vec2d turn = unit_vector(v[angle]), anchor{v[anchor_x], v[anchor_y]};
   const Vec2d pivot_a = anchor_is_d_ ? anchor - v[frame] * turn : anchor;
   std::vector<LimitSlopes> all(jacobian.empty() ? 0
                                                 : static_cast<std::size_t>(turn_limits_.count()));
@@ -321,7 +318,7 @@ void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double>
 
 FourBar PathModel::linkage(std::span<const double> x) const {
   const Full v = full(x);
-  const Vec2d along = v[frame] * unit(v[angle]);
+  const Vec2d along = v[frame] * unit_vector(v[angle]);
   const Vec2d anchor{v[anchor_x], v[anchor_y]};
   return {.pivot_a = anchor_is_d_ ? anchor - along : anchor,
           .pivot_d = anchor_is_d_ ? anchor : anchor + along,

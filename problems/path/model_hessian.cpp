@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "problems/path/model.hpp"
 #include "synthesis/optimise/closure_hessian.hpp"
 
@@ -12,10 +13,6 @@ namespace {
 /// model, the crank's angle from the frame and the frame's own.
 enum Parameter { crank_angle = 6, frame_turn, parameter_count };
 using PointHessian = std::array<std::array<double, parameter_count>, parameter_count>;
-
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 }  // namespace
 
@@ -71,8 +68,8 @@ bool PathModel::lagrangian_hessian(std::span<const double> x, std::span<const do
   const Full v = full(x);
   const Lengths<double> links{v[crank], v[coupler], v[rocker], v[frame]};
   const Closure<double> closure(links);
-  const Vec2d turn = unit(v[angle]);
-  const Vec2d offset_half = unit(0.5 * timing_offset(v));
+  const Vec2d turn = unit_vector(v[angle]);
+  const Vec2d offset_half = unit_vector(0.5 * timing_offset(v));
   const bool global = problem_.crank_reference == CrankReference::global;
   const PointCurvature curvature{links, v[point_u], v[point_v], anchor_is_d_ ? -1.0 : 0.0};
 

@@ -37,7 +37,7 @@ void read_poses(TableReader& target, PathProblem& problem) {
   }
 }
 
-void read_points(TableReader& target, PathProblem& problem) {
+void read_exact_points(TableReader& target, PathProblem& problem) {
   if (!target.has(kPoints) && target.has(kPoses)) return;
   if (!target.has(kPoints)) {
     target.fault(kPoints, "is missing; an array of 2 to 9 points [x, y] is wanted");
@@ -171,7 +171,7 @@ void check_each_dyad(TableReader& mechanism, const PathProblem& problem) {
 
 void read_exact_positions(TableReader& target, PathProblem& problem) {
   read_poses(target, problem);
-  read_points(target, problem);
+  read_exact_points(target, problem);
   if (problem.points.size() == 1) {
     target.fault(target.has(kPoses) ? kPoses : kPoints,
                  "is one position, through which every coupler can be put; 2 to 9 points, or poses "

@@ -20,7 +20,7 @@ std::optional<Vec2d> given_frame(const Given& given) {
   return *given.pivot_d - *given.pivot_a;
 }
 
-std::array<Range, 4> length_limits(const PathProblem& problem) {
+std::array<Range, 4> placed_length_limits(const PathProblem& problem) {
   const Given& given = problem.given;
   const Bounds& bounds = problem.bounds;
   const auto between = given_frame(given);
@@ -68,7 +68,7 @@ PathProblem searched_problem(const PathProblem& problem) {
   PathProblem searched = problem;
   searched.curve.reset();  // models keep a copy of their problem, and it may have many vertices
   if (!is_movable(problem)) return searched;
-  const auto limits = length_limits(problem);
+  const auto limits = placed_length_limits(problem);
   const bool limited = std::ranges::any_of(
       limits, [](const Range& range) { return range.min > 0 || range.max < kInfinity; });
   if (limited) searched.constraints.proportions = limits;
@@ -81,7 +81,7 @@ PathProblem searched_problem(const PathProblem& problem) {
 CurvePlacement placement_of(const PathProblem& problem, const FourBar& linkage) {
   const double angle = frame_angle(linkage);
   CurvePlacement placement{
-      scale_of(length_limits(problem), lengths(linkage)), turn_of(problem, angle), {}};
+      scale_of(placed_length_limits(problem), lengths(linkage)), turn_of(problem, angle), {}};
   if (problem.given.pivot_a) {
     placement.shift = *problem.given.pivot_a - placement.vector(linkage.pivot_a);
   } else if (problem.given.pivot_d) {

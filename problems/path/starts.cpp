@@ -20,7 +20,7 @@ using synthesis::SeparableTarget;
 /// Of a closed curve: the greatest amplitude of the logarithm of its speed.
 constexpr double kMostVariation = 2;
 
-double uniform(std::mt19937_64& random, double low, double high) {
+double draw_uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
@@ -58,7 +58,7 @@ Lengths<double> proportioned(std::mt19937_64& random, const Lengths<double>& dra
   // Where a side is open there is nothing to be found between.
   if (least == 0) least = greatest;
   if (std::isinf(greatest)) greatest = least;
-  const double scale = least * std::pow(greatest / least, uniform(random, 0, 1));
+  const double scale = least * std::pow(greatest / least, draw_uniform(random, 0, 1));
   for (std::size_t i = 0; i < links.size(); ++i) {
     links[i] = std::clamp(scale * links[i], ranges[i].min, ranges[i].max);
   }
@@ -120,8 +120,8 @@ std::vector<double> PathStarts::random_shares(std::mt19937_64& random,
   std::vector<double> gaps(n);
   for (std::size_t k = 0; k < n; ++k) gaps[k] = gap(tour[k], tour[(k + 1) % n]);
   const double mean_gap = std::accumulate(gaps.begin(), gaps.end(), 0.0) / double(n);
-  const double by_length = uniform(random, 0, 1);
-  std::normal_distribution<double> disturbance(0, uniform(random, 0.01, 0.8));
+  const double by_length = draw_uniform(random, 0, 1);
+  std::normal_distribution<double> disturbance(0, draw_uniform(random, 0.01, 0.8));
   std::vector<double> share(n);
   for (std::size_t k = 0; k < n; ++k) {
     share[k] = (by_length * gaps[k] + (1 - by_length) * mean_gap) * std::exp(disturbance(random));
@@ -138,7 +138,7 @@ std::vector<double> PathStarts::random_increments(std::mt19937_64& random) const
   // Over the whole turn the step from the last point back to the first takes its share.
   const bool whole_turn = random() % 2 == 0;
   if (!whole_turn) share.back() = 0;
-  const double sweep = whole_turn ? kTurn : uniform(random, 0.1, 1) * kTurn;
+  const double sweep = whole_turn ? kTurn : draw_uniform(random, 0.1, 1) * kTurn;
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   std::vector<double> angles(n);
   double angle = 0;
@@ -160,7 +160,7 @@ std::vector<double> PathStarts::random_between(std::mt19937_64& random) const {
   }
   std::vector<double> share = random_shares(random, tour);
   const bool whole_turn = random() % 2 == 0;
-  if (!whole_turn) share.back() *= std::exp(uniform(random, 0, 4));
+  if (!whole_turn) share.back() *= std::exp(draw_uniform(random, 0, 4));
   auto senses = senses_between(problem_);
   if (leaves_sense_open(problem_) && problem_.crank_sense != CrankSense::either) {
     senses = {problem_.crank_sense == CrankSense::ccw, problem_.crank_sense == CrankSense::cw};
@@ -203,10 +203,10 @@ std::vector<double> PathStarts::random_angles(std::mt19937_64& random) const {
 std::vector<double> PathStarts::closed_increments(std::mt19937_64& random) const {
   constexpr int kHarmonics = 3;
   double amplitude[kHarmonics], phase[kHarmonics];
-  const double variation = uniform(random, 0, kMostVariation);
+  const double variation = draw_uniform(random, 0, kMostVariation);
   for (int k = 0; k < kHarmonics; ++k) {
-    amplitude[k] = uniform(random, 0, variation) / (k + 1);
-    phase[k] = uniform(random, 0, kTurn);
+    amplitude[k] = draw_uniform(random, 0, variation) / (k + 1);
+    phase[k] = draw_uniform(random, 0, kTurn);
   }
   const std::size_t n = problem_.points.size();
   std::vector<double> angles(n);
@@ -296,7 +296,7 @@ void PathStarts::fill(std::mt19937_64& random, PathCandidates& candidates) const
     candidates.coupler[i] = ratios.coupler;
     candidates.rocker[i] = ratios.rocker;
     candidates.frame[i] = ratios.frame;
-    const double half = 0.5 * (phase ? *phase : uniform(random, 0, kTurn));
+    const double half = 0.5 * (phase ? *phase : draw_uniform(random, 0, kTurn));
     candidates.phase_cos[i] = std::cos(half);
     candidates.phase_sin[i] = std::sin(half);
   }

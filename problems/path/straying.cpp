@@ -15,7 +15,7 @@ namespace {
 /// Fewer positions than a finished design is judged by, and a wider allowance: the outline is that
 /// of few samples.
 constexpr int kPositions = 120;
-constexpr double kTimesTheError = 3, kShareOfLength = 0.02;
+constexpr double kTimesStrayed = 3, kShareStrayed = 0.02;
 
 /// Whether the angles go round once, in either sense.
 bool is_one_turn(std::span<const double> angles) {
@@ -44,7 +44,7 @@ bool PathStraying::strays(const FourBar& linkage, std::span<const double> crank_
   if (constraints.no_order_defect && !is_one_turn(crank_angles)) return true;
   if (!outline_) return false;
   const double error = path_error(linkage, problem_.points, crank_angles).max;
-  const double most = std::max(kTimesTheError * error, kShareOfLength * outline_->length());
+  const double most = std::max(kTimesStrayed * error, kShareStrayed * outline_->length());
   return curve_deviation(*outline_, linkage, {}, kPositions) > most;
 }
 

@@ -16,7 +16,7 @@ constexpr int kMostPoints = 12;
 /// Afresh at every second bound, and from the points beside each.
 constexpr StretchEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
-constexpr double kBent = 0.02;
+constexpr double kBentFront = 0.02;
 constexpr double kFeasible = 1e-7;
 constexpr double kDescended = 0.6;  // share of the work, for progress, when all points are there
 
@@ -33,7 +33,7 @@ class Front {
     for (int i = 0; i < kMostPoints && !deadline_.reached(); ++i, bound *= kRatio) {
       const StretchEffort& effort = i % 2 == 0 ? kFresh : kOnward;
       auto best = solve(bound, neighbours(points_.size()), effort);
-      if (!best || best->objective > kBent) break;
+      if (!best || best->objective > kBentFront) break;
       points_.push_back({bound, *best});
       if (run_.progress) run_.progress(kDescended * (i + 1) / kMostPoints, best->objective);
     }

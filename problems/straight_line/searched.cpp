@@ -21,11 +21,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kCoupler = 2;
-
-Vec2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
+constexpr int kCouplerLink = 2;
 
 NamedMechanism mechanism_of(const StraightLineProblem& problem, const LineStretch& stretch) {
   const auto& [links, point] = stretch.dimensions;
@@ -153,7 +149,7 @@ Design searched_design(const StraightLineProblem& problem, const FoundStretch& f
   const LineStretch& stretch = found.stretch;
   Design design;
   design.mechanism = mechanism_of(problem, stretch);
-  const Path path = path_of(design.mechanism.mechanism, {kCoupler, stretch.dimensions.point});
+  const Path path = path_of(design.mechanism.mechanism, {kCouplerLink, stretch.dimensions.point});
   const double turns = kTurn * std::floor((stretch.from() + stretch.frame_angle + 1e-12) / kTurn);
   const double from = stretch.from() + stretch.frame_angle - turns;
   const double to = stretch.to() + stretch.frame_angle - turns;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/linkage/change_point.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
@@ -16,10 +17,6 @@ namespace {
 using synthesis::CouplerLinkage;
 using synthesis::FamilyMember;
 using synthesis::NoStraightPoint;
-
-Vec2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 std::string_view reason(NoStraightPoint why, int contact) {
   switch (why) {

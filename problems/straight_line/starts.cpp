@@ -6,6 +6,7 @@
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "problems/counter_random.hpp"
@@ -50,10 +51,6 @@ class Even {
   std::array<double, kDimensions> x_{};
   int at_ = 0;
 };
-
-Vec2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
 
 std::array<double, 4> random_links(Even& even) {
   std::array<double, 4> links;

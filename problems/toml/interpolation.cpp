@@ -8,19 +8,19 @@
 namespace cognate::problems::reading {
 namespace {
 
-using Table = std::vector<std::pair<double, double>>;
+using Samples = std::vector<std::pair<double, double>>;
 
 // The slope of the interval that begins at row `i`.
-double chord(const Table& table, std::size_t i) {
+double chord(const Samples& table, std::size_t i) {
   return (table[i + 1].second - table[i].second) / (table[i + 1].first - table[i].first);
 }
 
-double width(const Table& table, std::size_t i) {
+double width(const Samples& table, std::size_t i) {
   return table[i + 1].first - table[i].first;
 }
 
 // The weighted harmonic mean of the chords on both sides, 0 at an extreme.
-double inner_slope(const Table& table, std::size_t i) {
+double inner_slope(const Samples& table, std::size_t i) {
   const double left = chord(table, i - 1);
   const double right = chord(table, i);
   if (!(left > 0 && right > 0) && !(left < 0 && right < 0)) return 0;
@@ -39,7 +39,7 @@ double end_slope(double near, double far, double near_width, double far_width) {
   return slope;
 }
 
-std::vector<double> slopes(const Table& table) {
+std::vector<double> slopes(const Samples& table) {
   const std::size_t n = table.size();
   if (n == 2) return {chord(table, 0), chord(table, 0)};
   std::vector<double> all(n);
@@ -52,7 +52,7 @@ std::vector<double> slopes(const Table& table) {
 
 }  // namespace
 
-Interpolant interpolant(const Table& table) {
+Interpolant interpolant(const Samples& table) {
   std::vector<double> x;
   std::vector<double> y;
   for (const auto& [xi, yi] : table) {
@@ -68,15 +68,15 @@ Interpolant interpolant(const Table& table) {
           [=](double at) { return first <= at && at <= last ? cubic->prime(at) : 0.0; }};
 }
 
-std::function<double(double)> interpolate(const Table& table) {
+std::function<double(double)> interpolate(const Samples& table) {
   return interpolant(table).value;
 }
 
-std::function<double(double)> straight_lines(const Table& table) {
-  const auto rows = std::make_shared<const Table>(table);
+std::function<double(double)> straight_lines(const Samples& table) {
+  const auto rows = std::make_shared<const Samples>(table);
   return [rows](double x) {
     if (!(x > rows->front().first)) return rows->front().second;
-    const auto after = std::ranges::upper_bound(*rows, x, {}, &Table::value_type::first);
+    const auto after = std::ranges::upper_bound(*rows, x, {}, &Samples::value_type::first);
     if (after == rows->end()) return rows->back().second;
     const auto& [x0, y0] = *(after - 1);
     return std::lerp(y0, after->second, (x - x0) / (after->first - x0));

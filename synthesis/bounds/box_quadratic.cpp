@@ -8,7 +8,7 @@ namespace cognate::synthesis {
 namespace {
 
 constexpr int kSize = kBoxSides;
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kQuadraticRounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// Whether the form in t_1…t_4 plus `shift`·t² is positive semidefinite beyond doubt: Cholesky's
 /// factorisation runs through with room for its own rounding.
@@ -40,8 +40,8 @@ double least_over_box(const BoxQuadratic& c) {
   }
   if (!std::isfinite(size)) return -std::numeric_limits<double>::infinity();
   // The shift that Cholesky's rounding asks for is added and taken off as well.
-  double shift = kRounding * trace + std::numeric_limits<double>::min();
-  while (!is_convex(c, shift - kRounding * trace)) shift *= 4;
+  double shift = kQuadraticRounding * trace + std::numeric_limits<double>::min();
+  while (!is_convex(c, shift - kQuadraticRounding * trace)) shift *= 4;
 
   // Any t gives a bound by the tangent there; the closer to the minimum the better.
   std::array<double, kSize> t{};
@@ -65,7 +65,7 @@ double least_over_box(const BoxQuadratic& c) {
     value += c[i + 1][0] * t[i] + half_slope * t[i];
     value -= 2 * (half_slope * t[i] + std::abs(half_slope));
   }
-  return value - kSize * shift - kRounding * (size + kSize * shift);
+  return value - kSize * shift - kQuadraticRounding * (size + kSize * shift);
 }
 
 }  // namespace cognate::synthesis

@@ -10,11 +10,11 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = 1e-15;
+constexpr double kFunctionRounding = 1e-15;
 /// Errors of different samples differ by less than π wherever the sum of squares is below this, so
 /// that it is known how many whole turns lie between them.
 constexpr double kMostSquares = 0.6;
-constexpr int kTerms = kBoxSides + 1;
+constexpr int kFunctionTerms = kBoxSides + 1;
 
 double wrapped(double angle) {
   return std::remainder(angle, kTurn);
@@ -34,12 +34,12 @@ void substitute(const LimitAngle& phase, DirectionRange& range) {
 
 /// An error over a box: value[0] + Σ t_i value[i], up to rest.
 struct FunctionBound::ErrorRange {
-  std::array<double, kTerms> value{};
+  std::array<double, kFunctionTerms> value{};
   double rest = 0;
 
   double spread() const {
     double sum = rest;
-    for (int i = 1; i < kTerms; ++i) sum += std::abs(value[i]);
+    for (int i = 1; i < kFunctionTerms; ++i) sum += std::abs(value[i]);
     return sum;
   }
 };
@@ -94,7 +94,7 @@ std::vector<FunctionBound::ErrorRange> FunctionBound::errors(
     error.value[0] = std::atan2(at.middle.y, at.middle.x) - function_.output[j] -
                      function_.output_start.value_or(0);
     for (int i = 0; i < kBoxSides; ++i) error.value[i + 1] = at.slope[i];
-    error.rest = at.radius + kRounding * (8 + std::abs(function_.output[j]));
+    error.rest = at.radius + kFunctionRounding * (8 + std::abs(function_.output[j]));
     all.push_back(error);
   }
   const ErrorRange reference = refers_ ? all.front()
@@ -105,7 +105,7 @@ std::vector<FunctionBound::ErrorRange> FunctionBound::errors(
     ErrorRange error = all[j];
     if (refers_) {
       error.rest += reference.rest;
-      for (int i = 1; i < kTerms; ++i) error.value[i] -= reference.value[i];
+      for (int i = 1; i < kFunctionTerms; ++i) error.value[i] -= reference.value[i];
     }
     error.value[0] = wrapped(error.value[0] - reference.value[0]);
     const double doubt = error.spread() + (free_ ? reference.spread() : 0);
@@ -118,26 +118,27 @@ double FunctionBound::bound(const std::vector<DirectionRange>& directions, doubl
   const double target = std::min(wanted, kMostSquares);
   std::vector<ErrorRange> kept = errors(directions);
   if (kept.empty()) return 0;
-  std::array<double, kTerms> mean{};
+  std::array<double, kFunctionTerms> mean{};
   for (const ErrorRange& error : kept) {
-    for (int a = 0; a < kTerms && free_; ++a) mean[a] += error.value[a] / double(kept.size());
+    for (int a = 0; a < kFunctionTerms && free_; ++a)
+      mean[a] += error.value[a] / double(kept.size());
   }
   BoxQuadratic squares{};
   double lost = 0, rests = 0, size = 0;
   for (ErrorRange& error : kept) {
     double greatest = 0;
-    for (int a = 0; a < kTerms; ++a) {
+    for (int a = 0; a < kFunctionTerms; ++a) {
       error.value[a] -= mean[a];
       greatest += std::abs(error.value[a]);
     }
-    for (int a = 0; a < kTerms; ++a) {
-      for (int b = 0; b < kTerms; ++b) squares[a][b] += error.value[a] * error.value[b];
+    for (int a = 0; a < kFunctionTerms; ++a) {
+      for (int b = 0; b < kFunctionTerms; ++b) squares[a][b] += error.value[a] * error.value[b];
     }
     lost += 2 * greatest * error.rest;
     rests += error.rest * error.rest;
     size += greatest * greatest;
   }
-  const double rounding = kRounding * double(kept.size() + 16) * (size + 1e-12);
+  const double rounding = kFunctionRounding * double(kept.size() + 16) * (size + 1e-12);
   const double least = least_over_box(squares) - rounding;
   const double apart = std::sqrt(std::max(0.0, least)) - std::sqrt(rests);
   const double bound = std::max(least - lost, apart > 0 ? apart * apart * (1 - 1e-14) : 0.0);

@@ -13,10 +13,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kRounding = 1e-15;
+constexpr double kPathRounding = 1e-15;
 /// A box is divided no further than this in each side.
 constexpr double kNarrowest = 1e-13;
-constexpr int kTerms = kBoxSides + 1;
+constexpr int kPathTerms = kBoxSides + 1;
 
 double real_product(const Complex& a, const Complex& b) {  // Re(conj(a) b)
   return a.real() * b.real() + a.imag() * b.imag();
@@ -73,11 +73,11 @@ PathBound::Target::Target(const TimedPath& path, std::vector<double> of_points)
 /// What a box's directions give: u = v[0] + Σ t_i v[i] + rest, |rest_j| ≤ rest[j], after a turn of
 /// all directions together that takes out their common change; and the sums over v.
 struct PathBound::Forms {
-  std::array<std::vector<Complex>, kTerms> v;
+  std::array<std::vector<Complex>, kPathTerms> v;
   std::vector<double> rest;
-  std::array<Complex, kTerms> mean{}, crank{}, point{};  ///< Σ w v/Σ w, Σ w ē v, Σ w z̄ v
-  BoxQuadratic gram{};                                   ///< Re Σ w v̄ v, less the means'
-  double turned = 0;                                     ///< greatest Σ |v[i]|
+  std::array<Complex, kPathTerms> mean{}, crank{}, point{};  ///< Σ w v/Σ w, Σ w ē v, Σ w z̄ v
+  BoxQuadratic gram{};                                       ///< Re Σ w v̄ v, less the means'
+  double turned = 0;                                         ///< greatest Σ |v[i]|
 };
 
 /// Lagrange multipliers of the limits.
@@ -134,7 +134,7 @@ PathBound::Forms PathBound::linear_part(const std::vector<DirectionRange>& direc
       f.v[i + 1][j] = {-slope * u.imag(), slope * u.real()};
     }
     // |e^{i(τ + r)} − 1 − iτ| ≤ τ²/2 + |r|.
-    f.rest[j] = Interval::above(0.5 * turned * turned + direction.radius + 4 * kRounding);
+    f.rest[j] = Interval::above(0.5 * turned * turned + direction.radius + 4 * kPathRounding);
     if (f.rest[j] > kMostRest) weights[j] = 0;
     if (weights[j] > 0) f.turned = std::max(f.turned, turned);
   }
@@ -143,7 +143,7 @@ PathBound::Forms PathBound::linear_part(const std::vector<DirectionRange>& direc
 
 void PathBound::add_sums(const Target& target, Forms& f) const {
   const std::size_t n = target.weights.size();
-  for (int a = 0; a < kTerms; ++a) {
+  for (int a = 0; a < kPathTerms; ++a) {
     for (std::size_t j = 0; j < n; ++j) {
       const Complex wv = target.weights[j] * f.v[a][j];
       f.mean[a] += wv;
@@ -243,7 +243,7 @@ double PathBound::bound(const Target& target, Forms& f, double low, double high,
 /// What the rest of u may take away from H, first by its product with H's gradient, then its own,
 /// and the rounding of H. Besides bounds of |Σ w ē rest|, Σ w |rest|² and of the terms of U.
 PathBound::Loss PathBound::loss(const Target& target, const Forms& f, const Multipliers& m,
-                                const std::array<Complex, kTerms>& b, double kappa) const {
+                                const std::array<Complex, kPathTerms>& b, double kappa) const {
   const std::size_t n = target.weights.size();
   const double per_form = 1 / (target.crank_form - m.on_square);
   const Complex pulled = target.crank_point + m.on_crank;
@@ -254,7 +254,7 @@ PathBound::Loss PathBound::loss(const Target& target, const Forms& f, const Mult
     if (w == 0) continue;
     const Complex y = target.z[j] - per_form * product(target.e[j], pulled);
     double gradient = 0;
-    for (int a = 0; a < kTerms; ++a) {
+    for (int a = 0; a < kPathTerms; ++a) {
       const Complex part = f.v[a][j] - f.mean[a] - per_form * product(target.e[j], f.crank[a]);
       gradient += size_of(kappa * part - product(y, b[a]));
     }
@@ -270,7 +270,7 @@ PathBound::Loss PathBound::loss(const Target& target, const Forms& f, const Mult
   loss.of_form += b_of_rest * b_of_rest;
   if (m.on_square > 0) loss.of_form += kappa * per_form * loss.crank * loss.crank;
   const double reach = 1 + f.turned;
-  const double rounding = kRounding * double(n + 16) * reach * reach;
+  const double rounding = kPathRounding * double(n + 16) * reach * reach;
   loss.of_u = rounding * (target.weight + per_form * crank_size * crank_size + m.on_point);
   loss.of_form += kappa * loss.of_u + rounding * b_size * b_size;
   return loss;
@@ -283,21 +283,21 @@ PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, cons
   const Complex pulled = target.crank_point + m.on_crank;
 
   BoxQuadratic form{}, h{};
-  std::array<Complex, kTerms> b;
-  for (int a = 0; a < kTerms; ++a) {
+  std::array<Complex, kPathTerms> b;
+  for (int a = 0; a < kPathTerms; ++a) {
     b[a] = f.point[a] - per_form * conjugate_product(pulled, f.crank[a]);
-    for (int c = 0; c < kTerms; ++c) {
+    for (int c = 0; c < kPathTerms; ++c) {
       form[a][c] = f.gram[a][c] - per_form * real_product(f.crank[a], f.crank[c]);
     }
   }
   const double far_square = m.on_point > 0 ? path_.farthest_point * path_.farthest_point : 0;
   const double kept = per_form * std::norm(pulled), far = m.on_point * far_square;
-  const double rounding = kRounding * double(n + 16);
+  const double rounding = kPathRounding * double(n + 16);
   const double kappa = target.squares - kept + m.constant - far - wanted -
                        rounding * (target.squares + kept + std::abs(m.constant) + far);
   if (!(kappa > 0)) return {};
-  for (int a = 0; a < kTerms; ++a) {
-    for (int c = 0; c < kTerms; ++c) h[a][c] = kappa * form[a][c] - real_product(b[a], b[c]);
+  for (int a = 0; a < kPathTerms; ++a) {
+    for (int c = 0; c < kPathTerms; ++c) h[a][c] = kappa * form[a][c] - real_product(b[a], b[c]);
   }
   h[0][0] += kappa * m.on_point;
 
@@ -308,7 +308,7 @@ PathBound::Bounded PathBound::bounded(const Target& target, const Forms& f, cons
   // H = U·(error − wanted): divided by the least U of the box.
   const auto length = [&](const BoxQuadratic& q) {
     double size = std::sqrt(std::max(0.0, q[0][0])) - std::sqrt(lost.square);
-    for (int a = 1; a < kTerms; ++a) size -= std::sqrt(std::max(0.0, q[a][a]));
+    for (int a = 1; a < kPathTerms; ++a) size -= std::sqrt(std::max(0.0, q[a][a]));
     return std::max(0.0, size);
   };
   const bool indefinite = m.on_square > 0;

@@ -9,7 +9,7 @@ namespace cognate::synthesis {
 namespace {
 
 /// Starts that one call of a kernel takes: enough that its lanes are seldom without work.
-constexpr int kBlock = 64;
+constexpr int kPathBlock = 64;
 
 using Kernel = void (*)(const PathFitTask& task);
 
@@ -39,10 +39,10 @@ struct Workspace {
   std::vector<Line> lines;
 
   explicit Workspace(std::size_t points)
-      : state(std::size_t{kBlock} * kPathStateSize),
-        crank_half(2 * points * kBlock),
-        cost(kBlock),
-        iterations(kBlock),
+      : state(std::size_t{kPathBlock} * kPathStateSize),
+        crank_half(2 * points * kPathBlock),
+        cost(kPathBlock),
+        iterations(kPathBlock),
         lines(points * kPathWorkPerPoint * sizeof(double) / sizeof(Line)) {}
 
   void load(std::span<const PathFitState> block) {
@@ -107,13 +107,13 @@ void fit_paths(const PathFit& problem, std::span<PathFitState> states,
   const auto sets = instruction_sets();
   const bool has = options.set && std::ranges::find(sets, *options.set) != sets.end();
   const Kernel kernel = kernel_of(has ? *options.set : sets.back());
-  const int count = static_cast<int>(states.size()), blocks = (count + kBlock - 1) / kBlock;
+  const int count = static_cast<int>(states.size()), blocks = (count + kPathBlock - 1) / kPathBlock;
   const int threads = std::min(thread_count(options.threads), std::max(1, blocks));
   std::vector<Workspace> workspaces(threads, Workspace(problem.x.size()));
   parallel_for(blocks, threads, [&](int index, int thread) {
     if (options.stop && options.stop()) return;
-    const int first = index * kBlock;
-    const auto block = states.subspan(first, std::min(kBlock, count - first));
+    const int first = index * kPathBlock;
+    const auto block = states.subspan(first, std::min(kPathBlock, count - first));
     Workspace& own = workspaces[thread];
     own.load(block);
     PathFitTask task = task_of(problem, options);

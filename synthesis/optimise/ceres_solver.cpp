@@ -14,16 +14,13 @@
 #include <vector>
 
 #include "synthesis/optimise/backends.hpp"
+#include "synthesis/optimise/dense_model.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
 using Eigen::Map;
 using Eigen::VectorXd;
-
-std::span<const double> view(const VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 /// The residuals as functions of the unknowns that are not held at a bound; `y` keeps the others.
 class Residuals final : public ceres::CostFunction {

@@ -8,18 +8,14 @@
 #include <sstream>
 #include <vector>
 
+#include "synthesis/optimise/dense_model.hpp"
+
 namespace cognate::synthesis {
 namespace {
 
 using Eigen::VectorXd;
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr int kLevels = 8;
-
-template <class Matrix>
-std::span<double> view(Matrix& m) {
-  return {m.data(), static_cast<std::size_t>(m.size())};
-}
 
 /// Residuals, then constraints.
 bool values_at(const Model& model, std::span<const double> x, VectorXd& values) {

@@ -10,10 +10,6 @@ namespace {
 
 using Eigen::Index;
 
-std::span<double> view(Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-
 }  // namespace
 
 double largest_violation(const Eigen::VectorXd& constraints, int equalities) {

@@ -16,6 +16,16 @@ namespace cognate::synthesis {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// The entries of a vector or matrix in the order in which they are stored.
+template <class Matrix>
+std::span<double> view(Eigen::PlainObjectBase<Matrix>& m) {
+  return {m.data(), static_cast<std::size_t>(m.size())};
+}
+template <class Matrix>
+std::span<const double> view(const Eigen::PlainObjectBase<Matrix>& m) {
+  return {m.data(), static_cast<std::size_t>(m.size())};
+}
+
 /// By how much constraints miss: |c| of the first `equalities`, −c of the others; 0 where all hold.
 double largest_violation(const Eigen::VectorXd& constraints, int equalities);
 

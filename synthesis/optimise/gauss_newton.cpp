@@ -15,16 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-std::span<double> view(VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-std::span<const double> view(const VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-std::span<double> view(RowMatrix& m) {
-  return {m.data(), static_cast<std::size_t>(m.size())};
-}
-
 /// A point with everything known about it. Residuals are per unit, derivatives per scaled variable.
 struct Point {
   VectorXd x, residuals, constraints;

@@ -12,10 +12,9 @@
 namespace cognate::synthesis {
 namespace {
 
-using Ipopt::Index;
 using Ipopt::Number;
 
-constexpr double kInfinity = 1e19;  ///< what Ipopt takes for no bound
+constexpr double kNoBound = 1e19;  ///< what Ipopt takes for no bound
 constexpr int kMostRounds = 3;
 
 /// A program in the words of Ipopt, its matrices dense.
@@ -25,7 +24,7 @@ class Tnlp final : public Ipopt::TNLP {
   Tnlp(Program& program, std::span<const double> multipliers)
       : program_(program), multipliers_(multipliers) {}
 
-  bool get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess,
+  bool get_nlp_info(Ipopt::Index& n, Ipopt::Index& m, Ipopt::Index& nnz_jac, Ipopt::Index& nnz_hess,
                     IndexStyleEnum& style) override {
     n = program_.size();
     m = program_.constraint_count();
@@ -35,55 +34,55 @@ class Tnlp final : public Ipopt::TNLP {
     return true;
   }
 
-  bool get_bounds_info(Index n, Number* lower, Number* upper, Index m, Number* c_lower,
-                       Number* c_upper) override {
-    for (Index i = 0; i < n; ++i) {
-      lower[i] = std::max(program_.lower()[i], -kInfinity);
-      upper[i] = std::min(program_.upper()[i], kInfinity);
+  bool get_bounds_info(Ipopt::Index n, Number* lower, Number* upper, Ipopt::Index m,
+                       Number* c_lower, Number* c_upper) override {
+    for (Ipopt::Index i = 0; i < n; ++i) {
+      lower[i] = std::max(program_.lower()[i], -kNoBound);
+      upper[i] = std::min(program_.upper()[i], kNoBound);
     }
     std::fill_n(c_lower, m, 0.0);
-    std::fill_n(c_upper, m, kInfinity);
+    std::fill_n(c_upper, m, kNoBound);
     std::fill_n(c_upper, program_.equality_count(), 0.0);
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* z, bool with_bounds, Number* of_lower,
-                          Number* of_upper, Index m, bool with_constraints,
+  bool get_starting_point(Ipopt::Index n, bool, Number* z, bool with_bounds, Number* of_lower,
+                          Number* of_upper, Ipopt::Index m, bool with_constraints,
                           Number* of_constraints) override {
     std::copy_n(program_.start().data(), n, z);
     if (with_bounds) {
       std::fill_n(of_lower, n, 0.0);
       std::fill_n(of_upper, n, 0.0);
     }
-    for (Index i = 0; with_constraints && i < m; ++i) {
+    for (Ipopt::Index i = 0; with_constraints && i < m; ++i) {
       of_constraints[i] = -multipliers_[i] / program_.unit();
     }
     return true;
   }
 
-  bool eval_f(Index n, const Number* z, bool, Number& value) override {
+  bool eval_f(Ipopt::Index n, const Number* z, bool, Number& value) override {
     if (!program_.evaluate(view(z, n), false)) return false;
     value = program_.objective();
     return true;
   }
 
-  bool eval_grad_f(Index n, const Number* z, bool, Number* gradient) override {
+  bool eval_grad_f(Ipopt::Index n, const Number* z, bool, Number* gradient) override {
     if (!program_.evaluate(view(z, n), true)) return false;
     program_.gradient(view(gradient, n));
     return true;
   }
 
-  bool eval_g(Index n, const Number* z, bool, Index m, Number* c) override {
+  bool eval_g(Ipopt::Index n, const Number* z, bool, Ipopt::Index m, Number* c) override {
     if (!program_.evaluate(view(z, n), false)) return false;
     program_.constraints(view(c, m));
     return true;
   }
 
-  bool eval_jac_g(Index n, const Number* z, bool, Index m, Index entries, Index* row, Index* column,
-                  Number* values) override {
+  bool eval_jac_g(Ipopt::Index n, const Number* z, bool, Ipopt::Index m, Ipopt::Index entries,
+                  Ipopt::Index* row, Ipopt::Index* column, Number* values) override {
     if (values == nullptr) {
-      for (Index i = 0, k = 0; i < m; ++i) {
-        for (Index j = 0; j < n; ++j, ++k) {
+      for (Ipopt::Index i = 0, k = 0; i < m; ++i) {
+        for (Ipopt::Index j = 0; j < n; ++j, ++k) {
           row[k] = i;
           column[k] = j;
         }
@@ -95,15 +94,15 @@ class Tnlp final : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_h(Index n, const Number* z, bool, Number of_objective, Index m,
-              const Number* of_constraints, bool, Index, Index* row, Index* column,
-              Number* values) override {
+  bool eval_h(Ipopt::Index n, const Number* z, bool, Number of_objective, Ipopt::Index m,
+              const Number* of_constraints, bool, Ipopt::Index, Ipopt::Index* row,
+              Ipopt::Index* column, Number* values) override {
     if (values != nullptr) {
       if (!program_.evaluate(view(z, n), true)) return false;
       if (!program_.hessian(of_objective, view(of_constraints, m), hessian_)) return false;
     }
-    for (Index i = 0, k = 0; i < n; ++i) {
-      for (Index j = 0; j <= i; ++j, ++k) {
+    for (Ipopt::Index i = 0, k = 0; i < n; ++i) {
+      for (Ipopt::Index j = 0; j <= i; ++j, ++k) {
         if (values != nullptr) {
           values[k] = hessian_(i, j);
         } else {
@@ -115,17 +114,18 @@ class Tnlp final : public Ipopt::TNLP {
     return true;
   }
 
-  bool intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number, Number, Number, Number,
-                             Number, Number, Number, Number, Index, const Ipopt::IpoptData*,
-                             Ipopt::IpoptCalculatedQuantities*) override {
+  bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number, Number, Number,
+                             Number, Number, Number, Number, Number, Ipopt::Index,
+                             const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     outcome_.iterations = iteration;
     limit_ = program_.model().must_stop();
     return !limit_;
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index, const Number*, const Number*, const Number*,
-                         Index, const Number*, const Number* multipliers, Number,
-                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+  void finalize_solution(Ipopt::SolverReturn, Ipopt::Index, const Number*, const Number*,
+                         const Number*, Ipopt::Index, const Number*, const Number* multipliers,
+                         Number, const Ipopt::IpoptData*,
+                         Ipopt::IpoptCalculatedQuantities*) override {
     // Ipopt's Lagrangian is f + λᵀc with λ ≤ 0 for c ≥ 0.
     for (int i = 0; i < program_.model().constraint_count(); ++i) {
       outcome_.multipliers.push_back(-multipliers[i] * program_.unit());
@@ -136,7 +136,7 @@ class Tnlp final : public Ipopt::TNLP {
 
  private:
   template <class T>
-  static std::span<T> view(T* data, Index size) {
+  static std::span<T> view(T* data, Ipopt::Index size) {
     return {data, static_cast<std::size_t>(size)};
   }
 

@@ -3,11 +3,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::size_t positions = 64;
 std::vector<DrivePosition<double>> sweep() {
   std::vector<DrivePosition<double>> all;
   for (std::size_t i = 0; i < positions; ++i) {
-    const double angle = 2 * std::numbers::pi * double(i * 39 % positions) / positions;
+    const double angle = kTurn * double(i * 39 % positions) / positions;
     all.push_back({{std::cos(angle), std::sin(angle)}, 0});
   }
   return all;

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <string_view>
 #include <thread>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/result.hpp"
 #include "synthesis/lanes/path_screen.hpp"
 
@@ -21,8 +21,7 @@ namespace {
 /// Degrees where the largest error counts.
 std::string shown(const Record& record, double error) {
   if (record.exact) return fmt::format("{:.0e}", error);
-  return record.largest ? fmt::format("{:.9g}°", error * 180 / std::numbers::pi)
-                        : fmt::format("{:.9g}", error);
+  return record.largest ? fmt::format("{:.9g}°", error * 180 / kPi) : fmt::format("{:.9g}", error);
 }
 
 struct Row {

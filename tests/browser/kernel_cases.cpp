@@ -3,11 +3,11 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/design_motion.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/names.hpp"
@@ -86,7 +86,7 @@ ordered_json case_of(const FourBar& linkage, const std::vector<double>& cranks,
 
 int main() {
   std::mt19937_64 random(20);
-  std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
   ordered_json cases = ordered_json::array();
   for (int i = 0; i < kCases; ++i) {
     const FourBar linkage = random_linkage(random);

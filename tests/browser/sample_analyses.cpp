@@ -1,19 +1,17 @@
 #include "tests/browser/sample_analyses.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "analysis/linkage/double_slider.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace {
 
 using namespace cognate;
 using namespace cognate::problems;
-
-constexpr double kPi = std::numbers::pi;
 
 Vec2d polar(double length, double angle) {
   return {length * std::cos(angle), length * std::sin(angle)};
@@ -24,7 +22,7 @@ AnalysisProblem over_a_turn(std::string title, NamedMechanism mechanism) {
   problem.title = std::move(title);
   problem.inertias.resize(static_cast<std::size_t>(body_count(mechanism.mechanism)));
   problem.mechanism = std::move(mechanism);
-  problem.drive = {.start = 0, .end = 2 * kPi, .steps = 360, .rate = {.speed = 10}};
+  problem.drive = {.start = 0, .end = kTurn, .steps = 360, .rate = {.speed = 10}};
   return problem;
 }
 
@@ -177,8 +175,8 @@ AnalysisProblem shaper() {
 /// A crank that swings the rockers of a ring, each by the one before it.
 AnalysisProblem hundred_links() {
   constexpr int kRockers = 50;
-  constexpr double kTurn = 2 * kPi / kRockers, kRadius = 24, kRocker = 1.5;
-  const auto pivot = [&](int i) { return polar(kRadius, i * kTurn); };
+  constexpr double kStep = kTurn / kRockers, kRadius = 24, kRocker = 1.5;
+  const auto pivot = [&](int i) { return polar(kRadius, i * kStep); };
   const auto name = [](const std::string& kind, int i) { return kind + " " + std::to_string(i); };
   NamedMechanism named{.type = MechanismType::chain};
   named.mechanism.drive = Crank<double>{pivot(0), 1};
@@ -194,7 +192,7 @@ AnalysisProblem hundred_links() {
     const int rocker = 1 + 2 * i;
     named.bodies.insert(named.bodies.end(), {name("coupler", i), name("rocker", i)});
     named.points.push_back({name("C", i), {rocker, {kRocker, 0}}});
-    before = {rocker, polar(kRocker, kTurn)};
+    before = {rocker, polar(kRocker, kStep)};
   }
   named.output = 1 + 2 * (kRockers - 1);
   auto problem = over_a_turn("A chain of a hundred links", named);

@@ -1,9 +1,9 @@
 #include "tests/browser/sample_cams.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/cam/contact.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -12,8 +12,6 @@ using cam::Closure;
 using cam::FollowerType;
 using cam::MotionLaw;
 using cam::MotionSegment;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::vector<MotionSegment> motion(MotionLaw rising, MotionLaw falling, double rise) {
   return {{.law = rising, .over = 100 * kDegree, .rise = rise},

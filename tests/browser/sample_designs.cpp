@@ -3,18 +3,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Vec2d polar(double length, double angle) {

@@ -1,12 +1,11 @@
 #include "tests/browser/sample_gears.hpp"
 
-#include <numbers>
 #include <utility>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 GearProblem gear(int teeth) {
   GearProblem problem;

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/kinds/evaluation/json.hpp"
 #include "app/kinds/gear/json.hpp"
@@ -27,8 +27,6 @@ namespace {
 using namespace cognate;
 using namespace cognate::problems;
 
-constexpr double kPi = std::numbers::pi;
-
 struct Sample {
   Problem problem;
   Result result;
@@ -40,7 +38,7 @@ double nearest_crank(const Motion& motion, const Vec2d& target) {
     const auto pose = motion.at(angle);
     return pose ? squared_norm(*pose->coupler_point - target) : 1e300;
   };
-  double best = 0, step = 2 * kPi / 720;
+  double best = 0, step = kTurn / 720;
   for (int i = 0; i < 720; ++i) {
     if (distance(i * step) < distance(best)) best = i * step;
   }
@@ -49,7 +47,7 @@ double nearest_crank(const Motion& motion, const Vec2d& target) {
       if (distance(at) < distance(best)) best = at;
     }
   }
-  return best < 0 ? best + 2 * kPi : best;
+  return best < 0 ? best + kTurn : best;
 }
 
 Design design_of(const PathProblem& problem, const FourBar& linkage) {

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace {
 
 using namespace cognate;
 using namespace cognate::problems;
 using nlohmann::ordered_json;
-
-constexpr double kPi = std::numbers::pi;
 
 constexpr const char* kFourBar = R"(kind = "analysis"
 title = "Crank-rocker"

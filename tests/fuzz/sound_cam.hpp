@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/cam/motion_programme.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
@@ -19,7 +19,7 @@ inline bool is_sound(const CamProblem& problem) {
     place += segment.rise;
     largest = std::max(largest, std::abs(segment.rise));
   }
-  if (!(std::abs(turn - 2 * std::numbers::pi) < 1e-6)) return false;
+  if (!(std::abs(turn - kTurn) < 1e-6)) return false;
   if (!(std::abs(place) <= 1e-6 * largest)) return false;
   if (!cam::programme_of(problem.motion)) return false;
   return std::ranges::all_of(problem.lengths, [](const CamLength& length) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/problem.hpp"
 #include "tests/fuzz/sound_analysis.hpp"
 
@@ -13,7 +13,6 @@ namespace cognate::problems {
 /// Whether a function of the angle alone has a value wherever the reader looks, above 0 that of an
 /// inertia, and its breaks are angles of a turn in order.
 inline bool is_sound(const MachineFunction& function, bool positive) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   if (!function.value || !std::ranges::is_sorted(function.breaks)) return false;
   if (!std::ranges::all_of(function.breaks, [&](double at) { return at >= 0 && at < kTurn; })) {
     return false;

@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
 
 #include "analysis/cam/profile.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/result.hpp"
 #include "tests/support/cam_problems.hpp"
@@ -217,7 +217,7 @@ struct CycloidalCam {
 
   /// The greatest |tan α| over the rise or the return: tan α = (s′ − e)/(s₀ + s).
   double steepest(bool rises, double offset, double height, int samples) const {
-    const double over = (rises ? rise : fall) * kDegree, turn = 2 * std::numbers::pi;
+    const double over = (rises ? rise : fall) * kDegree, turn = kTurn;
     double most = 0;
     for (int i = 0; i <= samples; ++i) {
       const double t = static_cast<double>(i) / samples;

@@ -4,21 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 FunctionProblem parsed(const std::string& text) {
   const auto problem = parse_problem(text);
@@ -44,16 +42,14 @@ bool says(const Result& result, const std::string& part) {
 /// The rocker's angle from its start, by the analysis kernel in the design's own assembly.
 double output_of(const Design& design, double input) {
   const auto pose = Motion(four_bar(design)).at(*design.metrics.input_start + input);
-  return pose ? std::remainder(pose->rocker_angle - *design.metrics.output_start,
-                               2 * std::numbers::pi)
-              : HUGE_VAL;
+  return pose ? std::remainder(pose->rocker_angle - *design.metrics.output_start, kTurn) : HUGE_VAL;
 }
 
 /// Extremes of the transmission angle by the law of cosines, at many input angles of `sweep`.
 Range simulated_transmission(const Design& design, double sweep) {
   const auto [l1, l2, l3, l4] = lengths(four_bar(design));
   constexpr int kSteps = 20000;
-  Range range{std::numbers::pi, 0};
+  Range range{kPi, 0};
   for (int i = 0; i <= kSteps; ++i) {
     const double input = *design.metrics.input_start + sweep * i / kSteps;
     const double diagonal = l1 * l1 + l4 * l4 - 2 * l1 * l4 * std::cos(input);

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/model.hpp"
 #include "problems/linkage/verify.hpp"
@@ -18,7 +17,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 
 FunctionProblem parsed(std::string_view text) {
   const auto problem = parse_problem(text);
@@ -59,7 +58,7 @@ TEST(ExactFunction, ThreeAnglePairsOfTheTextbook) {
   const double pairs[3][2] = {{45, 50}, {90, 80}, {135, 110}};
   for (const auto& [input, output] : pairs) {
     const double error = textbook_output(four_bar(design), input * degree) - output * degree;
-    EXPECT_NEAR(std::remainder(error, 2 * std::numbers::pi), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(error, kTurn), 0, 1e-12);
   }
   EXPECT_LT(design.error.max, 1e-12);
 }
@@ -76,7 +75,7 @@ TEST(ExactFunction, LogarithmWithGivenStartAngles) {
   EXPECT_NEAR(design.error.max / degree, 0.5829139524285901, 1e-10);
   // That largest error stands at x = 1, the start of the range.
   const double at_start = textbook_output(four_bar(design), 86 * degree) - 23.5 * degree;
-  EXPECT_NEAR(std::remainder(at_start, 2 * std::numbers::pi) / degree, -0.5829139524285901, 1e-10);
+  EXPECT_NEAR(std::remainder(at_start, kTurn) / degree, -0.5829139524285901, 1e-10);
 }
 
 TEST(ExactFunction, KeepsTheScaleOfAGivenFrame) {
@@ -251,8 +250,8 @@ TEST(RefinedFunction, MinimaxHasEqualPeaks) {
   for (std::size_t i = 0; i < design.crank_angles.size(); ++i) {
     const double x = 1 + double(i) / 200;
     const double wanted = *design.metrics.output_start - 90 * degree * (1 / x - 1) / (0.5 - 1);
-    const double error = std::remainder(
-        textbook_output(four_bar(design), design.crank_angles[i]) - wanted, 2 * std::numbers::pi);
+    const double error =
+        std::remainder(textbook_output(four_bar(design), design.crank_angles[i]) - wanted, kTurn);
     if (std::abs(error) < 0.99 * design.error.max || error * last > 0) continue;
     ++alternations;
     last = error;
@@ -362,7 +361,7 @@ TEST(RefinedFunction, MinimaxOfATableIsTheSameForEverySeed) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Result result = solve(problem, {.seed = seed});
     ASSERT_EQ(result.status, Status::solved);
-    EXPECT_NEAR(result.designs.front().error.max * 180 / std::numbers::pi, 1.860, 2e-3) << seed;
+    EXPECT_NEAR(result.designs.front().error.max * 180 / kPi, 1.860, 2e-3) << seed;
     ++solved;
   }
   EXPECT_EQ(solved, 6);

@@ -5,14 +5,13 @@
 #include "analysis/gear/involute.hpp"
 #include "analysis/gear/spur_pair.hpp"
 #include "analysis/gear/tooth_outline.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
 using gear::SpurGear;
 using gear::SpurPair;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// One example of the file.
 class Example {

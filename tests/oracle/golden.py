@@ -69,7 +69,7 @@ def answer(program, call, library, seed):
     with tempfile.TemporaryDirectory() as out:
         options = ["--json", "--seed", str(seed), "--threads", "2"]
         if call[0] in ("solve", "analyze"):
-            options += ["--out", out]
+            options += ["--out", out, "--quiet"]
         done = subprocess.run(
             [program, *call, *options], cwd=library, text=True, capture_output=True, timeout=3600
         )

@@ -3,13 +3,14 @@
 #include <toml++/toml.h>
 
 #include <cmath>
-#include <numbers>
 #include <string_view>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 std::map<std::string, double> numbers(const toml::table& table) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/oracle/li_xu.hpp"
@@ -81,7 +81,7 @@ TEST(LiXuFiles, EveryRowOfForces) {
     ASSERT_EQ(result.columns[0].unit, "deg");
     ASSERT_EQ(drive.size(), 361U) << file.name;
     for (std::size_t i = 0; i < drive.size(); ++i) {
-      const Instant now = instant(model, drive[i] * std::numbers::pi / 180);
+      const Instant now = instant(model, drive[i] * kPi / 180);
       const std::vector<double> expected = expected_row(model, now);
       ASSERT_EQ(columns.size(), expected.size()) << file.name;
       double size = 0;

@@ -6,15 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 double largest(const std::vector<double>& values) {
   double size = 0;

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Result solved(const std::string& name) {
   const auto file = std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion" / (name + ".toml");

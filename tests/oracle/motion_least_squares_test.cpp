@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
@@ -50,11 +50,11 @@ synthesis::Pose textbook_pose(const FourBar& l, double crank_angle, double in_li
 }
 
 double textbook_error(const MotionProblem& problem, const Design& design) {
-  const double in_link = fact(design, "body_angle_in_link_deg") * std::numbers::pi / 180;
+  const double in_link = fact(design, "body_angle_in_link_deg") * kPi / 180;
   double sum = 0;
   for (std::size_t j = 0; j < problem.poses.size(); ++j) {
     const auto pose = textbook_pose(four_bar(design), design.crank_angles[j], in_link);
-    const double turn = std::remainder(pose.angle - problem.poses[j].angle, 2 * std::numbers::pi);
+    const double turn = std::remainder(pose.angle - problem.poses[j].angle, kTurn);
     sum += squared_norm(pose.at - problem.poses[j].at) +
            problem.angle_weight * problem.angle_weight * turn * turn;
   }

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
@@ -61,7 +61,7 @@ PathProblem long_list(int count, PointOrder order) {
   PathProblem problem;
   problem.order = order;
   for (int j = 0; j < count; ++j) {
-    const double angle = 0.3 + 2 * std::numbers::pi * (j + 0.3) / count;
+    const double angle = 0.3 + kTurn * (j + 0.3) / count;
     const Vec2d at = *Motion(linkage).at(angle)->coupler_point;
     problem.points.push_back(at + Vec2d{noise(random), noise(random)});
   }

@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Result solved(const std::string& text, const Run& run = {}) {
   const auto problem = parse_problem(text);
@@ -57,7 +55,7 @@ struct Parabola {
     const double c =
         (coupler * coupler + rocker * rocker - distance * distance) / (2 * coupler * rocker);
     const double angle = std::acos(std::clamp(c, -1.0, 1.0));
-    return std::min(angle, std::numbers::pi - angle);
+    return std::min(angle, kPi - angle);
   }
   double least_transmission() const { return std::min(transmission(4), transmission(6)); }
 
@@ -66,7 +64,7 @@ struct Parabola {
     constexpr double kStep = 1e-3;
     double greatest = 0;
     for (int i = 0; i < 180; ++i) {
-      const double x = i * std::numbers::pi / 90;
+      const double x = i * kPi / 90;
       const double bend = output(x + kStep) - 2 * output(x) + output(x - kStep);
       greatest = std::max(greatest, std::abs(bend) / (kStep * kStep));
     }
@@ -85,13 +83,13 @@ struct Parabola {
 
   double rms() const {
     const double input = angle_between(1 + coupler, 5, rocker);
-    const double output = std::numbers::pi - angle_between(rocker, 5, 1 + coupler);
+    const double output = kPi - angle_between(rocker, 5, 1 + coupler);
     double sum = 0;
     for (int i = 0; i < 16; ++i) {
-      const double x = i * std::numbers::pi / 30;
+      const double x = i * kPi / 30;
       const double d = std::sqrt(26 - 10 * std::cos(input + x));
       const double at_d = angle_between(d, rocker, coupler) + angle_between(d, 5, 1);
-      const double miss = std::numbers::pi - at_d - output - 2 / (3 * std::numbers::pi) * x * x;
+      const double miss = kPi - at_d - output - 2 / (3 * kPi) * x * x;
       sum += miss * miss;
     }
     return std::sqrt(sum / 16);
@@ -417,7 +415,7 @@ TEST(ParetoFrontTest, AMotionHasNoWorseTransmissionThanThePlantedLinkage) {
                         .coupler_point = Vec2d{0, 0}};
   // cos μ at the crank towards and away from the frame.
   const auto at = [](double d) { return std::acos((9 + 3.2 * 3.2 - d * d) / (2 * 3 * 3.2)); };
-  const double least = std::min(at(3), std::numbers::pi - at(5));
+  const double least = std::min(at(3), kPi - at(5));
   const Result best = solved(planted_poses(planted, "rms_error_max = 1e-5\n",
                                            "starts = 100\nobjectives = [\"transmission_angle\"]"));
   ASSERT_EQ(best.status, Status::solved);

@@ -8,11 +8,11 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/exact.hpp"
@@ -184,7 +184,7 @@ TEST(PosesAndPoints, TellWhatTheLinkageMissesOfAnAngle) {
     const auto& facts = traced.design.metrics.facts;
     const auto angle = std::ranges::find(facts, "angle_error_max_deg", &Fact::name);
     ASSERT_NE(angle, facts.end());
-    EXPECT_NEAR(std::get<double>(angle->value), kOff * 180 / std::numbers::pi, 1e-6);
+    EXPECT_NEAR(std::get<double>(angle->value), kOff * 180 / kPi, 1e-6);
   }
 }
 
@@ -333,7 +333,7 @@ TEST(FewPoints, AreMetWithTheFrameThatIsGiven) {
   const Result of_angle = solve(problem, {});
   ASSERT_FALSE(of_angle.designs.empty());
   for (const Design& design : of_angle.designs) {
-    EXPECT_NEAR(std::remainder(frame_angle(four_bar(design)) - 0.4, std::numbers::pi), 0, 1e-9);
+    EXPECT_NEAR(std::remainder(frame_angle(four_bar(design)) - 0.4, kPi), 0, 1e-9);
   }
 }
 

@@ -3,10 +3,10 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
 namespace cognate {
@@ -69,8 +69,8 @@ std::vector<Record> read_records() {
     record.source = entry.at("source").value<std::string>().value();
     const auto degrees = entry["best_known_deg"].value<double>();
     record.largest = degrees.has_value();
-    record.best_known = degrees ? *degrees * std::numbers::pi / 180
-                                : entry.at("best_known").value<double>().value();
+    record.best_known =
+        degrees ? *degrees * kPi / 180 : entry.at("best_known").value<double>().value();
     record.exact = entry["exact"].value_or(false);
     record.infimum = entry["infimum"].value_or(false);
     if (const toml::array* published = entry["published"].as_array()) {

@@ -8,8 +8,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/result.hpp"
 
 namespace cognate {
@@ -57,7 +57,7 @@ double structural_error(const FourBar& linkage, double input, double output) {
   const double at_d = std::acos((l3 * l3 + d * d - l2 * l2) / (2 * l3 * d));
   const double to_b = std::atan2(by, bx - frame);
   const double rocker = linkage.assembly == Assembly::open ? to_b - at_d : to_b + at_d;
-  return std::remainder(rocker - output, 2 * std::numbers::pi);
+  return std::remainder(rocker - output, kTurn);
 }
 
 /// Over the samples, or if the largest error is asked for over 20001 values of x.
@@ -99,8 +99,8 @@ void expect_timing(const PathProblem& problem, const Design& design) {
   for (std::size_t j = 1; j < problem.points.size(); ++j) {
     const double wanted = problem.crank_angles[j] - problem.crank_angles[0];
     const double found = design.crank_angles[j] - design.crank_angles[0];
-    const double ccw = std::remainder(found - wanted, 2 * std::numbers::pi);
-    const double cw = std::remainder(found + wanted, 2 * std::numbers::pi);
+    const double ccw = std::remainder(found - wanted, kTurn);
+    const double cw = std::remainder(found + wanted, kTurn);
     EXPECT_LT(std::min(std::abs(ccw), std::abs(cw)), 1e-12);
   }
 }
@@ -131,13 +131,13 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
   ahead.coupler_point = *linkage.coupler_point + Vec2d{1, 0};
   const auto fact =
       std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &problems::Fact::name);
-  const double in_link = std::get<double>(fact->value) * std::numbers::pi / 180;
+  const double in_link = std::get<double>(fact->value) * kPi / 180;
   double sum = 0;
   for (std::size_t j = 0; j < problem.poses.size(); ++j) {
     const Vec2d at = textbook_point(linkage, design.crank_angles[j]);
     const Vec2d along = textbook_point(ahead, design.crank_angles[j]) - at;
-    const double turn = std::remainder(
-        std::atan2(along.y, along.x) + in_link - problem.poses[j].angle, 2 * std::numbers::pi);
+    const double turn =
+        std::remainder(std::atan2(along.y, along.x) + in_link - problem.poses[j].angle, kTurn);
     sum += squared_norm(at - problem.poses[j].at) + std::pow(problem.angle_weight * turn, 2);
   }
   return sum;

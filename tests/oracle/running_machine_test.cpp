@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/reduction.hpp"
 #include "analysis/machine/run.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/machines.hpp"
 
 namespace cognate::machine {
 namespace {
 
 using test::PeriodicTable;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const toml::table& data() {
   static const toml::table table = toml::parse_file(COGNATE_ORACLE_DIR "/machines.toml");

@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "analysis/coupler_curve/contact.hpp"
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double kDegree = pi / 180;
 
 enum class Which { on_coupler_line, five_point };

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 #include "problems/read.hpp"
 
@@ -69,7 +69,7 @@ class Posed {
       : problem_(read_or_fail(kLibrary / (name + ".toml"))),
         motion_(problem_.mechanism.mechanism) {}
 
-  void move_to(double degrees) { ASSERT_TRUE(motion_.move_to(degrees * std::numbers::pi / 180)); }
+  void move_to(double degrees) { ASSERT_TRUE(motion_.move_to(degrees * kPi / 180)); }
 
   // Compared as directions: an angle is known but for whole turns.
   void expect_angle(const std::string& body, double angle) const {
@@ -77,8 +77,7 @@ class Posed {
     const auto found = std::ranges::find(bodies, body);
     ASSERT_NE(found, bodies.end());
     const Vec2d direction = motion_.bodies()[found - bodies.begin()].direction;
-    EXPECT_NEAR(std::remainder(std::atan2(direction.y, direction.x) - angle, 2 * std::numbers::pi),
-                0, 1e-12)
+    EXPECT_NEAR(std::remainder(std::atan2(direction.y, direction.x) - angle, kTurn), 0, 1e-12)
         << body;
   }
 
@@ -139,7 +138,7 @@ TEST(AnalysisLibraryTest, ShaperOfLiAndXu) {
 // What the comments of the other files claim, by their closed forms.
 TEST(AnalysisLibraryTest, ClaimsOfTheFiles) {
   Posed chebyshev("double-rocker");
-  chebyshev.move_to(std::acos(0.6) * 180 / std::numbers::pi);
+  chebyshev.move_to(std::acos(0.6) * 180 / kPi);
   EXPECT_NEAR(chebyshev.point("P").x, 2, 1e-12);
   EXPECT_NEAR(chebyshev.point("P").y, 4, 1e-12);
 
@@ -150,13 +149,13 @@ TEST(AnalysisLibraryTest, ClaimsOfTheFiles) {
 
   Posed tangent("tangent-generator");
   tangent.move_to(60);
-  EXPECT_NEAR(tangent.point("B").x, 100 * std::tan(std::numbers::pi / 6), 1e-12);
+  EXPECT_NEAR(tangent.point("B").x, 100 * std::tan(kPi / 6), 1e-12);
 
   Posed oldham("oldham-coupling");
   oldham.move_to(40);
   const Vec2d centre = oldham.point("C");
   EXPECT_NEAR(std::hypot(centre.x - 2, centre.y), 2, 1e-12);
-  oldham.expect_angle("driven", 130 * std::numbers::pi / 180);
+  oldham.expect_angle("driven", 130 * kPi / 180);
 }
 
 }  // namespace

@@ -3,19 +3,17 @@
 
 #include <chrono>
 #include <filesystem>
-#include <numbers>
 #include <set>
 #include <string>
 
 #include "analysis/cam/motion_programme.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/names.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const std::string kRise = "{law = \"harmonic\", over_deg = 120, rise = 20}";
 const std::string kReturn = "{law = \"3-4-5\", over_deg = 150, rise = -20}";

@@ -1,9 +1,9 @@
 /// Gears and gear pairs from their files: values, defaults, and every fault at its place.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/result.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
@@ -29,7 +29,7 @@ TEST(GearProblemTest, WhatAGearNeedNotSay) {
   EXPECT_EQ(read->gear.normal.teeth, 35);
   EXPECT_EQ(read->gear.normal.module, 5);
   EXPECT_EQ(read->gear.normal.profile_shift, 0);
-  EXPECT_DOUBLE_EQ(read->gear.normal.rack.pressure_angle, std::numbers::pi / 9);
+  EXPECT_DOUBLE_EQ(read->gear.normal.rack.pressure_angle, kPi / 9);
   EXPECT_EQ(read->gear.normal.rack.addendum, 1);
   EXPECT_EQ(read->gear.normal.rack.clearance, 0.25);
   EXPECT_EQ(read->points, 20);
@@ -41,7 +41,7 @@ TEST(GearProblemTest, AHelicalGear) {
            "profile_shift = 0.2\ntip_reduction = 0.1\n[rack]\npressure_angle_deg = 25\n"
            "addendum = 0.9\nclearance = 0.2\n[output]\npoints = 7"));
   ASSERT_TRUE(read);
-  EXPECT_DOUBLE_EQ(read->gear.helix, -std::numbers::pi / 9);
+  EXPECT_DOUBLE_EQ(read->gear.helix, -kPi / 9);
   EXPECT_EQ(read->gear.face_width, 30);
   EXPECT_EQ(read->gear.normal.tip_reduction, 0.1);
   EXPECT_EQ(read->gear.normal.rack.addendum, 0.9);

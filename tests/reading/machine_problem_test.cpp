@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 
 const std::string kCrank =
     "kind = \"machine\"\n[mechanism]\ntype = \"slider-crank\"\npivot = [0, 0]\ncrank = 1\n"
@@ -87,7 +84,7 @@ tolerance = 1e-8
   EXPECT_EQ(problem.fluctuation, 0.05);
   EXPECT_EQ(problem.brake, 6);
   EXPECT_EQ(problem.run.tasks, (std::vector{MachineTask::stop, MachineTask::steady}));
-  EXPECT_NEAR(problem.run.start_phi, kPi / 2, 1e-15);
+  EXPECT_NEAR(problem.run.start_phi, kRightAngle, 1e-15);
   EXPECT_EQ(problem.run.start_speed, 2);
   EXPECT_EQ(problem.run.time_max, 8);
   EXPECT_EQ(problem.run.turns_max, 9);
@@ -129,7 +126,7 @@ TEST(MachineProblem, ASmoothTableGoesThroughItsRowsWithoutCorners) {
     EXPECT_NEAR(inertia.value(phi, 0, 0), value, 1e-12);
     EXPECT_NEAR(inertia.slope(phi - 1e-9), inertia.slope(phi + 1e-9), 1e-6);
   }
-  for (double phi = 0.05; phi < 2 * kPi; phi += 0.1) {
+  for (double phi = 0.05; phi < kTurn; phi += 0.1) {
     const double step = 1e-6;
     const double by_difference =
         (inertia.value(phi + step, 0, 0) - inertia.value(phi - step, 0, 0)) / (2 * step);
@@ -146,7 +143,7 @@ TEST(MachineProblem, AnExpressionBeginsAnewWithEachTurn) {
     EXPECT_NEAR(problem.inertia->value(phi, 0, 0), 3 + std::cos(2 * phi), 1e-12);
     EXPECT_NEAR(problem.inertia->slope(phi), -2 * std::sin(2 * phi), 1e-10);
   }
-  EXPECT_EQ(problem.torque->value(1 - 2 * kPi, 0, 0), -1);
+  EXPECT_EQ(problem.torque->value(1 - kTurn, 0, 0), -1);
   ASSERT_EQ(problem.torque->breaks.size(), 2u);
   EXPECT_EQ(problem.torque->breaks[0], 0);
   EXPECT_NEAR(problem.torque->breaks[1], 2, 1e-14);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {
@@ -38,7 +38,7 @@ TEST(MotionProblemTest, Poses) {
       read(kThree + "[mechanism]\nfixed_pivots = [[1, 2], [3, 4]]\ndyads = [\"RP\", \"RR\"]\n" +
            "[bounds]\nlength = [0.5, 9]\n");
   ASSERT_EQ(problem.poses.size(), 3U);
-  EXPECT_DOUBLE_EQ(problem.poses[1].angle, std::numbers::pi / 6);
+  EXPECT_DOUBLE_EQ(problem.poses[1].angle, kPi / 6);
   ASSERT_EQ(problem.fixed_pivots.size(), 2U);
   EXPECT_EQ(problem.fixed_pivots[1], (Vec2d{3, 4}));
   EXPECT_EQ(problem.dyads, (std::vector{synthesis::DyadKind::rr, synthesis::DyadKind::rp}));
@@ -67,8 +67,8 @@ TEST(MotionProblemTest, SegmentsAreBodiesWithTheirEndsAsPivots) {
   const MotionProblem problem = read("segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n");
   ASSERT_EQ(problem.poses.size(), 2U);
   EXPECT_EQ(problem.poses[0].at, (Vec2d{1, 1}));
-  EXPECT_DOUBLE_EQ(problem.poses[0].angle, std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(std::abs(problem.poses[1].angle), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(problem.poses[0].angle, kRightAngle);
+  EXPECT_DOUBLE_EQ(std::abs(problem.poses[1].angle), kPi);
   ASSERT_EQ(problem.moving_pivots.size(), 2U);
   EXPECT_EQ(problem.moving_pivots[1], (Vec2d{2, 0}));
 }

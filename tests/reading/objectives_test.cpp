@@ -1,11 +1,11 @@
 /// `solve.objectives` and the bounds on the error: what they mean, and what is wrong with them.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {
@@ -61,7 +61,7 @@ TEST(ObjectivesTest, TheErrorIsBoundedInItsOwnUnit) {
   EXPECT_EQ(length.solve.designs, 1);
   const auto angle = read<FunctionProblem>(function("", "rms_error_deg_max = 2\n", ratio));
   EXPECT_EQ(angle.constraints.error->of, ErrorMeasure::rms_angle);
-  EXPECT_DOUBLE_EQ(angle.constraints.error->max, 2 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(angle.constraints.error->max, kTurn / 180);
   const auto largest =
       read<FunctionProblem>(function("objective = \"minimax\"", "max_error_deg_max = 2\n", ratio));
   EXPECT_EQ(largest.constraints.error->of, ErrorMeasure::largest_angle);

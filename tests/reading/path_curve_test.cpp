@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "fault_cases.hpp"
 
 namespace cognate::problems {
@@ -22,7 +22,7 @@ std::string with_target(const std::string& lines) {
 std::string spikes() {
   std::string text;
   for (int i = 0; i < 12; ++i) {
-    const double angle = i * std::numbers::pi / 6;
+    const double angle = i * kPi / 6;
     text += fmt::format("{}[1, 1], [{:.17g}, {:.17g}]", i > 0 ? ", " : "",
                         1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle));
   }
@@ -186,7 +186,7 @@ TEST_F(Drawings, TheOnlyPathThatIsDrawnIsTaken) {
 TEST_F(Drawings, OneOfSeveralIsChosenById) {
   const auto problem = read(svg(kTriangle + kCircle), "svg_id = \"c\"\n");
   ASSERT_TRUE(problem) << problem.error().front().message;
-  EXPECT_NEAR(std::get<PathProblem>(*problem).curve->curve.length(), 2 * std::numbers::pi, 1e-6);
+  EXPECT_NEAR(std::get<PathProblem>(*problem).curve->curve.length(), kTurn, 1e-6);
 }
 
 TEST_F(Drawings, APrefixedNamespaceIsRead) {

@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/outline.hpp"
 #include "problems/path/svg_path_data.hpp"
 
 namespace cognate::problems::reading {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double length_of(const std::string& path_data) {
   const auto curve = closed_outline(path_data);

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/jumps.hpp"
 
 namespace cognate::problems::reading {
@@ -28,7 +28,7 @@ TEST(Poles, OfEveryOrderAreFoundWhereTheyAre) {
   const auto sign_changes = [](double x) { return 1 / (x - 0.33333333); };
   EXPECT_NEAR(find_pole(sign_changes, {0, 1}, kIntervals).value_or(0), 0.33333333, 1e-9);
   const auto tangent = [](double x) { return std::tan(x); };
-  EXPECT_NEAR(find_pole(tangent, {1, 2}, kIntervals).value_or(0), std::numbers::pi / 2, 1e-9);
+  EXPECT_NEAR(find_pole(tangent, {1, 2}, kIntervals).value_or(0), kRightAngle, 1e-9);
 }
 
 TEST(Poles, AreNotWhatContinuousFunctionsHave) {

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 AnalysisProblem read(const std::string& text) {
   auto problem = parse_analysis("kind = \"analysis\"\n" + text);
@@ -70,7 +68,7 @@ TEST(ReadAnalysisTest, DefaultsOfAFourBar) {
   EXPECT_EQ(problem.mechanism.points.size(), 5U);
   EXPECT_EQ(problem.mechanism.output, 3);
   EXPECT_EQ(problem.drive.start, 0);
-  EXPECT_DOUBLE_EQ(problem.drive.end, 2 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(problem.drive.end, kTurn);
   EXPECT_EQ(problem.drive.steps, 360);
   EXPECT_EQ(problem.drive.rate.speed, 1);
   EXPECT_EQ(problem.drive.rate.acceleration, 0);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {
@@ -31,8 +31,6 @@ PathProblem path(const std::string& name) {
 FunctionProblem function(const std::string& name) {
   return std::get<FunctionProblem>(read_or_fail(kLibrary / "function" / (name + ".toml")));
 }
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(ReadLibraryTest, EveryFileIsATask) {
   int count = 0;
@@ -209,7 +207,7 @@ TEST(ReadLibraryTest, CrankRockerParabola) {
   for (int i = 0; i < 30; ++i) {
     const double x = 3 * (i + 1) * kDegree;
     EXPECT_DOUBLE_EQ(problem.sample_at[i], x);
-    EXPECT_DOUBLE_EQ(target.y(x), 2 / (3 * std::numbers::pi) * x * x);
+    EXPECT_DOUBLE_EQ(target.y(x), 2 / (3 * kPi) * x * x);
   }
   EXPECT_EQ(problem.start, FunctionStart::outer_dead_centre);
   EXPECT_EQ(problem.given.crank, 1.0);

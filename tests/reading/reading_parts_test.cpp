@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <set>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/class_feasibility.hpp"
 #include "problems/names.hpp"
 #include "problems/toml/expression.hpp"
@@ -28,7 +28,7 @@ double value(const std::string& text, double x) {
 }
 
 TEST(ExpressionTest, MeansWhatMathematicsMeans) {
-  EXPECT_EQ(value("2/(3*pi)*x^2", 3), 2 / (3 * std::numbers::pi) * 9);
+  EXPECT_EQ(value("2/(3*pi)*x^2", 3), 2 / (3 * kPi) * 9);
   EXPECT_EQ(value("-x^2", 3), -9);
   EXPECT_EQ(value("2^x^2", 3), 512);
   EXPECT_DOUBLE_EQ(value("log10(x)", 1000), 3);

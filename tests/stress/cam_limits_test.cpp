@@ -2,6 +2,7 @@
 /// large as its least radius, cusps, very many segments, any size.
 #include <gtest/gtest.h>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/linkage/verify.hpp"
 #include "tests/support/cam_problems.hpp"
@@ -132,7 +133,7 @@ TEST(CamStress, ManySegments) {
   const auto result = solve(problem, {.threads = 1});
   expect_finite(result);
   const auto& cam = result.designs.at(0).cam;
-  const double steepest = 2 * 1e-3 / (std::numbers::pi / kWaves);
+  const double steepest = 2 * 1e-3 / (kPi / kWaves);
   const auto rise = problems::CamExtremes(cam).pressure_angle(cam::Stretch::rises);
   // At the steepest place, half way up, or near it where the height is less.
   EXPECT_NEAR(std::tan(rise->value) * (100 + 5e-4), steepest, 1e-6 * steepest);

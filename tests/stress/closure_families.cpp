@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::stress {
 namespace {
@@ -39,7 +39,7 @@ Lengths<double> rotating_lengths(Random& random) {
   for (;;) {
     const Lengths<double> links = random_lengths(random);
     const TransmissionAngles angles = transmission_angles(links);
-    if (crank_rotates(links) && angles.acute_min > std::numbers::pi / 6) return links;
+    if (crank_rotates(links) && angles.acute_min > kPi / 6) return links;
   }
 }
 

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <variant>
 
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/problem.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
@@ -85,18 +85,18 @@ class ExactFunctionStress {
   /// Whether the crank turns fully: precision points on its two sides are on two circuits.
   static bool turns(const Design& design) {
     double least = HUGE_VAL;
-    for (int k = 0; k < 4; ++k) least = std::min(least, room_at(design, k * std::numbers::pi / 2));
+    for (int k = 0; k < 4; ++k) least = std::min(least, room_at(design, k * kRightAngle));
     return least >= 0;
   }
 
   /// The least distance by which the links reach over the motion, relative: negative in a gap.
   double least_room(const Design& design) const {
-    const double start = *design.metrics.input_start, sweep = input_ * std::numbers::pi / 180;
+    const double start = *design.metrics.input_start, sweep = input_ * kPi / 180;
     double least = room_at(design, start);
     for (int i = 0; i <= samples_; ++i) {
       least = std::min(least, room_at(design, start + sweep * i / samples_));
     }
-    constexpr double kQuarter = std::numbers::pi / 2;
+    constexpr double kQuarter = kRightAngle;
     for (double k = std::ceil(start / kQuarter); k * kQuarter <= start + sweep; ++k) {
       least = std::min(least, room_at(design, k * kQuarter));
     }

@@ -4,18 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <random>
 #include <sstream>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::stress {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
 /// A number with its first and second derivatives by the crank's angle.
 struct Jet {
@@ -137,16 +135,16 @@ bool acts(const Linkage& l, double q) {
 
 /// Where the linkage closes, as intervals of the angle from `start` on for a turn.
 std::vector<std::pair<double, double>> ranges(const Linkage& l) {
-  if (l.slides) return {{l.start, l.start + 2 * kPi}};
+  if (l.slides) return {{l.start, l.start + kTurn}};
   const auto angle = [&](double diagonal) {
     return (l.crank * l.crank + l.frame * l.frame - diagonal * diagonal) / (2 * l.crank * l.frame);
   };
   const double near = angle(std::abs(l.coupler - l.rocker)), far = angle(l.coupler + l.rocker);
   const double least = near < 1 ? std::acos(std::max(near, -1.0)) : 0;
   const double most = far > -1 ? std::acos(far) : kPi;
-  if (least == 0 && most == kPi) return {{l.start, l.start + 2 * kPi}};
+  if (least == 0 && most == kPi) return {{l.start, l.start + kTurn}};
   if (least == 0) return {{-most, most}};
-  if (most == kPi) return {{least, 2 * kPi - least}};
+  if (most == kPi) return {{least, kTurn - least}};
   return {{least, most}, {-most, -least}};
 }
 
@@ -168,7 +166,7 @@ double refine(const std::function<double(double)>& f, double a, double b) {
 Found search(const Linkage& l, int samples) {
   Found found{HUGE_VAL, -HUGE_VAL};
   for (const auto& [from, to] : ranges(l)) {
-    const bool turns = to - from >= 2 * kPi - 1e-9;
+    const bool turns = to - from >= kTurn - 1e-9;
     std::vector<double> places;
     for (int i = 0; i <= samples; ++i) {
       const double share = static_cast<double>(i) / samples;
@@ -177,7 +175,7 @@ Found search(const Linkage& l, int samples) {
     }
     if (l.when == When::interval) {
       for (double q : {l.from * kDegree, l.to * kDegree, 0.5 * (l.from + l.to) * kDegree}) {
-        q = from + std::fmod(std::fmod(q - from, 2 * kPi) + 2 * kPi, 2 * kPi);
+        q = from + std::fmod(std::fmod(q - from, kTurn) + kTurn, kTurn);
         if (q < to) places.push_back(q);
       }
       std::ranges::sort(places);
@@ -294,7 +292,7 @@ class Family {
     l.from = l.when == When::stroke ? between(0, 0.9) : between(0, 359);
     l.to = l.when == When::stroke ? l.from + between(0.02, 1 - l.from)
                                   : l.from + std::exp(between(std::log(0.01), std::log(300)));
-    l.start = between(0, 2 * kPi);
+    l.start = between(0, kTurn);
     l.steps = 3 + static_cast<int>(random_() % 38);
     return l;
   }

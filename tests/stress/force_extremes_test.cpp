@@ -3,17 +3,15 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/stress/force_brute.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 AnalysisResult result_of(const std::string& text) {
   const auto problem = parse_analysis("kind = \"analysis\"\n" + text);

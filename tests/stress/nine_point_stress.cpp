@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/follow.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 #include "synthesis/exact/nine_point/start_cache.hpp"
@@ -63,7 +62,7 @@ struct Planted {
 };
 
 Planted plant(std::mt19937_64& random, double arc) {
-  std::uniform_real_distribution<double> near(-0.3, 0.3), any(0, 2 * std::numbers::pi);
+  std::uniform_real_distribution<double> near(-0.3, 0.3), any(0, kTurn);
   const double crank = 0.5 + 0.3 * near(random), coupler = 2 + near(random);
   const double rocker = 1.6 + near(random), frame = 1.9 + near(random), start = any(random);
   const Complex traced(1 + near(random), 0.8 + near(random));
@@ -156,5 +155,5 @@ int main(int count, char** arguments) {
   const int sets = count > 1 ? std::max(1, std::atoi(arguments[1])) : 15;
   random_complex(sets);
   random_real(sets);
-  for (const double arc : {2 * std::numbers::pi, 3.0, 2.0, 1.0, 0.5}) planted_curves(sets, arc);
+  for (const double arc : {kTurn, 3.0, 2.0, 1.0, 0.5}) planted_curves(sets, arc);
 }

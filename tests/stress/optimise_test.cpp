@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 #include "tests/support/planted_path.hpp"
@@ -168,9 +168,9 @@ TEST(Border, PartsWhatIsPossibleFromWhatIsNot) {
   problem.given.rocker = links.rocker;
   problem.given.frame = links.frame;
   for (const double off : {1e-3, 1e-5, 1e-7}) {
-    problem.constraints.transmission_angle = Range{least - off, std::numbers::pi};
+    problem.constraints.transmission_angle = Range{least - off, kPi};
     EXPECT_EQ(solve(problem, {}).status, Status::solved) << off;
-    problem.constraints.transmission_angle = Range{least + off, std::numbers::pi};
+    problem.constraints.transmission_angle = Range{least + off, kPi};
     EXPECT_EQ(solve(problem, {}).status, Status::infeasible) << off;
   }
 }

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/result.hpp"
 
 namespace cognate {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 inline cam::MotionSegment segment(cam::MotionLaw law, double over_deg, double rise = 0) {
   cam::MotionSegment made;

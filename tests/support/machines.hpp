@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "analysis/machine/machine.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::test {
 
@@ -25,7 +25,7 @@ inline machine::Machine machine_of(InertiaLaw inertia, TorqueLaw torques,
               },
           .torques = [at, torques = std::move(torques)](
                          double omega, double time) { return torques(*at, omega, time); },
-          .period = 2 * std::numbers::pi,
+          .period = kTurn,
           .breaks = std::move(breaks)};
 }
 
@@ -37,7 +37,7 @@ inline InertiaLaw constant_inertia(double inertia) {
 struct PeriodicTable {
   std::vector<double> values;
 
-  double step() const { return 2 * std::numbers::pi / static_cast<double>(values.size()); }
+  double step() const { return kTurn / static_cast<double>(values.size()); }
 
   double at(double phi) const {
     const auto [low, high, part] = rows(phi);

@@ -1,16 +1,13 @@
 /// @file Mechanisms with the names of their parts, as a file would give them, for tests.
 #pragma once
 
-#include <numbers>
-
 #include "analysis/linkage/double_slider.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/problem.hpp"
 
 namespace cognate::problems {
-
-inline constexpr double kTurn = 2 * std::numbers::pi;
 
 inline AnalysisProblem analysis_of(NamedMechanism mechanism, int steps) {
   AnalysisProblem problem;

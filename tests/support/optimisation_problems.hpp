@@ -4,10 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::synthesis::testing {
@@ -379,14 +379,13 @@ inline std::vector<Problem> minimax_problems() {
 
 /// Orthogonal-distance fits: each point's angle on the curve is a local variable.
 inline std::vector<Problem> local_problems() {
-  using std::numbers::pi;
   std::vector<Problem> out;
 
   // At each of eight angles one point inside and one outside the circle (3, −1; 2), both by 0.1:
   // every other circle is farther from them, and the least is 16 · 0.1².
   std::vector<double> at, px, py;
   for (int i = 0; i < 16; ++i) {
-    const double angle = (i / 2) * pi / 4, radius = i % 2 == 0 ? 2.1 : 1.9;
+    const double angle = (i / 2) * kPi / 4, radius = i % 2 == 0 ? 2.1 : 1.9;
     at.push_back(angle);
     px.push_back(3 + radius * std::cos(angle));
     py.push_back(-1 + radius * std::sin(angle));
@@ -423,7 +422,7 @@ inline std::vector<Problem> local_problems() {
   std::vector<std::pair<double, double>> points;
   FunctionModel::Parts ellipse{boxes({{-5, 5}, {-5, 5}, {0.1, 9}, {0.1, 9}, {-1, 1}}), {}};
   for (int i = 0; i < 12; ++i) {
-    const double t = 2 * pi * i / 12;
+    const double t = 2 * kPi * i / 12;
     points.push_back(ellipse_point(planted[0], planted[1], planted[2], planted[3], planted[4], t));
     ellipse_start.push_back(t + 0.1);
     ellipse_answer.push_back(t);

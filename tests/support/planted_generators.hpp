@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/function/precision_point.hpp"
 #include "tests/support/taylor.hpp"
 
@@ -55,8 +55,7 @@ inline std::optional<std::array<double, 5>> output(const PlantedFourBar& planted
   const auto rate = [](const Taylor& a) { return Taylor{a.c[1], 2 * a.c[2], 3 * a.c[3], 0}; };
   const Taylor turn = x * rate(y) - y * rate(x);
   const double angle = std::atan2(y.c[0], x.c[0]) - planted.output_start;
-  return std::array{std::remainder(angle, 2 * std::numbers::pi), turn.c[0], turn.c[1],
-                    2 * turn.c[2], 0.0};
+  return std::array{std::remainder(angle, kTurn), turn.c[0], turn.c[1], 2 * turn.c[2], 0.0};
 }
 
 inline std::optional<std::array<double, 5>> output(const PlantedSliderCrank& planted,

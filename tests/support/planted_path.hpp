@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::testing {
@@ -26,7 +26,7 @@ inline PlantedPath random_crank_rocker(std::mt19937_64& random, int count, doubl
   PlantedPath planted;
   FourBar& four_bar = planted.linkage;
   four_bar.pivot_a = {uniform(-1, 1), uniform(-1, 1)};
-  const double direction = uniform(0, 2 * std::numbers::pi);
+  const double direction = uniform(0, kTurn);
   const double frame = uniform(1.5, 2);
   four_bar.pivot_d = four_bar.pivot_a + frame * Vec2d{std::cos(direction), std::sin(direction)};
   four_bar.crank = uniform(0.4, 0.7);
@@ -34,10 +34,9 @@ inline PlantedPath random_crank_rocker(std::mt19937_64& random, int count, doubl
   four_bar.rocker = uniform(1.3, 2);
   four_bar.assembly = uniform(0, 1) < 0.5 ? Assembly::open : Assembly::crossed;
   four_bar.coupler_point = Vec2d{uniform(-1, 2), uniform(0.3, 1.5)};
-  const double from = uniform(0, 2 * std::numbers::pi);
+  const double from = uniform(0, kTurn);
   for (int j = 0; j < count; ++j) {
-    planted.crank_angles.push_back(from +
-                                   share * 2 * std::numbers::pi * (j + uniform(-0.2, 0.2)) / count);
+    planted.crank_angles.push_back(from + share * kTurn * (j + uniform(-0.2, 0.2)) / count);
   }
   return planted;
 }

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <limits>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/problem.hpp"
 #include "problems/result.hpp"
 
 namespace cognate::problems {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline PathProblem planted_path() {
   PathProblem problem;
@@ -30,17 +28,17 @@ inline Design planted_design() {
                                    .rocker = 4e-17,
                                    .assembly = Assembly::crossed,
                                    .coupler_point = Vec2d{0.3, -0.7}});
-  design.crank_angles = {0, std::numbers::pi / 4, 6.1};
+  design.crank_angles = {0, kPi / 4, 6.1};
   design.error = {.sum_of_squares = 1e-300, .rms = 0.0625, .max = 0.125};
   design.metrics = {.mobility = MobilityClass::rocker_crank,
                     .change_point = true,
-                    .transmission_min = std::numbers::pi / 6,
-                    .transmission_max = 3 * std::numbers::pi / 4,
-                    .transmission_acute_min = std::numbers::pi / 9,
+                    .transmission_min = kPi / 6,
+                    .transmission_max = 3 * kPi / 4,
+                    .transmission_acute_min = kPi / 9,
                     .time_ratio = 1.25,
                     .defects = {Defect::branch, Defect::order},
-                    .input_start = std::numbers::pi / 3,
-                    .output_start = -std::numbers::pi / 2,
+                    .input_start = kPi / 3,
+                    .output_start = -kRightAngle,
                     .precision_residual = 1e-15,
                     .condition = 12.5};
   design.constraints = {{"link_ratio_max", 7.5, 5.0, false},
@@ -85,9 +83,9 @@ inline Result planted_synthesis() {
   Design slider = planted_design();
   slider.mechanism =
       named(SliderCrank{.pivot = {1, 2}, .crank = 0.5, .coupler = 2.5, .offset = -0.125});
-  slider.metrics = {.transmission_min = std::numbers::pi / 4,
-                    .transmission_max = 3 * std::numbers::pi / 4,
-                    .transmission_acute_min = std::numbers::pi / 4,
+  slider.metrics = {.transmission_min = kPi / 4,
+                    .transmission_max = 3 * kPi / 4,
+                    .transmission_acute_min = kPi / 4,
                     .precision_residual = 2e-16,
                     .condition = kInfinity,
                     .facts = {{"class", std::string("crank turns fully")},

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/gear/spur_gear.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/vec2.hpp"
 
@@ -17,7 +17,7 @@ namespace cognate::test {
 inline double distance_from_tooth(const gear::SpurGear& g, const Vec2d& point) {
   const double alpha = g.rack.pressure_angle;
   const double rounding = g.rack.corner_radius.value_or(g.rack.clearance / (1 - std::sin(alpha)));
-  const double half_width = std::numbers::pi / 4 + g.thinning / (2 * g.module);
+  const double half_width = kPi / 4 + g.thinning / (2 * g.module);
   const Vec2d normal{std::cos(alpha), -std::sin(alpha)};
   // The corner's centre is its radius from the tip line and from the flank.
   const double height = rounding - g.rack.addendum - g.rack.clearance;
@@ -33,7 +33,7 @@ inline double distance_from_tooth(const gear::SpurGear& g, const Vec2d& point) {
 inline double distance_at(const gear::SpurGear& g, const Vec2d& point, double angle) {
   const double r = 0.5 * g.teeth;
   const Vec2d turned = Vec2d{std::cos(angle), std::sin(angle)} * ((1 / g.module) * point);
-  const Vec2d tooth{-0.5 * std::numbers::pi - r * angle, r + g.profile_shift};
+  const Vec2d tooth{-0.5 * kPi - r * angle, r + g.profile_shift};
   return distance_from_tooth(g, turned - tooth);
 }
 
@@ -45,8 +45,7 @@ struct Closest {
 /// The least distance over all positions from which the rack reaches the point.
 inline Closest closest(const gear::SpurGear& g, const Vec2d& point) {
   constexpr int kSteps = 300;
-  const double middle =
-      -std::numbers::pi / g.teeth;  // there the rack's tooth is upright in the space
+  const double middle = -kPi / g.teeth;  // there the rack's tooth is upright in the space
   const double range = 12 / g.teeth + 0.4;
   const auto distance = [&](double angle) { return distance_at(g, point, angle); };
   Closest best{distance(middle), middle};

@@ -19,10 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using problems::AnalysisProblem;
 using problems::AnalysisResult;
-
-bool drive_slides(const AnalysisProblem& problem) {
-  return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
-}
+using problems::drive_slides;
 
 ordered_json metrics_json(const AnalysisResult& result) {
   ordered_json table = ordered_json::object();

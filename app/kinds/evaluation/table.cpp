@@ -20,11 +20,8 @@ namespace {
 
 using problems::AnalysisProblem;
 using problems::AnalysisResult;
+using problems::drive_slides;
 using problems::Status;
-
-bool drive_slides(const AnalysisProblem& problem) {
-  return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
-}
 
 /// A length, or an angle in degrees to a billionth, so that rounding is not shown as an angle.
 std::string number(double value, bool angle) {

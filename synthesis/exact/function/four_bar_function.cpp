@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/binary_form.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
@@ -23,19 +25,6 @@ double infinite_ratio(double condition) {
 /// A vector of the null space solves the equations to within rounding; what a double root that is
 /// none leaves behind does not.
 constexpr double kAcceptedResidual = 1e-11;
-
-/// The size of z to within √2.
-double norm1(const Vec2d& z) {
-  return std::abs(z.x) + std::abs(z.y);
-}
-
-double angle(const Vec2d& z) {
-  return std::atan2(z.y, z.x);
-}
-
-Vec2d direction(double a) {
-  return {std::cos(a), std::sin(a)};
-}
 
 /// One condition, Re(X·input) + Re(Y·output) + K₃·constant = Re(Z·difference): series coefficients
 /// of e^{iφ}, e^{iψ}, 1 and e^{i(φ−ψ)}.
@@ -157,8 +146,8 @@ SignedLinks signed_links(FourBarOutcome outcome, const std::array<double, 4>& k)
 
 /// The coupler in the first position: no difference of squares enters.
 double coupler_length(const SignedLinks& links, const Coefficients& c, const Row& first) {
-  const Vec2d e1 = first.input * direction(c.input_start);
-  const Vec2d e3 = first.output * direction(c.output_start);
+  const Vec2d e1 = first.input * unit_vector(c.input_start);
+  const Vec2d e3 = first.output * unit_vector(c.output_start);
   return norm(Vec2d{links.frame, 0} + links.rocker * e3 - e1);
 }
 
@@ -208,7 +197,7 @@ void add_solution(const Rows& rows, const GivenStart& start, Coefficients c,
 }
 
 FourBarFunctions with_both_given(const Rows& rows, const GivenStart& start) {
-  const Vec2d e1 = direction(*start.input), e3 = direction(*start.output);
+  const Vec2d e1 = unit_vector(*start.input), e3 = unit_vector(*start.output);
   Eigen::Matrix<double, 3, 4> m;
   for (int i = 0; i < 3; ++i) {
     const Row& row = rows[static_cast<std::size_t>(i)];
@@ -228,7 +217,7 @@ FourBarFunctions with_both_given(const Rows& rows, const GivenStart& start) {
 /// other link, K₃, and W, Z without the given angle's part.
 FourBarFunctions with_one_given(const Rows& rows, const GivenStart& start) {
   const bool input_given = start.input.has_value();
-  const Vec2d e = direction(input_given ? *start.input : *start.output);
+  const Vec2d e = unit_vector(input_given ? *start.input : *start.output);
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {
     const Row& row = rows[static_cast<std::size_t>(i)];
@@ -251,8 +240,8 @@ FourBarFunctions with_one_given(const Rows& rows, const GivenStart& start) {
     const Vector x = root.x * u + root.y * v;
     const Vec2d free{x[1], x[2]}, w{x[4], input_given ? -x[5] : x[5]};
     // W may be short where the frame is long, the link's own coefficient where the link is.
-    const double other = squared_norm(w) >= squared_norm(free) ? angle(w) : angle(free);
-    const Vec2d back = direction(-other);
+    const double other = squared_norm(w) >= squared_norm(free) ? angle_of(w) : angle_of(free);
+    const Vec2d back = unit_vector(-other);
     const double known = x[0], found = (free * back).x;
     const Coefficients c{
         {input_given ? known : found, input_given ? found : known, x[3], (w * back).x},
@@ -286,12 +275,12 @@ FourBarFunctions with_none_given(const Rows& rows, const GivenStart& start) {
     // Of the three phases, one of which follows from the others, the two best determined.
     const double xx = squared_norm(x), yy = squared_norm(y), zz = squared_norm(z);
     const bool z_least = zz <= xx && zz <= yy;
-    const double psi = !z_least && xx > yy ? angle(x) - angle(z) : angle(y);
-    const double phi = z_least || xx > yy ? angle(x) : psi + angle(z);
-    const Coefficients c{
-        {(x * direction(-phi)).x, (y * direction(-psi)).x, p[4], (z * direction(psi - phi)).x},
-        phi,
-        psi};
+    const double psi = !z_least && xx > yy ? angle_of(x) - angle_of(z) : angle_of(y);
+    const double phi = z_least || xx > yy ? angle_of(x) : psi + angle_of(z);
+    const Coefficients c{{(x * unit_vector(-phi)).x, (y * unit_vector(-psi)).x, p[4],
+                          (z * unit_vector(psi - phi)).x},
+                         phi,
+                         psi};
     add_solution<5>(rows, start, c, result);
   }
   return result;

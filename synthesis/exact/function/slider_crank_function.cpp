@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/binary_form.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
@@ -16,34 +18,21 @@ namespace {
 
 /// As for the four-bar: beyond it a length means nothing, and what is no root is dropped.
 constexpr double kInfiniteRatio = 1e-12;
-constexpr double kAcceptedResidual = 1e-11;
+constexpr double kAcceptedSliderResidual = 1e-11;
 
 /// One condition: series coefficients of s², s, su, u and 1 in s² + 2s₀s − 2s Re(Ru) − 2Re(Qu) + C.
-struct Row {
+struct SliderRow {
   double square = 0, s = 0;
   Vec2d su, u;
   double constant = 0;
 };
-using Rows = Few<Row, kMostConditions>;
-
-/// The size of z to within √2.
-double norm1(const Vec2d& z) {
-  return std::abs(z.x) + std::abs(z.y);
-}
+using SliderRows = Few<SliderRow, kMostConditions>;
 
 /// The share of a unit vector of the null space by which it may miss h = 0 and R = 0 and still be
 /// a Scotch yoke's, and by which other roots differ from it: that root is double, so rounding
 /// splits it by its square root.
 constexpr double kYokeShare = 1e-11;
 constexpr double kYokeNeighbourhood = 1e-5;
-
-double angle(const Vec2d& z) {
-  return std::atan2(z.y, z.x);
-}
-
-Vec2d direction(double a) {
-  return {std::cos(a), std::sin(a)};
-}
 
 /// Displacements as s = unit·σ + origin, σ of order one.
 struct Scale {
@@ -72,8 +61,8 @@ Scale scale_of(std::span<const PrecisionPoint> points, const GivenStart& start) 
   return scale;
 }
 
-Rows rows_of(std::span<const PrecisionPoint> points, const Scale& scale) {
-  Rows rows;
+SliderRows rows_of(std::span<const PrecisionPoint> points, const Scale& scale) {
+  SliderRows rows;
   for (const PrecisionPoint& point : points) {
     const std::size_t count = point.multiplicity;
     RealSeries s = output_series(point);
@@ -91,16 +80,16 @@ Rows rows_of(std::span<const PrecisionPoint> points, const Scale& scale) {
 
 /// The equation's coefficients up to a common factor, in the scaled displacement: h·S² − 2r S cos θ
 /// − 2w sin θ + c = 0 with w = re, and the starts that go with them.
-struct Coefficients {
+struct SliderCoefficients {
   double h = 0, r = 0, w = 0, c = 0;
   double input_start = 0, output_start = 0;
 };
 
 /// The equations in r, w, c and those starts that are to be found.
 template <int N>
-class Equations {
+class SliderEquations {
  public:
-  Equations(const Rows& rows, const GivenStart& start) : rows_(rows), start_(start) {}
+  SliderEquations(const SliderRows& rows, const GivenStart& start) : rows_(rows), start_(start) {}
 
   Linearised<N> operator()(const Unknowns<N>& x) const {
     const auto [phi, origin] = start_of(x);
@@ -108,7 +97,7 @@ class Equations {
     const double r = x[0], w = x[1], c = x[2];
     Linearised<N> result;
     for (int i = 0; i < N; ++i) {
-      const Row& row = rows_[static_cast<std::size_t>(i)];
+      const SliderRow& row = rows_[static_cast<std::size_t>(i)];
       const Vec2d d = row.u * e, sd = (row.su + origin * row.u) * e;
       const double square = row.square + origin * (2 * row.s + origin * row.constant);
       const double scale = std::abs(row.square) + 2 * std::abs(origin * row.s) +
@@ -129,7 +118,7 @@ class Equations {
     return result;
   }
 
-  Unknowns<N> unknowns(const Coefficients& c) const {
+  Unknowns<N> unknowns(const SliderCoefficients& c) const {
     Unknowns<N> x;
     x[0] = c.r / c.h;
     x[1] = c.w / c.h;
@@ -142,7 +131,7 @@ class Equations {
     return x;
   }
 
-  Coefficients coefficients(const Unknowns<N>& x) const {
+  SliderCoefficients coefficients(const Unknowns<N>& x) const {
     const auto [phi, origin] = start_of(x);
     return {1, x[0], x[1], x[2], phi, origin};
   }
@@ -157,7 +146,7 @@ class Equations {
     return {*start_.input, 0.0};
   }
 
-  const Rows& rows_;
+  const SliderRows& rows_;
   const GivenStart& start_;
 };
 
@@ -170,18 +159,18 @@ SliderCrankOutcome infinite_part(double h, double crank) {
 
 /// What remains to be known of a solution when the equations are set up.
 struct Setting {
-  const Rows& rows;
+  const SliderRows& rows;
   const GivenStart& start;
   const Scale& scale;
 };
 
-SliderCrankFunction as_linkage(const Coefficients& c, const Setting& setting) {
+SliderCrankFunction as_linkage(const SliderCoefficients& c, const Setting& setting) {
   SliderCrankFunction result;
   const double unit = setting.scale.unit;
   const double offset = c.w / c.r;
   // The coupler in the first position: no difference of squares enters.
-  const Row& first = setting.rows[0];
-  const Vec2d pin = c.r * (first.u * direction(c.input_start));
+  const SliderRow& first = setting.rows[0];
+  const Vec2d pin = c.r * (first.u * unit_vector(c.input_start));
   const double coupler = norm(Vec2d{first.s + c.output_start, offset} - pin);
   result.crank = unit * std::abs(c.r);
   result.offset = unit * offset;
@@ -196,10 +185,11 @@ SliderCrankFunction as_linkage(const Coefficients& c, const Setting& setting) {
 
 /// The solution that `c` leads to, unless it is none.
 template <int N>
-void add_solution(const Setting& setting, const Coefficients& c, SliderCrankFunctions& result) {
-  const Equations<N> equations(setting.rows, setting.start);
+void add_solution(const Setting& setting, const SliderCoefficients& c,
+                  SliderCrankFunctions& result) {
+  const SliderEquations<N> equations(setting.rows, setting.start);
   const Root<N> root = polish<N>(equations, equations.unknowns(c));
-  if (!(root.residual <= kAcceptedResidual)) return;
+  if (!(root.residual <= kAcceptedSliderResidual)) return;
   SliderCrankFunction found = as_linkage(equations.coefficients(root.x), setting);
   found.residual = root.residual;
   found.condition = root.condition;
@@ -240,7 +230,7 @@ Vector nearest_yoke(const Vector& u, const Vector& v, const std::array<int, Coun
     uv += u[i] * v[i];
     vv += v[i] * v[i];
   }
-  const Vec2d t = direction(0.5 * std::atan2(2 * uv, uu - vv) + kRightAngle);
+  const Vec2d t = unit_vector(0.5 * std::atan2(2 * uv, uu - vv) + kRightAngle);
   return t.x * u + t.y * v;
 }
 
@@ -268,10 +258,10 @@ PlaneRoots<Vector> plane_roots(const Vector& u, const Vector& v,
 }
 
 SliderCrankFunctions with_both_given(const Setting& setting) {
-  const Vec2d e = direction(*setting.start.input);
+  const Vec2d e = unit_vector(*setting.start.input);
   Eigen::Matrix<double, 3, 4> m;
   for (int i = 0; i < 3; ++i) {
-    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
     m.row(i) << row.square, -2 * (row.su * e).x, -2 * (row.u * e).y, row.constant;
   }
   SliderCrankFunctions result;
@@ -291,10 +281,10 @@ SliderCrankFunctions with_both_given(const Setting& setting) {
 /// Unknown besides the lengths: the start displacement p/h. Columns s², s, s cos θ, cos θ, sin θ, 1
 /// with coefficients h, 2p, −2r, −2q, −2w, c; q·h = p·r.
 SliderCrankFunctions with_input_given(const Setting& setting) {
-  const Vec2d e = direction(*setting.start.input);
+  const Vec2d e = unit_vector(*setting.start.input);
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {
-    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
     const Vec2d d = row.u * e;
     m.row(i) << row.square, 2 * row.s, -2 * (row.su * e).x, -2 * d.x, -2 * d.y, row.constant;
   }
@@ -329,7 +319,7 @@ SliderCrankFunctions with_input_given(const Setting& setting) {
 SliderCrankFunctions with_output_given(const Setting& setting) {
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {
-    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
     m.row(i) << row.square, -2 * row.su.x, 2 * row.su.y, -2 * row.u.x, 2 * row.u.y, row.constant;
   }
   SliderCrankFunctions result;
@@ -348,8 +338,8 @@ SliderCrankFunctions with_output_given(const Setting& setting) {
       continue;
     }
     // Q = −ie·R.
-    const double phi = angle(r);
-    const double w = -(q * direction(-phi)).y;
+    const double phi = angle_of(r);
+    const double w = -(q * unit_vector(-phi)).y;
     add_solution<4>(setting, {x[0], norm(r), w, x[5], phi, 0}, result);
   }
   return result;
@@ -358,7 +348,7 @@ SliderCrankFunctions with_output_given(const Setting& setting) {
 SliderCrankFunctions with_none_given(const Setting& setting) {
   Eigen::Matrix<double, 5, 7> m;
   for (int i = 0; i < 5; ++i) {
-    const Row& row = setting.rows[static_cast<std::size_t>(i)];
+    const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
     m.row(i) << row.square, 2 * row.s, -2 * row.su.x, 2 * row.su.y, -2 * row.u.x, 2 * row.u.y,
         row.constant;
   }
@@ -382,9 +372,9 @@ SliderCrankFunctions with_none_given(const Setting& setting) {
       add_limit(outcome, 0, result);
       continue;
     }
-    const double phi = angle(r);
+    const double phi = angle_of(r);
     const double origin = x[1] / x[0];
-    const double w = -(q * direction(-phi)).y;
+    const double w = -(q * unit_vector(-phi)).y;
     add_solution<5>(setting, {x[0], norm(r), w, x[6] - origin * x[1], phi, origin}, result);
   }
   return result;
@@ -397,7 +387,7 @@ SliderCrankFunctions slider_crank_functions(std::span<const PrecisionPoint> poin
   assert(condition_count(points) ==
          static_cast<std::size_t>(3 + int{!start.input} + int{!start.output}));
   const Scale scale = scale_of(points, start);
-  const Rows rows = rows_of(points, scale);
+  const SliderRows rows = rows_of(points, scale);
   const Setting setting{rows, start, scale};
   if (start.input && start.output) return with_both_given(setting);
   if (start.input) return with_input_given(setting);

@@ -23,7 +23,7 @@ constexpr double kOneLine = 1e-10;
 /// Pivots nearer than this, as unit vectors, are one.
 constexpr double kSame = 1e-9;
 /// Coefficients of a cubic below this are none: the line given is a part of the curve.
-constexpr double kVanishes = 1e-14;
+constexpr double kCurveVanishes = 1e-14;
 /// An arc of this size is a point, if partners farther apart than the other belong to it.
 constexpr double kPoint = 1e-6, kManyPartners = 1e-3;
 /// Parameters by which an arc is known.
@@ -179,7 +179,7 @@ DyadSolutions BurmesterCurves::Data::on_line(const PivotCurve& curve,
                                              const std::array<Vector3d, 2>& line) const {
   const auto cubic = cubic_on_line(curve.forms, line[0], line[1]);
   const bool contained =
-      std::ranges::all_of(cubic, [](double c) { return std::abs(c) <= kVanishes; });
+      std::ranges::all_of(cubic, [](double c) { return std::abs(c) <= kCurveVanishes; });
   if (contained) return {GuidanceStatus::same_line, {}, 0};
   std::vector<std::optional<PivotPair>> pairs;
   for (const Vec2d& root : real_roots(cubic)) {

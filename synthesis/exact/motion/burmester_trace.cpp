@@ -14,7 +14,7 @@ using Point = BurmesterCurves::Point;
 constexpr int kFirstPoints = 48;
 constexpr int kDeepest = 40;
 /// Beyond so many times the reach a pivot counts as one at infinity.
-constexpr double kFar = 100;
+constexpr double kFarStep = 100;
 
 /// A pivot as far as it can be drawn: at infinity it is empty.
 std::optional<Vec2d> fixed_of(const GuidingDyad& dyad) {
@@ -79,7 +79,7 @@ class Tracer {
   /// near the poses.
   bool close(const std::optional<Vec2d>& a, const std::optional<Vec2d>& b) const {
     if (!a && !b) return true;
-    if (!a || !b) return norm((a ? *a : *b) - centre_) >= kFar * radius_;
+    if (!a || !b) return norm((a ? *a : *b) - centre_) >= kFarStep * radius_;
     const double nearest = std::min(norm(*a - centre_), norm(*b - centre_));
     return norm(*a - *b) <= std::max(gap_, 0.5 * (nearest - radius_));
   }

@@ -60,7 +60,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
   return result;
 }
 
-Vector2d unit(double angle) {
+Vector2d unit_2d(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -146,7 +146,7 @@ void CubicPencil::find_arcs() {
     const bool last = k + 1 == angles.size();
     const double to = last ? angles[0] + pi : angles[k + 1];
     const double middle = 0.5 * (angles[k] + to);
-    if (binary_form(discriminant_, unit(middle)) > 0) {
+    if (binary_form(discriminant_, unit_2d(middle)) > 0) {
       arcs_.push_back({Kind::loop, middle, 0.5 * (to - angles[k]), 1});
     }
   }
@@ -182,7 +182,7 @@ int CubicPencil::nodes_before(double angle) const {
 
 Vector3d CubicPencil::root(double angle, int sheet) const {
   const int sign = nodes_before(angle) % 2 == 0 ? sheet : -sheet;
-  const Vector2d at = unit(angle);
+  const Vector2d at = unit_2d(angle);
   const double a = binary_form(a_, at), b = binary_form(b_, at), d = binary_form(d_, at);
   const double root = std::sqrt(std::max(b * b - 4 * a * d, 0.0));
   // The root of greater size is q/a, the other d/q.
@@ -198,7 +198,7 @@ Vector3d CubicPencil::at(int arc, double t) const {
   const double turn = t - std::floor(t);
   switch (curve.kind) {
     case Kind::line: {
-      const Vector2d s = unit(pi * turn);
+      const Vector2d s = unit_2d(pi * turn);
       return s.x() * direction(curve.middle) + s.y() * centre_;
     }
     case Kind::sheet:

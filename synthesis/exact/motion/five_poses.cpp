@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 /// The residual of the normalised conditions that a dyad may have, far above rounding.
 constexpr double kSolved = 1e-11;
 /// Dyads whose pivots are nearer than this (in homogeneous coordinates) are one.
-constexpr double kSame = 1e-9;
+constexpr double kSameSolution = 1e-9;
 
-double apart(const Vector3d& a, const Vector3d& b) {
+double solutions_apart(const Vector3d& a, const Vector3d& b) {
   return std::min((a - b).norm(), (a + b).norm());
 }
 
@@ -41,7 +41,9 @@ class Found {
  private:
   bool is_known(const PivotPair& pair) const {
     return std::any_of(pairs_.begin(), pairs_.begin() + result.count, [&](const PivotPair& known) {
-      return apart(known.moving, pair.moving) + apart(known.fixed, pair.fixed) <= kSame;
+      return solutions_apart(known.moving, pair.moving) +
+                 solutions_apart(known.fixed, pair.fixed) <=
+             kSameSolution;
     });
   }
 

@@ -24,7 +24,7 @@ constexpr double kDependent = 1e-14;
 constexpr double kLittleTurn = 0.03;
 /// A homogeneous coordinate up to this times the condition, and to kFar, may be that of a pivot at
 /// infinity.
-constexpr double kInfinity = 1024 * kEpsilon;
+constexpr double kAtInfinity = 1024 * kEpsilon;
 constexpr double kFar = 1e-4;
 /// Rounding of a slide that fits, relative to the extent of the poses and to their distance.
 constexpr double kStraight = 64 * kEpsilon;
@@ -211,7 +211,7 @@ bool GuidanceForms::is_slide(const GuidingDyad& slide, const GuidingDyad& link,
 std::optional<GuidingDyad> GuidanceForms::dyad(const PivotPair& pair) const {
   const std::span<const Matrix3d> forms(forms_.data(), static_cast<std::size_t>(count_));
   const double condition = condition_of(forms, pair);
-  const double rounded = std::min(kFar, kInfinity * condition);
+  const double rounded = std::min(kFar, kAtInfinity * condition);
   const double fixed = std::abs(pair.fixed.z()), moving = std::abs(pair.moving.z());
   if (std::max(fixed, moving) <= rounded) return std::nullopt;
   GuidingDyad dyad = rr_dyad(poses_, body_point(pair.moving), frame_point(pair.fixed));

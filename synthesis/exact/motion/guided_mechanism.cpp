@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate::synthesis {
 namespace {
 
@@ -11,10 +13,6 @@ using Poses = std::span<const Pose>;
 
 /// Lengths and sines below this, relative to the linkage, are none.
 constexpr double kNothing = 1e-12;
-
-double angle_of(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
 
 Vec2d normalised(const Vec2d& v) {
   return (1 / norm(v)) * v;

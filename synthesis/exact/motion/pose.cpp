@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
@@ -10,18 +11,14 @@ namespace {
 
 constexpr double kNoTurn = 1e-14;
 
-Vec2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
-
 }  // namespace
 
 Vec2d to_frame(const Pose& pose, const Vec2d& p) {
-  return pose.at + unit(pose.angle) * p;
+  return pose.at + unit_vector(pose.angle) * p;
 }
 
 Vec2d to_body(const Pose& pose, const Vec2d& p) {
-  return conj(unit(pose.angle)) * (p - pose.at);
+  return conj(unit_vector(pose.angle)) * (p - pose.at);
 }
 
 Vec2d Displacement::way(const Vec2d& x) const {
@@ -30,7 +27,7 @@ Vec2d Displacement::way(const Vec2d& x) const {
 
 Displacement displacement(const Pose& from, const Pose& to) {
   const double angle = std::remainder(to.angle - from.angle, kTurn);
-  const Vec2d half = unit(0.5 * angle);
+  const Vec2d half = unit_vector(0.5 * angle);
   return {from.at, to.at - from.at, angle, Vec2d{0, 2 * half.y} * half};
 }
 

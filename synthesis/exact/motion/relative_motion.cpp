@@ -11,7 +11,7 @@ namespace cognate::synthesis {
 namespace {
 
 /// Times the condition of a dyad, and the frame: what a pivot may be off its centre by rounding.
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kPoleRounding = 64 * std::numeric_limits<double>::epsilon();
 
 Pose crank_pose(const AnglePair& pair, double frame) {
   const Vec2d output{std::cos(pair.output), std::sin(pair.output)};
@@ -30,7 +30,7 @@ std::vector<Pose> crank_seen_from_rocker(std::span<const AnglePair> pairs, doubl
 std::optional<FunctionLinkage> function_linkage(const GuidingDyad& coupler, double frame) {
   if (coupler.kind != DyadKind::rr) return std::nullopt;
   const double crank = norm(coupler.in_body), rocker = norm(coupler.fixed);
-  const double nothing = kRounding * coupler.condition * frame;
+  const double nothing = kPoleRounding * coupler.condition * frame;
   if (!(crank > nothing) || !(rocker > nothing) || !(coupler.length > nothing)) return std::nullopt;
   return FunctionLinkage{{crank, coupler.length, rocker, frame},
                          std::atan2(coupler.in_body.y, coupler.in_body.x),

@@ -10,11 +10,11 @@
 namespace cognate::synthesis {
 namespace {
 
-using Poses = std::span<const Pose, 3>;
+using ThreePoses = std::span<const Pose, 3>;
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kThreePoseRounding = 16 * std::numeric_limits<double>::epsilon();
 
-bool finite(Poses poses, const Vec2d& v) {
+bool finite(ThreePoses poses, const Vec2d& v) {
   double sum = v.x + v.y;
   for (const Pose& pose : poses) sum += pose.at.x + pose.at.y + pose.angle;
   return std::isfinite(sum);
@@ -40,7 +40,7 @@ struct Triangle {
   double noise = 0;  ///< what rounding of the data may move a corner by
 };
 
-Triangle triangle_of(Poses poses, const Vec2d& in_body) {
+Triangle triangle_of(ThreePoses poses, const Vec2d& in_body) {
   Triangle result;
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ Triangle triangle_of(Poses poses, const Vec2d& in_body) {
     result.length[k] = norm(result.side[k]);
     size = std::max(size, norm(from.at));
   }
-  result.noise = kRounding * (size + norm(in_body));
+  result.noise = kThreePoseRounding * (size + norm(in_body));
   return result;
 }
 
@@ -70,24 +70,25 @@ Vec2d centre_of(const Triangle& t, std::size_t long_side) {
 
 /// Two positions are one: the fixed pivots are a bisector, of which the middle between the
 /// positions is given, or none where the third is the same too.
-DyadSolutions at_rest(Poses poses, const Vec2d& in_body, const Triangle& t, std::size_t long_side) {
+DyadSolutions at_rest(ThreePoses poses, const Vec2d& in_body, const Triangle& t,
+                      std::size_t long_side) {
   if (t.length[long_side] <= t.noise) return answer(GuidanceStatus::pivot_at_rest);
   const Vec2d middle = t.corner[long_side] + 0.5 * t.side[long_side];
   return one(GuidanceStatus::pivot_at_rest, rr_dyad(poses, in_body, middle), 1);
 }
 
-bool any_two_coincide(Poses poses) {
+bool any_two_coincide(ThreePoses poses) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Displacement to = displacement(poses[k], poses[(k + 1) % 3]);
-    const double noise = kRounding * (norm(poses[k].at) + norm(to.shift));
-    if (std::abs(to.angle) <= kRounding && norm(to.shift) <= noise) return true;
+    const double noise = kThreePoseRounding * (norm(poses[k].at) + norm(to.shift));
+    if (std::abs(to.angle) <= kThreePoseRounding && norm(to.shift) <= noise) return true;
   }
   return false;
 }
 
 }  // namespace
 
-DyadSolutions dyads_with_moving_pivot(Poses poses, const Vec2d& in_body) {
+DyadSolutions dyads_with_moving_pivot(ThreePoses poses, const Vec2d& in_body) {
   if (!finite(poses, in_body)) return answer(GuidanceStatus::not_finite);
   const Triangle t = triangle_of(poses, in_body);
   const std::size_t side = longest(t);
@@ -110,14 +111,14 @@ DyadSolutions dyads_with_moving_pivot(Poses poses, const Vec2d& in_body) {
   return one(GuidanceStatus::found, rr_dyad(poses, in_body, centre_of(t, side)), condition);
 }
 
-DyadSolutions dyads_with_fixed_pivot(Poses poses, const Vec2d& fixed) {
+DyadSolutions dyads_with_fixed_pivot(ThreePoses poses, const Vec2d& fixed) {
   const auto seen = seen_from_body(poses, fixed);
   return seen_from_frame(dyads_with_moving_pivot(seen, {}), poses, fixed);
 }
 
 /// The condition is linear in the moving pivot w, counted from the origin's first position: with n
 /// across the line, n·((e_j − 1) w + s_j) = 0 for both displacements.
-DyadSolutions dyads_with_slide_direction(Poses poses, const Vec2d& direction) {
+DyadSolutions dyads_with_slide_direction(ThreePoses poses, const Vec2d& direction) {
   if (!finite(poses, direction)) return answer(GuidanceStatus::not_finite);
   const double length = norm(direction);
   if (!(length > 0)) return answer(GuidanceStatus::none);
@@ -128,9 +129,9 @@ DyadSolutions dyads_with_slide_direction(Poses poses, const Vec2d& direction) {
   const double determinant = cross(row_a, row_b);
   const double right_a = -dot(across, a.shift), right_b = -dot(across, b.shift);
   const double sizes = norm(row_a) * norm(row_b);
-  if (!(std::abs(determinant) > kRounding * sizes)) {
+  if (!(std::abs(determinant) > kThreePoseRounding * sizes)) {
     if (any_two_coincide(poses)) return answer(GuidanceStatus::coincident_poses);
-    const bool turned = norm(row_a) > kRounding || norm(row_b) > kRounding;
+    const bool turned = norm(row_a) > kThreePoseRounding || norm(row_b) > kThreePoseRounding;
     return answer(turned ? GuidanceStatus::none : GuidanceStatus::translation);
   }
   const Vec2d from_origin = (1 / determinant) * Vec2d{right_a * row_b.y - right_b * row_a.y,
@@ -139,12 +140,12 @@ DyadSolutions dyads_with_slide_direction(Poses poses, const Vec2d& direction) {
   return one(GuidanceStatus::found, pr_dyad(poses, in_body, along), sizes / std::abs(determinant));
 }
 
-DyadSolutions dyads_with_line_direction(Poses poses, const Vec2d& direction) {
+DyadSolutions dyads_with_line_direction(ThreePoses poses, const Vec2d& direction) {
   const auto seen = seen_from_body(poses, poses[0].at);
   return seen_from_frame(dyads_with_slide_direction(seen, direction), poses, poses[0].at);
 }
 
-PoleTriangle pole_triangle(Poses poses) {
+PoleTriangle pole_triangle(ThreePoses poses) {
   return {pole(displacement(poses[0], poses[1])), pole(displacement(poses[1], poses[2])),
           pole(displacement(poses[2], poses[0]))};
 }

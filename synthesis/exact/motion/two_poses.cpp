@@ -9,7 +9,7 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kTwoPoseRounding = 16 * std::numeric_limits<double>::epsilon();
 
 bool finite(const Vec2d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y);
@@ -32,7 +32,7 @@ Way way_of(std::span<const Pose, 2> poses, const Vec2d& in_body) {
   Way result{to_frame(poses[0], in_body), {}, false};
   result.way = to.way(result.from);
   const double sizes = norm(poses[0].at) + norm(poses[1].at) + norm(in_body);
-  result.at_rest = norm(result.way) <= kRounding * sizes;
+  result.at_rest = norm(result.way) <= kTwoPoseRounding * sizes;
   return result;
 }
 
@@ -70,9 +70,9 @@ DyadSolutions dyads_with_fixed_pivot_on(std::span<const Pose, 2> poses, const Ve
   const Vec2d across = (1 / norm(way.way)) * way.way;
   const double slope = dot(across, along);
   const double gap = dot(across, way.from + 0.5 * way.way - line.point);
-  if (std::abs(slope) <= kRounding) {
+  if (std::abs(slope) <= kTwoPoseRounding) {
     const double sizes = norm(way.from) + norm(way.way) + norm(line.point);
-    if (std::abs(gap) <= kRounding * sizes) return {GuidanceStatus::same_line, {}, 0};
+    if (std::abs(gap) <= kTwoPoseRounding * sizes) return {GuidanceStatus::same_line, {}, 0};
     return slider(poses, in_body, way);
   }
   return one(rr_dyad(poses, in_body, line.point + (gap / slope) * along));
@@ -92,7 +92,7 @@ DyadSolutions dyads_of_length(std::span<const Pose, 2> poses, const Vec2d& in_bo
   if (way.at_rest) return {GuidanceStatus::pivot_at_rest, {}, 0};
   const double half = 0.5 * norm(way.way);
   const double square = (length - half) * (length + half);
-  const double slack = kRounding * half * half;
+  const double slack = kTwoPoseRounding * half * half;
   if (!(length > 0) || square < -slack) return {GuidanceStatus::out_of_reach, {}, 0};
   const Vec2d middle = way.from + 0.5 * way.way;
   const Vec2d across = (std::sqrt(std::max(square, 0.0)) / (2 * half)) * perp(way.way);

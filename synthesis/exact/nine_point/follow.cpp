@@ -11,7 +11,7 @@ constexpr double kNearEnd = 1e-8;
 /// With pivots of this size it is going to infinity.
 constexpr double kFar = 1e3;
 /// Foci beyond are at infinity.
-constexpr double kInfinite = 1e12;
+constexpr double kDiverged = 1e12;
 /// For double-double numbers, see TrackSettings.
 constexpr double kExtendedNoise = 1e-22, kExtendedStep = 1e-20;
 /// Of predictions along paths that one of them has left for the other.
@@ -32,7 +32,7 @@ double greatest_pivot(std::span<const Pair> root) {
 }
 
 bool is_finite(const Fingerprint& print) {
-  return std::isfinite(print.size) && print.size < kInfinite;
+  return std::isfinite(print.size) && print.size < kDiverged;
 }
 
 class Follower {

@@ -28,7 +28,7 @@ constexpr double kLargest = 1e150;
 /// Positions nearer than this to each other, by the size of all, are the same but for rounding.
 constexpr double kCoincident = 1e-13;
 
-bool is_finite(const PathPose& position) {
+bool pose_is_finite(const PathPose& position) {
   return std::abs(position.at.x) <= kLargest && std::abs(position.at.y) <= kLargest &&
          std::isfinite(position.angle.value_or(0));
 }
@@ -75,7 +75,7 @@ SystemOrStatus make_system(std::span<const PathPose> positions, Count count) {
     made.status = ExactPathStatus::wrong_count;
     return made;
   }
-  if (!std::all_of(positions.begin(), positions.end(), is_finite)) {
+  if (!std::all_of(positions.begin(), positions.end(), pose_is_finite)) {
     made.status = ExactPathStatus::not_finite;
     return made;
   }

@@ -9,15 +9,13 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
-
 /// Where crank and coupler point at a limit: crank angle from the x axis.
 double crank_angle(const Vec2d& pivot_a, const Vec2d& limit, bool folded) {
   const Vec2d along = folded ? pivot_a - limit : limit - pivot_a;
   return std::atan2(along.y, along.x);
 }
 
-/// How far the angles of the limit triangles may be off: lengths rounded to kRounding, over the
+/// How far the angles of the limit triangles may be off: lengths rounded to kEpsilon, over the
 /// height of the flatter triangle.
 double angle_tolerance(const Lengths<double>& links, const LimitPosition& outer,
                        const LimitPosition& inner) {
@@ -25,7 +23,7 @@ double angle_tolerance(const Lengths<double>& links, const LimitPosition& outer,
   const double flattest =
       std::min(std::abs(std::sin(outer.rocker_angle)), std::abs(std::sin(inner.rocker_angle)));
   const double slope = (longest / links.rocker) * (longest / links.frame) / flattest;
-  return 256 * kRounding * (1 + slope);
+  return 256 * kEpsilon * (1 + slope);
 }
 
 /// Errors of swing and θ as the analysis kernel finds them from the lengths; empty where it finds
@@ -74,7 +72,7 @@ std::optional<double> RockerArc::of_coupler(double coupler) const {
 }
 
 std::optional<double> RockerArc::of_frame(double frame) const {
-  if (std::abs(frame_slope_ * std::sin(half_swing_)) <= 4 * kRounding) return std::nullopt;
+  if (std::abs(frame_slope_ * std::sin(half_swing_)) <= 4 * kEpsilon) return std::nullopt;
   const double longer = (frame - task_.rocker) / h_, sum = (frame + task_.rocker) / h_;
   return longer * sum / frame_slope_;
 }

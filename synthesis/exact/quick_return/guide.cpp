@@ -11,8 +11,6 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
-
 /// Whether the analysis kernel finds the swing wanted; fills in what it finds.
 bool confirm(const ReturnAngle& wanted, QuickReturnGuide& design) {
   const GuideBar& bar = design.mechanism;
@@ -26,7 +24,7 @@ bool confirm(const ReturnAngle& wanted, QuickReturnGuide& design) {
   design.left = in_one_turn(limits[first_is_left ? 0 : 1]->crank_angle + down);
   design.right = in_one_turn(limits[first_is_left ? 1 : 0]->crank_angle + down);
   // An arcsine near 90° amplifies the rounding of its argument.
-  return design.residual <= 64 * kRounding / std::max(kRounding, wanted.half_cosine);
+  return design.residual <= 64 * kEpsilon / std::max(kEpsilon, wanted.half_cosine);
 }
 
 std::vector<QuickReturnGuide> confirmed(const ReturnAngle& angle, double crank, double frame,

@@ -7,12 +7,12 @@
 #include <span>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/arc.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr std::array kArcs{PivotArc::near, PivotArc::far};
 
 /// At K = 1 both arcs are the same line: it is then searched once, as the near one.
@@ -34,7 +34,7 @@ Roots real_roots(double a, double b, double c) {
   const double half = 0.5 * b;
   double discriminant = half * half - a * c;
   const double scale = half * half + std::abs(a * c);
-  if (discriminant < -8 * kRounding * scale) return {};
+  if (discriminant < -8 * kEpsilon * scale) return {};
   discriminant = std::max(0.0, discriminant);
   const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
   Roots roots;
@@ -94,7 +94,7 @@ void mark_mirrors(RockerSolutions& found) {
     const Vec2d& a = design.linkage.pivot_a;
     design.mirror = a.x > 0 && std::ranges::any_of(found.designs, [&](const auto& other) {
                       const Vec2d& b = other.linkage.pivot_a;
-                      return std::hypot(a.x + b.x, a.y - b.y) <= 64 * kRounding * norm(a);
+                      return std::hypot(a.x + b.x, a.y - b.y) <= 64 * kEpsilon * norm(a);
                     });
   }
   std::ranges::stable_sort(found.designs, {}, [](const QuickReturnRocker& design) {
@@ -116,7 +116,7 @@ RockerSolutions rockers_with_crank(const RockerTask& task, double crank) {
     const RockerArc pivots(task, arc);
     const auto q = pivots.of_crank(crank);
     if (!q) {
-      const bool the_one = std::abs(crank - pivots.h()) <= 16 * kRounding * pivots.h();
+      const bool the_one = std::abs(crank - pivots.h()) <= 16 * kEpsilon * pivots.h();
       if (the_one) found.degeneracy = RockerDegeneracy::any_coupler;
       continue;
     }
@@ -160,8 +160,7 @@ RockerSolutions rockers_on_line(const RockerTask& task, const PivotLine& line) {
   for (const PivotArc arc : distinct_arcs(task)) {
     const RockerArc pivots(task, arc);
     const ScaledLine own = scaled(line, pivots);
-    if (pivots.angle().half_sine == 0 && own.normal.x == 0 &&
-        std::abs(own.foot) <= 16 * kRounding) {
+    if (pivots.angle().half_sine == 0 && own.normal.x == 0 && std::abs(own.foot) <= 16 * kEpsilon) {
       found.degeneracy = RockerDegeneracy::line_is_the_arc;
       return found;
     }

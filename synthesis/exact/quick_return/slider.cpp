@@ -11,8 +11,6 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
-
 struct Slide {
   explicit Slide(const SliderTask& wanted)
       : task(wanted), h(0.5 * wanted.stroke), angle(return_angle(wanted.time_ratio)) {}
@@ -43,7 +41,7 @@ bool confirm(const Slide& slide, QuickReturnSlider& design) {
   design.pressure = pressure->steepest;
   const double folded = std::abs(inner->displacement);
   const double longest = design.mechanism.crank + design.mechanism.coupler;
-  return design.residual <= 256 * kRounding * (1 + longest / folded);
+  return design.residual <= 256 * kEpsilon * (1 + longest / folded);
 }
 
 /// The linkage and its images: `offset` with its sign, in both assemblies, and with the other sign
@@ -103,7 +101,7 @@ SliderSolutions sliders_with_crank(const SliderTask& task, double crank) {
   const Slide slide(task);
   const double t = slide.t(), u = crank / slide.h;
   if (t == 0) {
-    const bool the_one = std::abs(u - 1) <= 16 * kRounding;
+    const bool the_one = std::abs(u - 1) <= 16 * kEpsilon;
     return the_one ? degenerate(SliderDegeneracy::any_coupler) : SliderSolutions{};
   }
   const double q = (1 - u) * (1 + u) / (t * t);

@@ -4,18 +4,16 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/cam/extremes.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/bench/kernel/measure.hpp"
 
 namespace cognate::bench {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A pressure angle, with its sign, over a cam angle from 0, and the greatest size it has there.
 struct Cam {
@@ -30,13 +28,13 @@ struct Cam {
 const Cam kCams[] = {
     {"harmonic rise of 20 in a quarter turn, 40 from the axis",
      [](double x) { return std::atan2(20 * std::sin(2 * x), 50 - 10 * std::cos(2 * x)); },
-     std::numbers::pi / 2, 22.207654298596488},
+     kRightAngle, 22.207654298596488},
     {"three waves in a turn, offset by 5",
      [](double x) {
        const double speed = 10 * std::sin(x) + 12 * std::sin(3 * x);
        return std::atan2(speed - 5, 54 - 10 * std::cos(x) - 4 * std::cos(3 * x));
      },
-     2 * std::numbers::pi, 25.884581169500053}};
+     kTurn, 25.884581169500053}};
 
 double by_series(const Cam& cam) {
   const auto f = [&](double x) { return cam.angle(x); };

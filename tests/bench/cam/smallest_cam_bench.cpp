@@ -5,10 +5,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/result.hpp"
 #include "problems/cam/search.hpp"
 #include "synthesis/exact/cam/half_planes.hpp"
@@ -35,7 +35,7 @@ problems::CamProblem harmonic_cam() {
 
 /// The greatest of ±s′ − T s over a harmonic stroke, in closed form.
 double harmonic_depth(double stroke, double over, double tangent) {
-  const double rate = std::numbers::pi / over;
+  const double rate = kPi / over;
   return 0.5 * stroke * (std::hypot(rate, tangent) - tangent);
 }
 
@@ -68,7 +68,7 @@ double by_grid(const cam::MotionProgramme& programme, int points) {
   planes[0] = {{1, std::tan(kRise)}, -HUGE_VAL};
   planes[1] = {{-1, std::tan(kReturn)}, -HUGE_VAL};
   for (int i = 0; i < points; ++i) {
-    const auto m = programme.at(2 * std::numbers::pi * i / points);
+    const auto m = programme.at(kTurn * i / points);
     auto& plane = planes[m.velocity >= 0 ? 0 : 1];
     plane.bound = std::max(plane.bound, std::abs(m.velocity) - plane.normal.y * m.displacement);
   }

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/burmester_curves.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
@@ -81,7 +81,7 @@ void dense_resultant(benchmark::State& state) {
     Eigen::MatrixXcd powers(5, 5);
     Eigen::VectorXcd values(5);
     for (int k = 0; k < 5; ++k) {
-      const Complex t = std::polar(1.0, 2 * std::numbers::pi * k / 5);
+      const Complex t = std::polar(1.0, kTurn * k / 5);
       const auto quadratic = [&](const Eigen::MatrixXcd& m) {
         return std::array<Complex, 3>{m(0, 0), 2.0 * (m(0, 1) * t + m(0, 2)),
                                       m(1, 1) * t * t + 2.0 * m(1, 2) * t + m(2, 2)};

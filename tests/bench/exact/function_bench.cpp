@@ -3,10 +3,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
 #include "synthesis/exact/function/slider_crank_function.hpp"
 
@@ -104,8 +104,7 @@ void five_points_by_newton_from_a_grid(benchmark::State& state) {
   for (auto _ : state) {
     int arrived = 0;
     for (int j = 0; j < kGrid * kGrid; ++j) {
-      arrived += newton(all[i % kProblems], std::numbers::pi * (j / kGrid) / kGrid,
-                        std::numbers::pi * (j % kGrid) / kGrid);
+      arrived += newton(all[i % kProblems], kPi * (j / kGrid) / kGrid, kPi * (j % kGrid) / kGrid);
     }
     ++i;
     benchmark::DoNotOptimize(arrived);

@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
 #include "synthesis/exact/respacing.hpp"
@@ -13,7 +13,7 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 
 /// log₁₀ x on [1, 2], 60° → 60°.
 double wanted(double turned) {

@@ -12,11 +12,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/pair_search.hpp"
 #include "problems/gear/result.hpp"
 
@@ -131,7 +131,7 @@ void print_involutes() {
 /// 14 and 43 teeth between axes 87 apart, whose shifts are to slide alike.
 GearPairProblem balanced_pair() {
   GearPairProblem problem;
-  problem.rack.pressure_angle = std::numbers::pi / 9;
+  problem.rack.pressure_angle = kPi / 9;
   problem.teeth = {14, 43};
   problem.module = 3;
   problem.centre_distance = 87;
@@ -173,7 +173,7 @@ void print_search() {
 
 GearPairProblem enumerated(bool at_distance) {
   GearPairProblem problem;
-  problem.rack.pressure_angle = std::numbers::pi / 9;
+  problem.rack.pressure_angle = kPi / 9;
   problem.constraints.contact_ratio_min = 1.3;
   problem.solve.designs = 1;
   if (at_distance) {

@@ -6,11 +6,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string_view>
 
 #include "analysis/batch/four_bar_batch.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/bench/kernel/measure.hpp"
 #include "tests/bench/kernel/references.hpp"
 
@@ -33,7 +33,7 @@ const FourBar kLinkage{.pivot_a = {1, 2},
 std::vector<double> full_turn(std::size_t count) {
   std::vector<double> angles(count);
   for (std::size_t i = 0; i < count; ++i) {
-    angles[i] = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    angles[i] = kTurn * static_cast<double>(i) / static_cast<double>(count);
   }
   return angles;
 }

@@ -13,7 +13,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,13 +20,13 @@
 #include "analysis/machine/run.hpp"
 #include "analysis/machine/steady_state.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::bench {
 namespace {
 
 using namespace machine;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kRounds = 5;
 /// Turns of a run until they repeat, at most; they do where the speed at 0 changes by no more than
 /// this part from one to the next.

@@ -4,9 +4,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/freudenstein.hpp"
 #include "synthesis/lanes/function_fit.hpp"
 
@@ -16,14 +16,14 @@ namespace {
 constexpr int kGrid = 48, kReweightings = 2;
 
 double start(int i) {
-  return std::numbers::pi * (i + 0.5) / kGrid;
+  return kPi * (i + 0.5) / kGrid;
 }
 
 /// The logarithm of a decade over a quarter turn of each link.
 std::vector<AnglePair> logarithm() {
   std::vector<AnglePair> pairs;
   for (int i = 0; i < 21; ++i) {
-    const double share = i / 20.0, turn = std::numbers::pi / 2;
+    const double share = i / 20.0, turn = kRightAngle;
     pairs.push_back({turn * share, turn * std::log10(1 + 9 * share)});
   }
   return pairs;

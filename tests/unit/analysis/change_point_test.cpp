@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 /// A linkage of these lengths with its frame at an angle of 0.4 from the x axis.
 constexpr double frame_at = 0.4;

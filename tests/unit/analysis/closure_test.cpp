@@ -6,11 +6,11 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <xsimd/xsimd.hpp>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -184,10 +184,10 @@ TEST(Motion, ClosesItsLoopAtAnyScale) {
 
 TEST(Motion, DoesNotCloseBeyondItsLimits) {
   // A triple rocker whose crank reaches 60° at most: d = l₂ + l₃ there by construction.
-  const double diagonal = std::sqrt(1.0 + 4.0 - 4.0 * std::cos(std::numbers::pi / 3));
+  const double diagonal = std::sqrt(1.0 + 4.0 - 4.0 * std::cos(kPi / 3));
   const FourBar linkage{{0, 0}, {2, 0}, 1, 0.5 * diagonal, 0.5 * diagonal, Assembly::open, {}};
-  EXPECT_TRUE(Motion(linkage).at(std::numbers::pi / 3 - 1e-7));
-  EXPECT_FALSE(Motion(linkage).at(std::numbers::pi / 3 + 1e-7));
+  EXPECT_TRUE(Motion(linkage).at(kPi / 3 - 1e-7));
+  EXPECT_FALSE(Motion(linkage).at(kPi / 3 + 1e-7));
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 #include "tests/support/quad_motion.hpp"
 
@@ -16,7 +16,7 @@ namespace cognate::synthesis {
 namespace {
 
 using test::Quad;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 Mechanism<double> mechanism_of(const CouplerLinkage& linkage) {
   return std::visit([](const auto& any) { return as_mechanism(any); }, linkage);

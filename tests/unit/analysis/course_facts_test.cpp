@@ -2,19 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/assembly_fault.hpp"
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 FourBar four_bar(const Lengths<double>& links, Assembly assembly = Assembly::open) {
   return {{0, 0}, {links.frame, 0}, links.crank, links.coupler, links.rocker, assembly, {}};
@@ -34,22 +32,21 @@ TEST(CourseFacts, LimitsAndTimeRatioOfCrankRockersAreTheClosedForm) {
     ++rockers;
     const auto mechanism = as_mechanism(four_bar(links));
     const double start = random.uniform(-7, 7), sense = i % 2 == 0 ? 1 : -1;
-    const Course course = follow(mechanism, start, start + sense * 2 * kPi);
+    const Course course = follow(mechanism, start, start + sense * kTurn);
     const auto output = output_range(mechanism, course, travels(mechanism)[3]);
     ASSERT_TRUE(output);
     ASSERT_EQ(output->limits.size(), 2u);
     const auto outer = outer_limit(links), inner = inner_limit(links);
     for (const auto& expected : {*outer, *inner}) {
       const auto off = [&](const OutputValue& limit) {
-        return std::abs(std::remainder(limit.drive - expected.crank_angle, 2 * kPi));
+        return std::abs(std::remainder(limit.drive - expected.crank_angle, kTurn));
       };
       const auto& limits = output->limits;
       const OutputValue& found = off(limits[0]) < off(limits[1]) ? limits[0] : limits[1];
       EXPECT_LT(off(found), 1e-12);
-      EXPECT_NEAR(std::remainder(found.value - expected.rocker_angle, 2 * kPi), 0, 1e-12);
+      EXPECT_NEAR(std::remainder(found.value - expected.rocker_angle, kTurn), 0, 1e-12);
     }
-    const double swing =
-        std::abs(std::remainder(outer->rocker_angle - inner->rocker_angle, 2 * kPi));
+    const double swing = std::abs(std::remainder(outer->rocker_angle - inner->rocker_angle, kTurn));
     EXPECT_NEAR(output->stroke(), swing, 1e-12);
     const auto ratio = time_ratio(mechanism, course, *output);
     ASSERT_TRUE(ratio);
@@ -66,7 +63,7 @@ TEST(CourseFacts, TransmissionAnglesAreTheClosedForm) {
     if (!can_assemble(links)) continue;
     ++tested;
     const auto mechanism = as_mechanism(four_bar(links));
-    const auto found = transmission_extremes(mechanism, follow(mechanism, 0.3, 0.3 + 2 * kPi), 0);
+    const auto found = transmission_extremes(mechanism, follow(mechanism, 0.3, 0.3 + kTurn), 0);
     const auto expected = transmission_angles(links);
     ASSERT_TRUE(found);
     // At a dead point the angle goes with the root of what rounding leaves of the discriminant.
@@ -88,9 +85,9 @@ TEST(CourseFacts, AnOffsetSliderCrank) {
   const double inner = std::sqrt((l - r) * (l - r) - e * e);
   const double advance =
       kPi + std::asin(e / (l + r)) - std::asin(e / (l - r));  // from inner to outer or back
-  const double longer = std::max(advance, 2 * kPi - advance);
+  const double longer = std::max(advance, kTurn - advance);
   for (const double start : {0.0, 2.2}) {
-    const Course course = follow(mechanism, start, start + 2 * kPi);
+    const Course course = follow(mechanism, start, start + kTurn);
     const auto slider = output_range(mechanism, course, travels(mechanism)[3]);
     const auto point = output_range(mechanism, course, {3, {0, 0}}, guide.direction);
     ASSERT_TRUE(slider && point);
@@ -98,7 +95,7 @@ TEST(CourseFacts, AnOffsetSliderCrank) {
     EXPECT_NEAR(slider->greatest.value, outer, 1e-14);
     EXPECT_NEAR(slider->least.value, inner, 1e-14);
     EXPECT_NEAR(point->stroke(), outer - inner, 1e-14);
-    EXPECT_NEAR(*time_ratio(mechanism, course, *slider), longer / (2 * kPi - longer), 1e-13);
+    EXPECT_NEAR(*time_ratio(mechanism, course, *slider), longer / (kTurn - longer), 1e-13);
     const auto angles = transmission_extremes(mechanism, course, 0);
     EXPECT_NEAR(angles->greatest_pressure(), std::asin((r + e) / l), 1e-14);
   }
@@ -111,7 +108,7 @@ TEST(CourseFacts, ATurnFromALimitCountsItOnce) {
   mechanism.dyads.emplace_back(Rrp<double>{{1, {1, 0}}, 3, {}, Assembly::open});
   for (const double start : {0.0, kPi}) {
     for (const double sense : {1.0, -1.0}) {
-      const Course course = follow(mechanism, start, start + sense * 2 * kPi);
+      const Course course = follow(mechanism, start, start + sense * kTurn);
       const auto output = output_range(mechanism, course, travels(mechanism)[3]);
       ASSERT_EQ(output->limits.size(), 2u);
       EXPECT_NEAR(output->limits[0].drive, start, 1e-12);
@@ -124,12 +121,12 @@ TEST(CourseFacts, ATurnFromALimitCountsItOnce) {
 /// An output that stands has no limits, for all the rounding in its derivative.
 TEST(CourseFacts, ABodyThatOnlyTranslatesHasNoLimitsOfItsAngle) {
   const auto mechanism = as_mechanism(four_bar({1, 3, 1, 3}));
-  const Course course = follow(mechanism, 0.1, 0.1 + 2 * kPi);
+  const Course course = follow(mechanism, 0.1, 0.1 + kTurn);
   const auto coupler = output_range(mechanism, course, travels(mechanism)[2]);
   EXPECT_TRUE(coupler->limits.empty());
   EXPECT_NEAR(coupler->stroke(), 0, 1e-12);
   const auto rocker = output_range(mechanism, course, travels(mechanism)[3]);
-  EXPECT_NEAR(rocker->stroke(), 2 * kPi, 1e-12);
+  EXPECT_NEAR(rocker->stroke(), kTurn, 1e-12);
   EXPECT_FALSE(time_ratio(mechanism, course, *rocker));
 }
 

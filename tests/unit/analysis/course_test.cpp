@@ -4,18 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 
 FourBar four_bar(const Lengths<double>& links, Assembly assembly = Assembly::open) {
   return {{0, 0}, {links.frame, 0}, links.crank, links.coupler, links.rocker, assembly, {}};
@@ -113,7 +110,7 @@ TEST(Course, AnAntiparallelogramStaysOne) {
   const auto changes = drives(course, CoursePointKind::change_point);
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_NEAR(changes[0], kPi, 1e-14);
-  EXPECT_NEAR(changes[1], 2 * kPi, 1e-14);
+  EXPECT_NEAR(changes[1], kTurn, 1e-14);
   FollowedMotion<1> motion(mechanism, course);
   for (int degree = 10; degree <= 370; ++degree) {
     ASSERT_TRUE(motion.move_to(degree * kDegree));
@@ -135,7 +132,7 @@ TEST(Course, AKiteWithItsPinOnThePivotIsNotDetermined) {
   const auto open = drives(course, CoursePointKind::undetermined);
   ASSERT_EQ(open.size(), 2u);
   EXPECT_NEAR(open[0], 0, 1e-15);
-  EXPECT_NEAR(open[1], 2 * kPi, 1e-15);
+  EXPECT_NEAR(open[1], kTurn, 1e-15);
   EXPECT_LT(greatest_step(mechanism, course, 2, 720), 0.04);
   FollowedMotion<0> motion(mechanism, course);
   EXPECT_FALSE(motion.move_to(0));
@@ -157,10 +154,10 @@ TEST(Course, ACentredSliderCrankOfEqualLinksPassesItsPivot) {
   Mechanism<double> mechanism;
   mechanism.drive = Crank<double>{{0, 0}, 1.5};
   mechanism.dyads.emplace_back(Rrp<double>{{1, {1.5, 0}}, 1.5, {}, Assembly::open});
-  const Course course = follow(mechanism, 0, 2 * kPi);
+  const Course course = follow(mechanism, 0, kTurn);
   const auto changes = drives(course, CoursePointKind::change_point);
   ASSERT_EQ(changes.size(), 2u);
-  EXPECT_NEAR(changes[0], kPi / 2, 1e-14);
+  EXPECT_NEAR(changes[0], kRightAngle, 1e-14);
   FollowedMotion<2> motion(mechanism, course);
   for (int degree = 0; degree <= 360; ++degree) {
     const double crank = degree * kDegree;
@@ -218,18 +215,18 @@ TEST(Course, ATripleRockerLeavesGaps) {
   const auto range = crank_ranges(links).at(0);
   const auto mechanism = as_mechanism(four_bar(links));
   for (const double sense : {1.0, -1.0}) {
-    const Course course = follow(mechanism, 0.1, 0.1 + sense * 2 * kPi);
+    const Course course = follow(mechanism, 0.1, 0.1 + sense * kTurn);
     ASSERT_EQ(course.runs.size(), 2u);
     const auto ends = drives(course, CoursePointKind::dead_point);
     ASSERT_EQ(ends.size(), 2u);
     EXPECT_NEAR(ends[0], sense > 0 ? range.to : range.from, 1e-14);
-    EXPECT_NEAR(ends[1], sense > 0 ? range.from + 2 * kPi : range.to - 2 * kPi, 1e-14);
+    EXPECT_NEAR(ends[1], sense > 0 ? range.from + kTurn : range.to - kTurn, 1e-14);
     FollowedMotion<0> motion(mechanism, course);
     EXPECT_TRUE(motion.move_to(ends[0]));
     EXPECT_NEAR(motion.closures()[0].sine, 0, 1e-7);
     EXPECT_FALSE(motion.move_to((ends[0] + ends[1]) / 2));
     EXPECT_TRUE(motion.move_to(ends[1]));
-    EXPECT_TRUE(motion.move_to(0.1 + sense * 2 * kPi));
+    EXPECT_TRUE(motion.move_to(0.1 + sense * kTurn));
     EXPECT_GT(motion.closures()[0].sine, 0);
   }
 }
@@ -240,12 +237,12 @@ TEST(Course, GuidesInParallelEndARange) {
   Mechanism<double> mechanism;
   mechanism.drive = Crank<double>{{0, 0}, 1};
   mechanism.dyads.emplace_back(Prp<double>{{1, {1, 0}, {1, 0}, 0}, {0, {0, 2}, {1, 0}, 0}});
-  const Course course = follow(mechanism, 0.5, 0.5 + 2 * kPi);
+  const Course course = follow(mechanism, 0.5, 0.5 + kTurn);
   ASSERT_EQ(course.runs.size(), 3u);
   const auto ends = drives(course, CoursePointKind::parallel_guides);
   ASSERT_EQ(ends.size(), 4u);
   EXPECT_NEAR(ends[0], kPi, 1e-11);
-  EXPECT_NEAR(ends[3], 2 * kPi, 1e-11);
+  EXPECT_NEAR(ends[3], kTurn, 1e-11);
 }
 
 /// Random chains of three dyads: the runs are where all dyads close, tried at random places.
@@ -256,10 +253,10 @@ TEST(Course, RunsAreWhereAChainCloses) {
     for (int types = 0; types < 125; ++types) {
       const auto mechanism = random.make(drive, {types / 25, types / 5 % 5, types % 5});
       const double start = random.uniform(-1, 1);
-      const Course course = follow(mechanism, start, start + 2 * kPi);
+      const Course course = follow(mechanism, start, start + kTurn);
       MechanismMotion<0> motion(mechanism);
       for (int i = 0; i < 200; ++i) {
-        const double at = random.uniform(start, start + 2 * kPi);
+        const double at = random.uniform(start, start + kTurn);
         const bool closes = motion.move_to(at);
         EXPECT_EQ(course.run_at(at) != nullptr, closes)
             << "drive " << drive << " types " << types << " at " << at;
@@ -279,16 +276,16 @@ TEST(Course, RunsAreWhereAChainCloses) {
 TEST(Course, EndsWhenItIsStopped) {
   const auto mechanism = as_mechanism(four_bar({1, 3, 3, 3}));
   int asked = 0;
-  const Course whole = follow(mechanism, 0, 2 * kPi, [&] {
+  const Course whole = follow(mechanism, 0, kTurn, [&] {
     ++asked;
     return false;
   });
   ASSERT_EQ(whole.runs.size(), 1u);
-  EXPECT_NEAR(whole.runs.front().to, 2 * kPi, 1e-12);
+  EXPECT_NEAR(whole.runs.front().to, kTurn, 1e-12);
   EXPECT_GE(asked, 720);
 
   int places = 0;
-  follow(mechanism, 0, 2 * kPi, [&] { return ++places > 100; });
+  follow(mechanism, 0, kTurn, [&] { return ++places > 100; });
   EXPECT_LT(places, 110);
 }
 

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/coupler_curve/path_curvature.hpp"
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
 namespace cognate {
@@ -28,7 +28,7 @@ namespace {
 
 using test::Quad;
 using testing::PrintToString;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 FourBar random_linkage(std::mt19937_64& random) {
   std::uniform_real_distribution<double> length(0.3, 1.3);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/coupler_curve/fourier_descriptors.hpp"
@@ -14,11 +13,10 @@
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 CurveRoom curve_of(const FourBar& linkage, const CircuitChoice& circuit, std::size_t count) {
   CurveRoom curve;
@@ -91,7 +89,7 @@ TEST(CircuitSamples, KeepTheLengthsOfTheLinksOnEveryKindOfCircuit) {
       const bool same = open == (linkage.assembly == Assembly::open);
       with_assembly += same ? 1 : 0;
       const Vec2d arm = at_b - linkage.pivot_a;
-      const double angle = std::remainder(std::atan2(arm.y, arm.x) - frame_angle(linkage), 2 * kPi);
+      const double angle = std::remainder(std::atan2(arm.y, arm.x) - frame_angle(linkage), kTurn);
       least = std::min(least, angle);
       greatest = std::max(greatest, angle);
       // In the assembly named the crank's angle grows.
@@ -118,7 +116,7 @@ TEST(CircuitSamples, DerivativesAreThoseOfTheSamples) {
     const FourBar linkage = linkages.next();
     const std::size_t count = 4096;
     const CurveRoom curve = curve_of(linkage, circuit_at(linkage, 0), count);
-    const double step = 2 * kPi / count;
+    const double step = kTurn / count;
     for (std::size_t i = 2; i + 2 < count; i += 97) {
       const auto slope = [&](const std::vector<double>& f) {
         return (8 * (f[i + 1] - f[i - 1]) - (f[i + 2] - f[i - 2])) / (12 * step);
@@ -137,7 +135,7 @@ TEST(CircuitSamples, TheCircuitIsTheOneOfThePosition) {
   const double middle = 0.5 * (ranges[0].from + ranges[0].to);
   EXPECT_EQ(circuit_at(linkage, middle).half, 1);
   EXPECT_EQ(circuit_at(linkage, -middle).half, -1);
-  EXPECT_EQ(circuit_at(linkage, 2 * kPi + middle).half, 1);
+  EXPECT_EQ(circuit_at(linkage, kTurn + middle).half, 1);
   EXPECT_EQ(circuit_at(linkage, 0).half, 1);     // reaches the upper range first
   EXPECT_EQ(circuit_at(linkage, kPi).half, -1);  // and from there the lower
 }
@@ -145,7 +143,7 @@ TEST(CircuitSamples, TheCircuitIsTheOneOfThePosition) {
 TEST(CurveMeasures, ThePathOfTheCrankPinIsACircle) {
   const FourBar linkage{{300, -200}, {304, -200}, 1, 4, 3, Assembly::open, Vec2d{0, 0}};
   const CurveRoom curve = curve_of(linkage, {}, 128);
-  EXPECT_NEAR(length_of(curve), 2 * kPi, 1e-12);
+  EXPECT_NEAR(length_of(curve), kTurn, 1e-12);
   EXPECT_NEAR(area_of(curve), kPi, 1e-11);
   const CurveWidths widths = WidthFinder()(curve.samples());
   EXPECT_NEAR(widths.least, 2, 1e-7);
@@ -286,7 +284,7 @@ TEST(FourierDescriptors, AreTheCoefficientsOfAnEllipseByItsArcLength) {
   const std::size_t fine = 1 << 16, count = 256;
   std::vector<double> arc(fine + 1, 0);
   const auto at = [&](double k) {
-    const double t = 2 * kPi * k / fine;
+    const double t = kTurn * k / fine;
     return Vec2d{2 * std::cos(t), std::sin(t)};
   };
   for (std::size_t k = 0; k < fine; ++k) {
@@ -304,11 +302,11 @@ TEST(FourierDescriptors, AreTheCoefficientsOfAnEllipseByItsArcLength) {
   for (const int k : {-3, -1, 1, 3}) {
     double sum = 0;
     for (std::size_t i = 0; i < fine; ++i) {
-      const double phase = 2 * kPi * k * 0.5 * (arc[i] + arc[i + 1]) / arc[fine];
+      const double phase = kTurn * k * 0.5 * (arc[i] + arc[i + 1]) / arc[fine];
       const Vec2d middle = at(static_cast<double>(i) + 0.5);
       sum += (arc[i + 1] - arc[i]) * (middle.x * std::cos(phase) + middle.y * std::sin(phase));
     }
-    EXPECT_NEAR(found.of(k).x, sum / arc[fine] / (arc[fine] / (2 * kPi)), 1e-7) << k;
+    EXPECT_NEAR(found.of(k).x, sum / arc[fine] / (arc[fine] / (kTurn)), 1e-7) << k;
     EXPECT_NEAR(found.of(k).y, 0, 1e-9) << k;
   }
   EXPECT_NEAR(norm(found.of(2)) + norm(found.of(-4)), 0, 1e-10);

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 /// Angles of crank, coupler and rocker from A→D.

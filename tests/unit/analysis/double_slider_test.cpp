@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "analysis/linkage/double_slider_travel.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
 namespace cognate {
@@ -14,7 +14,7 @@ namespace {
 
 using test::Quad;
 using test::QuadMotion;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 double distance(const Vec2d& a, const Vec2d& b) {
   return std::hypot(a.x - b.x, a.y - b.y);

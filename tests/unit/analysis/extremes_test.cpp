@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::cam {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A function that counts how often it is asked.
 template <class F>
@@ -57,12 +57,13 @@ TEST(Extremes, PressureAngleOfAHarmonicRise) {
   Counted angle{
       [](double x) { return std::atan2(20 * std::sin(2 * x), 40 + 10 * (1 - std::cos(2 * x))); }};
   const double degree = kPi / 180;
-  const auto [least, greatest] = extremes(angle, 0, kPi / 2, 1);
+  const auto [least, greatest] = extremes(angle, 0, kRightAngle, 1);
   EXPECT_NEAR(greatest.value / degree, 22.207654298596488, 2e-14);
   EXPECT_NEAR(greatest.at / degree, 39.231520483592256, 1e-11);
   EXPECT_NEAR(least.value, 0, 1e-15);
   EXPECT_LE(angle.count, 100);
-  expect_places(local_of(angle, 0, kPi / 2), {0, 39.231520483592256 * degree, kPi / 2}, 2e-13);
+  expect_places(local_of(angle, 0, kRightAngle), {0, 39.231520483592256 * degree, kRightAngle},
+                2e-13);
 }
 
 TEST(Extremes, ValuesAreTheFunctionsOwn) {
@@ -80,12 +81,12 @@ TEST(Extremes, TiltedSineHasTheArcCosinesOfItsTilt) {
     const double first = std::acos(-0.3);
     std::vector<double> places{0};
     for (int turn = 0; turn < k; ++turn) {
-      places.push_back((2 * kPi * turn + first) / k);
-      places.push_back((2 * kPi * turn + 2 * kPi - first) / k);
+      places.push_back((kTurn * turn + first) / k);
+      places.push_back((kTurn * turn + kTurn - first) / k);
     }
-    places.push_back(2 * kPi);
+    places.push_back(kTurn);
     const auto f = [&](double x) { return std::sin(k * x) + tilt * x; };
-    expect_places(local_of(f, 0, 2 * kPi), places, 1e-12);
+    expect_places(local_of(f, 0, kTurn), places, 1e-12);
   }
 }
 
@@ -139,7 +140,7 @@ TEST(Extremes, PlacesAreExactWhateverTheWidthOfTheWave) {
 
 TEST(Extremes, NoiseOfTheFunctionIsNotResolved) {
   Counted noisy{[](double x) { return std::sin(x) + 3e-13 * std::sin(1e9 * x); }};
-  expect_places(local_of(noisy, 0, 6), {0, kPi / 2, 1.5 * kPi, 6}, 1e-8);
+  expect_places(local_of(noisy, 0, 6), {0, kRightAngle, 1.5 * kPi, 6}, 1e-8);
   EXPECT_LE(noisy.count, 400);
   // Here it is the rounding of x that makes 1 - 0.99999 wrong by 1e-11.
   Counted steep{[](double x) { return 1 / (x - 0.99999); }};
@@ -202,7 +203,7 @@ TEST(Extremes, ConstantsAndRoundingHaveOnlyTheirEnds) {
 
 TEST(Extremes, SmoothFunctionsCostFewEvaluations) {
   Counted sine{[](double x) { return std::sin(x); }};
-  extremes(sine, 0, 2 * kPi, 1);
+  extremes(sine, 0, kTurn, 1);
   EXPECT_LE(sine.count, 30);
   Counted rise{[](double x) { return std::exp(-x) * x; }};
   expect_places(local_of(rise, 0, 5), {0, 1, 5}, 1e-13);
@@ -254,7 +255,7 @@ TEST(Extremes, SumsOfWavesAgreeWithExtendedPrecision) {
     }
     const auto f = [&](double x) { return waves.derivative(x, 0); };
     std::vector<double> places = waves.zeros(1);
-    const std::vector<Extreme> found = local_of(f, 0, 2 * kPi, 3);
+    const std::vector<Extreme> found = local_of(f, 0, kTurn, 3);
     ASSERT_EQ(found.size(), places.size() + 2);
     double least = INFINITY, greatest = -INFINITY;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -263,11 +264,11 @@ TEST(Extremes, SumsOfWavesAgreeWithExtendedPrecision) {
       least = std::min(least, f(places[i]));
       greatest = std::max(greatest, f(places[i]));
     }
-    const auto ends = extremes(f, 0, 2 * kPi, 3);
+    const auto ends = extremes(f, 0, kTurn, 3);
     EXPECT_NEAR(ends.least.value, least, 1e-13);
     EXPECT_NEAR(ends.greatest.value, greatest, 1e-13);
 
-    const std::vector<double> roots = waves.zeros(0), at = zeros_of(f, 0, 2 * kPi, 3);
+    const std::vector<double> roots = waves.zeros(0), at = zeros_of(f, 0, kTurn, 3);
     ASSERT_EQ(at.size(), roots.size());
     for (std::size_t i = 0; i < at.size(); ++i) EXPECT_NEAR(at[i], roots[i], 1e-12);
   }
@@ -317,7 +318,7 @@ TEST(Extremes, NoNumbersAreLeftOut) {
 TEST(Extremes, ScalesAndIntervalsThatAreNone) {
   const auto f = [](double x) { return std::sin(x); };
   for (const double scale : {0.0, -1.0, double(INFINITY), double(NAN)}) {
-    expect_places(local_of(f, 0, 5, scale), {0, kPi / 2, 3 * kPi / 2, 5}, 1e-13);
+    expect_places(local_of(f, 0, 5, scale), {0, kRightAngle, 3 * kRightAngle, 5}, 1e-13);
   }
   expect_places(local_of(f, 2, 2), {2}, 0);
   EXPECT_TRUE(zeros_of(f, 4, 2).empty());
@@ -327,7 +328,7 @@ TEST(Extremes, ScalesAndIntervalsThatAreNone) {
 TEST(Extremes, ZerosAtTheEndsAreNotInside) {
   const auto f = [](double x) { return std::sin(x); };
   EXPECT_TRUE(zeros_of(f, 0, kPi).empty());
-  const std::vector<double> at = zeros_of(f, 0, 2 * kPi);
+  const std::vector<double> at = zeros_of(f, 0, kTurn);
   ASSERT_EQ(at.size(), 1U);
   EXPECT_NEAR(at[0], kPi, 1e-14);
 }

@@ -4,16 +4,14 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstdlib>
-#include <limits>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// tan α − α by a convergent of Lambert's fraction that is right to 1e-28 up to π/2 and beyond.
 class QuadInvolute {
@@ -110,7 +108,7 @@ TEST(GearInvolute, IsRightToAFewUnitsInTheLastPlace) {
     const double s = share(random);
     const double angle = i % 3 == 0   ? 1.5707963 * s
                          : i % 3 == 1 ? std::pow(10, -100 * s)
-                                      : std::numbers::pi / 2 - std::pow(10, -15 * s);
+                                      : kRightAngle - std::pow(10, -15 * s);
     const Quad exact = quad_involute()(angle);
     const double error =
         static_cast<double>(abs(gear::involute(angle) - exact)) / ulp(static_cast<double>(exact));
@@ -152,8 +150,8 @@ TEST(GearInvolute, EndsOfTheRange) {
   EXPECT_DOUBLE_EQ(gear::involute_angle(1e-300), std::cbrt(3.0) * 1e-100);
   // The least number that there is: 2^-1074, whose cube root is 2^-358.
   EXPECT_DOUBLE_EQ(gear::involute_angle(0x1p-1074), std::cbrt(3.0) * 0x1p-358);
-  EXPECT_EQ(gear::involute_angle(1e300), std::numbers::pi / 2);
-  EXPECT_EQ(gear::involute_angle(-kInfinity), -std::numbers::pi / 2);
+  EXPECT_EQ(gear::involute_angle(1e300), kRightAngle);
+  EXPECT_EQ(gear::involute_angle(-kInfinity), -kRightAngle);
   EXPECT_TRUE(std::isnan(gear::involute_angle(std::nan(""))));
   EXPECT_TRUE(std::isnan(gear::involute(std::nan(""))));
 }

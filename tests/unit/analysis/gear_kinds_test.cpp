@@ -5,6 +5,7 @@
 
 #include "analysis/gear/involute.hpp"
 #include "analysis/gear/other_gears.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -13,8 +14,6 @@ using gear::BevelPair;
 using gear::HelicalGear;
 using gear::SpurGear;
 using gear::WormPair;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 using Vec3 = std::array<double, 3>;
 
@@ -56,7 +55,7 @@ TEST(HelicalGear, TransverseSectionOfTheRack) {
     EXPECT_NEAR(tip_radius(section) - reference_radius(section), 4 * 1.2, 1e-13);
     EXPECT_NEAR(tip_radius(section) - root_radius(section), 4 * 2.25, 1e-13);
     // The thickness is that of the normal section over the cosine.
-    const double normal_thickness = 4 * (std::numbers::pi / 2 + 0.4 * std::tan(alpha));
+    const double normal_thickness = 4 * (kRightAngle + 0.4 * std::tan(alpha));
     EXPECT_NEAR(tooth_thickness(section, reference_radius(section)),
                 normal_thickness / std::cos(beta), 1e-13);
     HelicalGear thinned = g;
@@ -89,8 +88,7 @@ TEST(HelicalGear, BaseHelixAndLead) {
     // One lead on every cylinder: tan β/r is the same.
     EXPECT_NEAR(std::tan(base_helix(g)),
                 std::tan(g.helix) * base_radius(section) / reference_radius(section), 1e-14);
-    EXPECT_NEAR(lead(g) * std::tan(std::abs(g.helix)),
-                2 * std::numbers::pi * reference_radius(section), 1e-11);
+    EXPECT_NEAR(lead(g) * std::tan(std::abs(g.helix)), kTurn * reference_radius(section), 1e-11);
     // Normal and transverse base pitch.
     EXPECT_NEAR(section.module * std::cos(section.rack.pressure_angle) * std::cos(base_helix(g)),
                 4 * std::cos(g.normal.rack.pressure_angle), 1e-13);
@@ -192,8 +190,8 @@ TEST(WormPair, Diameters) {
 
 TEST(WormPair, LeadAndSliding) {
   const auto g = geometry(kWorm);
-  EXPECT_DOUBLE_EQ(g.lead, 2 * std::numbers::pi * 5);
-  EXPECT_NEAR(std::tan(g.lead_angle), g.lead / (std::numbers::pi * 50), 1e-15);
+  EXPECT_DOUBLE_EQ(g.lead, kTurn * 5);
+  EXPECT_NEAR(std::tan(g.lead_angle), g.lead / (kPi * 50), 1e-15);
   // Rims at right angles: the worm's at 1, the wheel's at tan γ.
   EXPECT_NEAR(g.sliding_speed_ratio, std::hypot(1, std::tan(g.lead_angle)), 1e-15);
 }

@@ -4,6 +4,7 @@
 
 #include "analysis/gear/mesh.hpp"
 #include "analysis/gear/tooth_outline.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -78,7 +79,7 @@ Stand stand(const SpurPair& pair, const Mesh& mesh, double angle, double toleran
   const Polygon wheel = placed(outline(pair.gears[1], tolerance), mesh.wheel_centre,
                                mesh.wheel_angle - ratio * angle);
   Stand result{placed(outline(pair.gears[0], tolerance), {}, angle), {mesh.wheel_centre}};
-  const double reach = 7 * std::numbers::pi / pair.gears[1].teeth;
+  const double reach = 7 * kPi / pair.gears[1].teeth;
   // The first corner, next to the first tooth, is in the mesh: from the middle of the outline on.
   for (std::size_t i = 0; i < wheel.size(); ++i) {
     const Vec2d corner = wheel[(i + wheel.size() / 2) % wheel.size()];
@@ -95,7 +96,7 @@ TEST(GearMesh, TheOutlinesTouchAndDoNotOverlap) {
     const Mesh mesh = gear::mesh(pair);
     const double m = pair.gears[0].module;
     for (const double share : kShares) {
-      const double angle = share * 2 * std::numbers::pi / pair.gears[0].teeth;
+      const double angle = share * kTurn / pair.gears[0].teeth;
       const Stand at = stand(pair, mesh, angle, 5e-5 * m);
       double closest = m;
       for (const Vec2d& corner : part_near(at.pinion, mesh.pitch_point, 2.5 * m)) {
@@ -114,7 +115,7 @@ TEST(GearMesh, ContactsLieOnBothFlanks) {
     const double m = pair.gears[0].module;
     int contacts = 0;
     for (const double share : kShares) {
-      const double angle = share * 2 * std::numbers::pi / pair.gears[0].teeth;
+      const double angle = share * kTurn / pair.gears[0].teeth;
       const Stand at = stand(pair, mesh, angle, 5e-5 * m);
       const double moved = mesh.contact + angle * base_radius(pair.gears[0]);
       for (int k = -3; k <= 3; ++k) {
@@ -161,7 +162,7 @@ double greatest_overlap(const SpurPair& pair) {
   const double m = pair.gears[0].module;
   double least = m;
   for (int i = 0; i < kStands; ++i) {
-    const double angle = i * 2 * std::numbers::pi / pair.gears[0].teeth / kStands;
+    const double angle = i * kTurn / pair.gears[0].teeth / kStands;
     const Stand at = stand(pair, mesh, angle, 5e-4 * m);
     for (const Vec2d& corner : part_near(at.pinion, mesh.pitch_point, 2.5 * m)) {
       least = std::min(least, distance(at.wheel, corner, 0.4 * m));
@@ -177,7 +178,7 @@ SpurPair pair_of(const SpurGear& pinion, const SpurGear& wheel) {
 /// Whether tips dig into fillets is seen of the outlines. Neither undercut, where the flank has
 /// made room, nor a flank that is touched above the form circle alone tells.
 TEST(GearMesh, InterferenceIsOverlap) {
-  const gear::BasicRack flat{16.9 * std::numbers::pi / 180, 0.8227, 0.1358};
+  const gear::BasicRack flat{16.9 * kPi / 180, 0.8227, 0.1358};
   const std::vector<std::pair<SpurPair, bool>> cases = {
       {pair_of({.teeth = 20}, {.teeth = 60}), false},
       {pair_of({.teeth = 20}, {.teeth = 60, .tip_reduction = -0.25}), true},

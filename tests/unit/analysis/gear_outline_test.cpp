@@ -3,6 +3,7 @@
 
 #include "analysis/gear/fillet.hpp"
 #include "analysis/gear/tooth_outline.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/rack_distance.hpp"
 
 namespace cognate {
@@ -12,8 +13,6 @@ using gear::OutlinePart;
 using gear::OutlinePoint;
 using gear::SpurGear;
 using test::closest;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::vector<SpurGear> gears() {
   return {
@@ -43,8 +42,7 @@ double half_angle(const SpurGear& g, double radius) {
   const double alpha = g.rack.pressure_angle;
   const double there = std::acos(0.5 * g.module * g.teeth * std::cos(alpha) / radius);
   const double at_reference =
-      (0.5 * std::numbers::pi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) /
-      g.teeth;
+      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) / g.teeth;
   return at_reference + std::tan(alpha) - alpha - std::tan(there) + there;
 }
 
@@ -128,7 +126,7 @@ TEST(GearOutline, PartsFollowEachOtherOutwards) {
   for (const SpurGear& g : gears()) {
     const auto half = tooth_half(g, 1e-3 * g.module);
     EXPECT_NEAR(norm(half.front().at), root_radius(g), 1e-12 * g.module * g.teeth);
-    EXPECT_NEAR(angle_from_tooth(half.front().at), std::numbers::pi / g.teeth, 1e-12);
+    EXPECT_NEAR(angle_from_tooth(half.front().at), kPi / g.teeth, 1e-12);
     EXPECT_EQ(half.back().at.x, 0);
     for (std::size_t i = 1; i < half.size(); ++i) {
       EXPECT_GE(half[i].part, half[i - 1].part);
@@ -214,9 +212,8 @@ TEST(GearOutline, TheRacksOutlineIsTheSolid) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       EXPECT_GE(outline[i].x, outline[i > 0 ? i - 1 : 0].x - 1e-9 * g.module);
       const double x = outline[i].x / g.module + r * angle;
-      const double k = std::floor(x / std::numbers::pi);
-      const Vec2d from_tooth{x - (k + 0.5) * std::numbers::pi,
-                             outline[i].y / g.module - r - g.profile_shift};
+      const double k = std::floor(x / kPi);
+      const Vec2d from_tooth{x - (k + 0.5) * kPi, outline[i].y / g.module - r - g.profile_shift};
       EXPECT_NEAR(test::distance_from_tooth(g, from_tooth), 0, 1e-9) << g.teeth;
     }
   }

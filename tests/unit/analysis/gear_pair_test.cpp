@@ -1,10 +1,10 @@
 /// Pairs of spur gears against their motion: points of the flanks followed while both gears turn.
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <optional>
 
 #include "analysis/gear/spur_pair.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/vec2.hpp"
 #include "tests/support/count_allocations.hpp"
 
@@ -35,8 +35,7 @@ Vec2d flank_point(const SpurGear& g, double radius) {
   const double alpha = g.rack.pressure_angle;
   const double there = std::acos(0.5 * g.module * g.teeth * std::cos(alpha) / radius);
   const double angle =
-      (0.5 * std::numbers::pi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) /
-          g.teeth +
+      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) / g.teeth +
       std::tan(alpha) - alpha - std::tan(there) + there;
   return {-radius * std::sin(angle), radius * std::cos(angle)};
 }
@@ -109,7 +108,7 @@ TEST(SpurPair, ContactRatioIsTheTurnOfAToothInContactOverThePitch) {
     const auto radii = touching(pair);
     ASSERT_TRUE(radii);
     const double turn = touch(pair, (*radii)[1]).turn - touch(pair, (*radii)[0]).turn;
-    const double pitch = 2 * std::numbers::pi / pair.gears[0].teeth;
+    const double pitch = kTurn / pair.gears[0].teeth;
     EXPECT_NEAR(result.contact_ratio, turn / pitch, 2e-7) << pair.centre_distance;
     EXPECT_NEAR(result.gears[0].contact_start, (*radii)[0], 1e-7 * (*radii)[0]);
     EXPECT_NEAR(result.gears[0].contact_end, (*radii)[1], 1e-7 * (*radii)[1]);
@@ -159,7 +158,7 @@ TEST(SpurPair, BacklashIsWhatTheTeethLeaveOfThePitch) {
     pair.gears[1].thinning = 0.01;
     const PairGeometry result = geometry(pair);
     const auto& [pinion, wheel] = result.gears;
-    const double pitch = 2 * std::numbers::pi * pinion.working_radius / pair.gears[0].teeth;
+    const double pitch = kTurn * pinion.working_radius / pair.gears[0].teeth;
     const double left = pitch - tooth_thickness(pair.gears[0], pinion.working_radius) -
                         tooth_thickness(pair.gears[1], wheel.working_radius);
     EXPECT_NEAR(result.backlash, left, 1e-12 * pair.centre_distance);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/gear/tooth_outline.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
@@ -9,8 +10,6 @@ namespace {
 using gear::BasicRack;
 using gear::SpurGear;
 using gear::ToothFault;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(SpurGear, Radii) {
   const SpurGear g{.teeth = 20, .module = 4, .profile_shift = 0.25, .tip_reduction = 0.1};
@@ -31,8 +30,8 @@ TEST(SpurGear, RacksOfTheStandard) {
        {Profile{1.25, 0.38}, Profile{1.25, 0.3}, Profile{1.25, 0.25}, Profile{1.4, 0.39}}) {
     const BasicRack rack{alpha, 1, dedendum - 1, radius};
     // ISO 53, 4.4: the greatest radius is that of a full round.
-    const double greatest = (std::numbers::pi / 4 - dedendum * std::tan(alpha)) /
-                            std::tan((std::numbers::pi / 2 - alpha) / 2);
+    const double greatest =
+        (kPi / 4 - dedendum * std::tan(alpha)) / std::tan((kRightAngle - alpha) / 2);
     EXPECT_NEAR(gear::greatest_tip_radius(rack), greatest, 1e-15);
     EXPECT_EQ(gear::tip_radius(rack), radius);
     EXPECT_GE(gear::tip_half_width(rack), 0) << dedendum;
@@ -100,7 +99,7 @@ TEST(SpurGear, ThicknessIsThatOfTheOutline) {
   for (const double shift : {-0.4, 0.0, 0.6}) {
     const SpurGear g{.teeth = 23, .module = 2, .profile_shift = shift, .thinning = 0.1};
     EXPECT_NEAR(tooth_thickness(g, reference_radius(g)),
-                std::numbers::pi + 4 * shift * std::tan(20 * kDegree) - 0.1, 1e-13);
+                kPi + 4 * shift * std::tan(20 * kDegree) - 0.1, 1e-13);
     for (const gear::OutlinePoint& point : tooth_half(g, 0.01)) {
       if (point.part != gear::OutlinePart::involute) continue;
       ++tested;

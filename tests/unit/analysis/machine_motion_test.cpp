@@ -3,13 +3,13 @@
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/reduction.hpp"
 #include "analysis/machine/run.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/machines.hpp"
 #include "tests/support/random_chains.hpp"
 
@@ -18,8 +18,6 @@ namespace {
 
 using test::constant_inertia;
 using test::machine_of;
-
-constexpr double kPi = std::numbers::pi;
 
 double sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -253,8 +251,8 @@ TEST(SteadyState, IsThePlantedOne) {
       double exponent = 0;
       constexpr int kSteps = 400;
       for (int i = 0; i < kSteps; ++i) {
-        const double phi = 2 * kPi * i / kSteps;
-        exponent -= 2 * kPi / kSteps * 12 / (Planted::inertia(phi).value * Planted::omega(phi));
+        const double phi = kTurn * i / kSteps;
+        exponent -= kTurn / kSteps * 12 / (Planted::inertia(phi).value * Planted::omega(phi));
       }
       EXPECT_NEAR(steady.multiplier, std::exp(exponent), 1e-8);
       EXPECT_LT(steady.energy_residual, 1e-10);
@@ -270,7 +268,7 @@ TEST(SteadyState, ExtremesAreWhereTheSlopeVanishes) {
   EXPECT_NEAR(Planted::omega_slope(steady.least.phi), 0, 1e-8);
   double greatest = 0, least = 100;
   for (int i = 0; i < 100000; ++i) {
-    const double omega = Planted::omega(2 * kPi * i / 100000);
+    const double omega = Planted::omega(kTurn * i / 100000);
     greatest = std::max(greatest, omega);
     least = std::min(least, omega);
   }

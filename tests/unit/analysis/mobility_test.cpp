@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 
@@ -21,7 +21,7 @@ void PrintTo(const Lengths<double>& links, std::ostream* out) {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 FourBar linkage_of(const Lengths<double>& links, Assembly assembly = Assembly::open) {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "analysis/cam/universal_law.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::cam {
 namespace {
@@ -57,11 +58,11 @@ Course constant_acceleration(const Quad& u) {
 
 Course harmonic(const Quad& u) {
   const Quad s = sin(kPi * u), c = cos(kPi * u);
-  return {(1 - c) / 2, kPi / 2 * s, kPi * kPi / 2 * c, -kPi * kPi * kPi / 2 * s};
+  return {(1 - c) / 2, kRightAngle * s, kPi * kRightAngle * c, -kPi * kPi * kRightAngle * s};
 }
 
 Course cycloidal(const Quad& u) {
-  const Quad w = 2 * kPi, s = sin(w * u), c = cos(w * u);
+  const Quad w = kTurn, s = sin(w * u), c = cos(w * u);
   return {u - s / w, 1 - c, w * s, w * w * c};
 }
 
@@ -78,9 +79,9 @@ Course polynomial_4567(const Quad& u) {
 }
 
 Course double_harmonic(const Quad& u) {
-  const Quad s = sin(kPi * u), c = cos(kPi * u), s2 = sin(2 * kPi * u), c2 = cos(2 * kPi * u);
-  return {(1 - c) / 2 - (1 - c2) / 8, kPi / 2 * s - kPi / 4 * s2, kPi * kPi / 2 * (c - c2),
-          kPi * kPi * kPi / 2 * (2 * s2 - s)};
+  const Quad s = sin(kPi * u), c = cos(kPi * u), s2 = sin(kTurn * u), c2 = cos(kTurn * u);
+  return {(1 - c) / 2 - (1 - c2) / 8, kRightAngle * s - kPi / 4 * s2, kPi * kRightAngle * (c - c2),
+          kPi * kPi * kRightAngle * (2 * s2 - s)};
 }
 
 /// Norton, Cam Design and Manufacturing Handbook, the modified sine's displacement as printed.

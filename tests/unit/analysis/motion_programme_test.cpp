@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/cam/piece_bounds.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/count_allocations.hpp"
 
 namespace cognate::cam {
@@ -48,7 +49,7 @@ std::vector<MotionSegment> example() {
 TEST(MotionProgramme, JumpsAreThoseOfTheLaws) {
   const auto found = jumps(programme(example()));
   const double up = 4 * 60 / std::pow(degrees(100), 2),
-               down = kPi * kPi / 2 * 60 / std::pow(degrees(90), 2);
+               down = kPi * kRightAngle * 60 / std::pow(degrees(90), 2);
   const std::vector<Jump> wanted{{0, 2, 0, up},
                                  {degrees(50), 2, up, -up},
                                  {degrees(100), 2, -up, 0},
@@ -93,7 +94,7 @@ TEST(MotionProgramme, SmoothLawsHaveNoJumps) {
   EXPECT_TRUE(jumps(programme(harmonic)).empty());
   std::swap(harmonic[1], harmonic[2]);
   EXPECT_EQ(jumps(programme(harmonic)).size(), 2U);
-  EXPECT_TRUE(jumps(programme({segment_of(MotionLaw::dwell, 2 * kPi)})).empty());
+  EXPECT_TRUE(jumps(programme({segment_of(MotionLaw::dwell, kTurn)})).empty());
 }
 
 TEST(MotionProgramme, StrokesOfMonotoneLawsAreWholePieces) {
@@ -132,7 +133,7 @@ TEST(MotionProgramme, PolynomialsAreCutWhereTheyTurn) {
   MotionSegment segment = segment_of(MotionLaw::polynomial, 2, displacement(1));
   segment.conditions = {{0, 1, 0}, {0, 2, 0}, {0.3, 0, displacement(0.3)}, {0.3, 1, 0}};
   const MotionProgramme motion =
-      programme({segment, segment_of(MotionLaw::cycloidal, 2 * kPi - 2, -displacement(1))});
+      programme({segment, segment_of(MotionLaw::cycloidal, kTurn - 2, -displacement(1))});
   const auto& parts = motion.stroke_parts();
   ASSERT_EQ(parts.size(), 4U);
   const std::vector<StrokePart> wanted{
@@ -182,9 +183,9 @@ TEST(MotionProgramme, AnglesOfAnyTurn) {
   EXPECT_NEAR(motion.at(degrees(25 - 720)).velocity, motion.at(degrees(25)).velocity, 1e-12);
   EXPECT_NEAR(motion.at(degrees(205 + 3600)).velocity, motion.at(degrees(205)).velocity, 1e-12);
   EXPECT_EQ(motion.at(-1e-300).displacement, 0);
-  EXPECT_EQ(motion.at(std::nextafter(2 * kPi, 0)).displacement, 0);
+  EXPECT_EQ(motion.at(std::nextafter(kTurn, 0)).displacement, 0);
   EXPECT_GT(motion.at(0).acceleration, 0);  // of the later piece at a border
-  EXPECT_GT(motion.at(2 * kPi).acceleration, 0);
+  EXPECT_GT(motion.at(kTurn).acceleration, 0);
   EXPECT_EQ(MotionProgramme().at(1).displacement, 0);
 }
 
@@ -200,7 +201,7 @@ TEST(MotionProgramme, ManyPiecesThatTurn) {
   constexpr int kCount = 2000;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> noise(-1, 1);
-  MotionSegment segment = segment_of(MotionLaw::spline, 2 * kPi);
+  MotionSegment segment = segment_of(MotionLaw::spline, kTurn);
   segment.ends.periodic = true;
   for (int i = 1; i < kCount; ++i) {
     segment.points.push_back({static_cast<double>(i) / kCount, noise(random)});
@@ -276,11 +277,11 @@ TEST(PieceBounds, OfAPolynomialAreItsBernsteinCoefficients) {
 }
 
 TEST(MotionProgramme, AskingForTheMotionAllocatesNothing) {
-  MotionSegment segment = segment_of(MotionLaw::spline, 2 * kPi);
+  MotionSegment segment = segment_of(MotionLaw::spline, kTurn);
   segment.ends.periodic = true;
   for (int i = 1; i < 100'000; ++i) {
     const double at = i / 100'000.0;
-    segment.points.push_back({at, 1 - std::cos(2 * kPi * at)});
+    segment.points.push_back({at, 1 - std::cos(kTurn * at)});
   }
   const MotionProgramme motion = programme({segment});
   EXPECT_NEAR(motion.highest(), 2, 1e-14);

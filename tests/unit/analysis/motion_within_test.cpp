@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The least room that the triangle B–C–D has over the motion, in units of d²/(2 l₁ l₄).
 double least_room(const Lengths<double>& links, const CrankRange& motion) {
@@ -28,7 +27,7 @@ double least_room(const Lengths<double>& links, const CrankRange& motion) {
 
 TEST(MotionWithin, AgreesWithTheTriangleOfRandomLinkages) {
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> length(0.2, 3), start(-12, 12), sweep(0, 2 * kPi);
+  std::uniform_real_distribution<double> length(0.2, 3), start(-12, 12), sweep(0, kTurn);
   int made = 0, not_made = 0, across_gaps = 0;
   for (int i = 0; i < 20000; ++i) {
     const Lengths<double> links{length(random), length(random), length(random), length(random)};
@@ -45,7 +44,7 @@ TEST(MotionWithin, AgreesWithTheTriangleOfRandomLinkages) {
     not_made += !own;
     if (!own) continue;
     EXPECT_NEAR(own->to - own->from, motion.to - motion.from, 1e-12);
-    EXPECT_NEAR(std::remainder(own->from - motion.from, 2 * kPi), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(own->from - motion.from, kTurn), 0, 1e-12);
   }
   EXPECT_GT(made, 3000);
   EXPECT_GT(not_made, 3000);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <numbers>
 
 #include "analysis/coupler_curve/path_curvature.hpp"
 #include "analysis/coupler_curve/pole.hpp"
@@ -11,6 +10,7 @@
 #include "analysis/linkage/double_slider_travel.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
 namespace cognate {
@@ -18,7 +18,7 @@ namespace {
 
 using test::Quad;
 using test::QuadMotion;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 using Body = BodyMotion<double, 3>;
 using QuadBody = BodyMotion<Quad, 2>;
 

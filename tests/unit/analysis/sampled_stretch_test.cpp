@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -16,12 +15,10 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The narrowest strip has a side through two of the points.
 struct Plain {
@@ -63,7 +60,7 @@ std::vector<Vec2d> wavy_curve(std::mt19937_64& random, std::size_t count) {
   const Vec2d a{place(random), place(random)}, b{place(random), place(random)};
   std::vector<Vec2d> curve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double q = 2 * kPi * double(i) / double(count);
+    const double q = kTurn * double(i) / double(count);
     curve[i] = {2 * std::cos(q) + a.x * std::cos(2 * q) + 0.2 * b.x * std::sin(3 * q),
                 0.3 * std::sin(q) + 0.3 * a.y * std::sin(2 * q) + 0.2 * b.y * std::cos(2 * q)};
   }
@@ -148,7 +145,7 @@ TEST(SampledStretches, AgreeWithTheCurveItself) {
   const Path path = path_of(as_mechanism(hoeken), {2, *hoeken.coupler_point});
   constexpr std::size_t kSamples = 360;
   std::vector<Vec2d> curve(kSamples);
-  for (std::size_t i = 0; i < kSamples; ++i) curve[i] = path(2 * kPi * double(i) / kSamples).at;
+  for (std::size_t i = 0; i < kSamples; ++i) curve[i] = path(kTurn * double(i) / kSamples).at;
   SampledStretches stretches;
   const SampledStretch found = stretches.longest(curve, true, 1e-3);
   const auto forward = forward_interval(path, kPi, {-10, 10});

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
 namespace cognate {
@@ -22,7 +22,7 @@ namespace {
 using test::Quad;
 using test::QuadMotion;
 using testing::PrintToString;
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 SliderCrank with(double crank, double coupler, double offset) {

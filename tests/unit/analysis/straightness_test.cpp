@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 Vec2d unit_vector(double angle) {
   return {std::cos(angle), std::sin(angle)};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/kinds/evaluation/json.hpp"
@@ -16,8 +17,6 @@ namespace {
 using nlohmann::json;
 using problems::AnalysisProblem;
 using problems::AnalysisResult;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 AnalysisProblem four_bar_problem() {
   auto problem = problems::analysis_of(
@@ -38,8 +37,8 @@ AnalysisResult planted() {
   result.columns = {{"crank_deg", "drive", "crank", "deg", {0, 180, 360}},
                     {"P_x", "position", "P", "length", {0.1, kNaN, 0.3}}};
   result.closed_rows = 2;
-  result.landmarks = {{"limit position", "rocker", std::numbers::pi / 4, std::numbers::pi / 3},
-                      {"dead point", "C", std::numbers::pi, kNaN}};
+  result.landmarks = {{"limit position", "rocker", kPi / 4, kPi / 3},
+                      {"dead point", "C", kPi, kNaN}};
   result.facts = {{"class", std::string("crank-rocker")},
                   {"crank_turns_fully", true},
                   {"transmission_angle_deg.min", 40.0},

@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 #include <string>
 
 #include "analysis/linkage/double_slider.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/analysis_report_data.hpp"
 #include "app/report/column_vectors.hpp"
 #include "app/report/convex_hull.hpp"
@@ -27,10 +26,6 @@ using problems::AnalysisProblem;
 using problems::AnalysisResult;
 using problems::Column;
 using problems::NamedMechanism;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2 * kPi;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 NamedMechanism named(Mechanism<double> mechanism, std::vector<std::string> bodies) {
   NamedMechanism result;

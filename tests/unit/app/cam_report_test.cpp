@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
 #include "analysis/cam/contact.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/cam_report_data.hpp"
 #include "app/report/report.hpp"
 #include "tests/browser/sample_cams.hpp"
@@ -16,8 +16,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using problems::SampleCam;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 SampleCam sample(const std::string& name) {
   for (SampleCam& cam : problems::sample_cams()) {
@@ -88,7 +86,7 @@ TEST(CamReport, DrawsThePitchCurveOfTheWorkedExample) {
     } else if (deg[i] <= 160) {
       s = 60;
     } else if (deg[i] <= 250) {
-      s = 30 * (1 + std::cos(std::numbers::pi * (deg[i] - 160) / 90));
+      s = 30 * (1 + std::cos(kPi * (deg[i] - 160) / 90));
     }
     const double angle = kDegree * deg[i];
     EXPECT_NEAR(at[i].x, (start + s) * std::sin(angle) + 15 * std::cos(angle), 2e-4) << deg[i];
@@ -208,7 +206,7 @@ TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
   std::vector<cam::MotionSegment> motion;
   for (int i = 0; i < kSegments; ++i) {
     motion.push_back({.law = cam::MotionLaw::cycloidal,
-                      .over = 2 * std::numbers::pi / kSegments,
+                      .over = kTurn / kSegments,
                       .rise = i % 2 ? -1e-6 : 1e-6});
   }
   cam.result.designs[0].motion = motion;

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <random>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/report/drawn_findings.hpp"
 #include "app/report/drive_span.hpp"
 #include "app/report/guided_body.hpp"
@@ -17,7 +17,6 @@
 namespace cognate::app {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using synthesis::Pose;
 
 const FourBar kRockerCrank{.pivot_d = {3, 0}, .crank = 2.5, .coupler = 3, .rocker = 1};
@@ -31,18 +30,18 @@ TEST(DriveSpan, IsTheWholeTurnOfACrankThatTurnsFully) {
   const auto span = drive_span(as_mechanism(mechanism), {});
   ASSERT_TRUE(span);
   EXPECT_TRUE(span->round);
-  EXPECT_NEAR(span->to - span->from, 2 * kPi, 1e-12);
+  EXPECT_NEAR(span->to - span->from, kTurn, 1e-12);
 }
 
 // The range ends where coupler and rocker are in line: |B − D| is 2 or 4.
 TEST(DriveSpan, HoldsMostOfTheStationsInWhateverTurn) {
-  for (const double turn : {0.0, -2 * kPi, 4 * kPi}) {
+  for (const double turn : {0.0, -kTurn, 4 * kPi}) {
     for (const double side : {1.0, -1.0}) {
       const std::vector<double> stations = {side * 0.9 + turn, side * 1.1, -side * 0.9};
       const auto span = drive_span(as_mechanism(kRockerCrank), stations);
       ASSERT_TRUE(span);
       EXPECT_FALSE(span->round);
-      const double middle = std::remainder(0.5 * (span->from + span->to), 2 * kPi);
+      const double middle = std::remainder(0.5 * (span->from + span->to), kTurn);
       EXPECT_GT(side * middle, 0);
       for (const double end : {span->from, span->to}) {
         const double away = std::sqrt(squared_norm(polar(2.5, end) - Vec2d{3, 0}));

@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/report/gear_report_data.hpp"
 #include "tests/browser/sample_gears.hpp"
 
@@ -13,7 +13,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
-using std::numbers::pi;
 
 struct Report {
   ordered_json operator()(const problems::GearProblem& problem) const {
@@ -36,7 +35,7 @@ ordered_json design_of(const std::string& name) {
 /// Length of the path of contact over the base pitch.
 double contact_ratio(const ordered_json& design) {
   const auto& pinion = design["gears"][0];
-  const double base_pitch = 2 * pi * pinion["base"].get<double>() / pinion["teeth"].get<double>();
+  const double base_pitch = 2 * kPi * pinion["base"].get<double>() / pinion["teeth"].get<double>();
   return (design["path_end"].get<double>() - design["path_start"].get<double>()) / base_pitch;
 }
 
@@ -52,7 +51,7 @@ TEST(GearReport, HalfAToothGoesFromTheRootsMiddleToTheTips) {
     const auto x = half["x"].get<std::vector<double>>(), y = half["y"].get<std::vector<double>>();
     ASSERT_EQ(x.size(), y.size());
     ASSERT_EQ(x.size(), half["part"].size());
-    EXPECT_NEAR(std::atan2(-x.front(), y.front()), pi / teeth, 1e-5);
+    EXPECT_NEAR(std::atan2(-x.front(), y.front()), kPi / teeth, 1e-5);
     EXPECT_NEAR(std::hypot(x.front(), y.front()), 2.5 * teeth - 6.25, 1e-4);
     EXPECT_NEAR(x.back(), 0, 1e-9);
     EXPECT_NEAR(y.back(), 2.5 * teeth + 5, 1e-4);
@@ -62,8 +61,8 @@ TEST(GearReport, HalfAToothGoesFromTheRootsMiddleToTheTips) {
 TEST(GearReport, RackIsOnePitchWithItsFlanksAtThePressureAngle) {
   const ordered_json rack = design_of("gear")["gears"][0]["rack"];
   const auto x = rack["x"].get<std::vector<double>>(), y = rack["y"].get<std::vector<double>>();
-  EXPECT_GT(x.front(), -pi * 2.5);
-  EXPECT_LT(x.back(), pi * 2.5);
+  EXPECT_GT(x.front(), -kPi * 2.5);
+  EXPECT_LT(x.back(), kPi * 2.5);
   double longest = 0, slope = 0;
   for (std::size_t i = 1; i < x.size(); ++i) {
     EXPECT_GT(x[i], x[i - 1]);
@@ -72,7 +71,7 @@ TEST(GearReport, RackIsOnePitchWithItsFlanksAtThePressureAngle) {
     longest = length;
     slope = std::abs((x[i] - x[i - 1]) / (y[i] - y[i - 1]));
   }
-  EXPECT_NEAR(slope, std::tan(pi / 9), 1e-4);
+  EXPECT_NEAR(slope, std::tan(kPi / 9), 1e-4);
 }
 
 TEST(GearReport, ConesAndWormAreThoseOfTheirFormulas) {

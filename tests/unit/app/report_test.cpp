@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/report/design_motion.hpp"
 #include "app/report/function_trace.hpp"
@@ -15,8 +15,6 @@
 
 namespace cognate::app {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Vec2d polar(double length, double angle) {
   return {length * std::cos(angle), length * std::sin(angle)};
@@ -35,7 +33,7 @@ TEST(DesignMotion, ClosesTheLoopAtEverySampleOfAFullTurn) {
   ASSERT_EQ(motion.crank.size(), 361u);
   EXPECT_TRUE(motion.full_turn);
   EXPECT_DOUBLE_EQ(motion.crank.front(), 0);
-  EXPECT_DOUBLE_EQ(motion.crank.back(), 2 * kPi);
+  EXPECT_DOUBLE_EQ(motion.crank.back(), kTurn);
   for (std::size_t i = 0; i < motion.crank.size(); ++i) {
     EXPECT_NEAR(coupler_length(linkage, motion.crank[i], motion.rocker[i]), 3, 1e-13);
   }
@@ -46,7 +44,7 @@ TEST(DesignMotion, FollowsARockerThatTurnsFullyWithoutAJump) {
   const FourBar drag_link{.pivot_d = {1, 0}, .crank = 3, .coupler = 2.5, .rocker = 3.2};
   const auto motion = sample_motion(drag_link, {}, 181);
   ASSERT_EQ(motion.rocker.size(), 181u);
-  EXPECT_NEAR(std::abs(motion.rocker.back() - motion.rocker.front()), 2 * kPi, 1e-12);
+  EXPECT_NEAR(std::abs(motion.rocker.back() - motion.rocker.front()), kTurn, 1e-12);
   for (std::size_t i = 1; i < motion.rocker.size(); ++i) {
     EXPECT_LT(std::abs(motion.rocker[i] - motion.rocker[i - 1]), 0.3);
   }
@@ -56,7 +54,7 @@ TEST(DesignMotion, FollowsARockerThatTurnsFullyWithoutAJump) {
 // collinear: |B − D| is the sum or the difference of their lengths.
 TEST(DesignMotion, TakesTheRangeInWhichTheDesignIsUsed) {
   const FourBar linkage{.pivot_d = {3, 0}, .crank = 2.5, .coupler = 3, .rocker = 1};
-  for (const double used : {0.9, -0.9 + 2 * kPi}) {
+  for (const double used : {0.9, -0.9 + kTurn}) {
     const auto motion = sample_motion(linkage, std::vector{used}, 91);
     ASSERT_GE(motion.crank.size(), 89u);
     EXPECT_FALSE(motion.full_turn);
@@ -104,7 +102,7 @@ TEST(ReportData, RoundsToSignificantDigits) {
 TEST(ReportData, HoldsAClosedTargetAndWhereItCame) {
   problems::PathProblem problem;
   std::vector<Vec2d> vertices;
-  for (int k = 0; k < 5000; ++k) vertices.push_back(polar(2, 2 * kPi * k / 5000));
+  for (int k = 0; k < 5000; ++k) vertices.push_back(polar(2, kTurn * k / 5000));
   problem.curve = problems::TargetCurve{problems::ClosedCurve(vertices), {}, {}};
   problem.points = problem.curve->curve.equally_spaced(12);
   problems::Result result;

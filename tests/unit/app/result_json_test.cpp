@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/json_values.hpp"
 #include "tests/support/planted_result.hpp"
@@ -99,16 +100,15 @@ TEST(ResultJson, GivesFunctionErrorsInDegreesBesides) {
   problems::FunctionProblem problem;
   problem.target = problems::AnglePairs{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.7}};
   auto result = planted_result();
-  result.designs[0].error = {
-      .sum_of_squares = 0.5, .rms = std::numbers::pi / 180, .max = std::numbers::pi / 90};
+  result.designs[0].error = {.sum_of_squares = 0.5, .rms = kPi / 180, .max = kPi / 90};
   const json error = read_back(problem, result)["designs"][0]["error"];
-  EXPECT_EQ(error["rms"], std::numbers::pi / 180);
+  EXPECT_EQ(error["rms"], kPi / 180);
   EXPECT_EQ(error["rms_deg"], 1.0);
   EXPECT_EQ(error["max_deg"], 2.0);
 }
 
 TEST(ResultJson, RefusesNumbersThatAreNotFinite) {
-  for (const double bad : {std::nan(""), problems::kInfinity, -problems::kInfinity}) {
+  for (const double bad : {std::nan(""), kInfinity, -kInfinity}) {
     auto result = planted_result();
     result.designs[1].error.rms = bad;
     const auto document = result_document(planted_path(), result, 1);
@@ -119,7 +119,7 @@ TEST(ResultJson, RefusesNumbersThatAreNotFinite) {
 
 TEST(ResultJson, LeavesOutAnInfiniteCondition) {
   auto result = planted_result();
-  result.designs[0].metrics.condition = problems::kInfinity;
+  result.designs[0].metrics.condition = kInfinity;
   const json metrics = read_back(planted_path(), result)["designs"][0]["metrics"];
   EXPECT_FALSE(metrics.contains("condition"));
 }
@@ -205,9 +205,9 @@ TEST(ResultJson, KeepsAListOfNumbersOnOneLine) {
 
 TEST(ResultJson, WritesRangesWithoutTheirInfiniteSides) {
   EXPECT_EQ(to_json(Range{1, 2}).dump(), "[1.0,2.0]");
-  EXPECT_EQ(to_json(Range{1, problems::kInfinity}).dump(), R"({"min":1.0})");
-  EXPECT_EQ(to_json(Range{-problems::kInfinity, 2}).dump(), R"({"max":2.0})");
-  EXPECT_EQ(to_json(problems::Box{{0, 1}, {2, problems::kInfinity}}).dump(),
+  EXPECT_EQ(to_json(Range{1, kInfinity}).dump(), R"({"min":1.0})");
+  EXPECT_EQ(to_json(Range{-kInfinity, 2}).dump(), R"({"max":2.0})");
+  EXPECT_EQ(to_json(problems::Box{{0, 1}, {2, kInfinity}}).dump(),
             R"({"x":[0.0,2.0],"y":{"min":1.0}})");
 }
 
@@ -216,10 +216,10 @@ TEST(ResultJson, WritesRangesWithoutTheirInfiniteSides) {
 TEST(ResultJson, DegreesReadBack) {
   for (int tenths = -7200; tenths <= 7200; ++tenths) {
     const double written = tenths / 10.0;
-    ASSERT_EQ(degrees(written * (std::numbers::pi / 180.0)), written);
+    ASSERT_EQ(degrees(written * (kPi / 180.0)), written);
   }
   for (double angle = 1e-9; angle < 1e3; angle *= 1.37) {
-    const double again = degrees(angle) * (std::numbers::pi / 180.0);
+    const double again = degrees(angle) * (kPi / 180.0);
     ASSERT_LE(std::abs(again - angle), 2 * std::numeric_limits<double>::epsilon() * angle) << angle;
   }
 }

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/study/design_values.hpp"
 #include "app/study/evaluator.hpp"
 #include "app/study/general_evaluator.hpp"
@@ -101,8 +101,7 @@ TEST(StudyEvaluator, TransmissionAnglesFollowTheLawOfCosines) {
   for (const auto& row : rows_of(study, block)) {
     const double b = number(row.at("mechanism.coupler")), c = number(row.at("mechanism.rocker"));
     const auto angle = [&](double diagonal) {
-      return std::acos((b * b + c * c - diagonal * diagonal) / (2 * b * c)) * 180 /
-             std::numbers::pi;
+      return std::acos((b * b + c * c - diagonal * diagonal) / (2 * b * c)) * 180 / kPi;
     };
     EXPECT_NEAR(number(row.at("transmission_angle_deg.min")), angle(1), 1e-9);
     EXPECT_NEAR(number(row.at("transmission_angle_deg.max")), angle(3), 1e-9);
@@ -191,7 +190,7 @@ metrics = ["mechanism.crank", "mechanism.coupler", "stroke", "time_ratio", "defe
     const double near = std::sqrt((b - a) * (b - a) - e * e);
     EXPECT_NEAR(far - near, 100, 1e-9);
     const double seen = std::acos(e / (a + b)) - std::acos(e / (b - a));
-    const double ratio = (std::numbers::pi + std::abs(seen)) / (std::numbers::pi - std::abs(seen));
+    const double ratio = (kPi + std::abs(seen)) / (kPi - std::abs(seen));
     EXPECT_NEAR(ratio, number(row.at("target.time_ratio")), 1e-9);
     EXPECT_NEAR(number(row.at("time_ratio")), ratio, 1e-9);
     EXPECT_EQ(word(row.at("defects")), "none");
@@ -211,12 +210,11 @@ metrics = ["pressure_angle_deg_max_rise"]
     double greatest = 0;
     for (int i = 0; i <= 200'000; ++i) {
       const double u = i / 200'000.0;
-      const double s = 10 * (1 - std::cos(std::numbers::pi * u));
-      const double ds = 20 * std::sin(std::numbers::pi * u);  // per radian, over 90 degrees
+      const double s = 10 * (1 - std::cos(kPi * u));
+      const double ds = 20 * std::sin(kPi * u);  // per radian, over 90 degrees
       greatest = std::max(greatest, std::atan2(ds, number(row.at("mechanism.base_radius")) + s));
     }
-    EXPECT_NEAR(number(row.at("pressure_angle_deg_max_rise")), greatest * 180 / std::numbers::pi,
-                1e-6);
+    EXPECT_NEAR(number(row.at("pressure_angle_deg_max_rise")), greatest * 180 / kPi, 1e-6);
   }
 }
 
@@ -242,8 +240,8 @@ metrics = ["error.max_deg", "mechanism.coupler", "mechanism.fixed_pivots[1][0]",
     const auto& linkage = *result.designs[0].mechanism.four_bar;
     EXPECT_EQ(rows[i].at("mechanism.coupler"), Cell(linkage.coupler));
     EXPECT_EQ(rows[i].at("mechanism.fixed_pivots[1][0]"), Cell(linkage.pivot_d.x));
-    EXPECT_NEAR(number(rows[i].at("error.max_deg")),
-                result.designs[0].error.max * 180 / std::numbers::pi, 1e-12);
+    EXPECT_NEAR(number(rows[i].at("error.max_deg")), result.designs[0].error.max * 180 / kPi,
+                1e-12);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <regex>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
 #include "tests/support/planted_result.hpp"
@@ -130,7 +131,7 @@ TEST(Table, GivesFunctionErrorsInDegrees) {
   problems::FunctionProblem problem;
   problem.target = problems::AnglePairs{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.7}};
   auto result = planted_result();
-  result.designs[0].error.rms = 3 * std::numbers::pi / 180;
+  result.designs[0].error.rms = 3 * kPi / 180;
   const auto text = design_table(problem, result, {});
   EXPECT_TRUE(std::regex_search(text, std::regex("\n +\\[deg\\] +\\[deg\\]"))) << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\n1 +3 +"))) << text;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
 namespace cognate::problems {
@@ -14,7 +14,7 @@ namespace {
 
 using test::ChainMaker;
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 /// Crank 1, coupler 3 and slider on the x axis, which reaches from 2 to 4.

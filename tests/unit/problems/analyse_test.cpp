@@ -6,15 +6,13 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const FourBar kCrankRocker{{1, 2}, {5, 3}, 1, 4, 3, Assembly::open, Vec2d{2, 0.5}};
 

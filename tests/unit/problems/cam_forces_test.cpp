@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/cam/profile.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/facts.hpp"
 #include "tests/support/cam_problems.hpp"
@@ -143,7 +144,7 @@ TEST(CamForces, StressIsThatOfHertz) {
                                        1 / (1 / value_of(Quantity::pitch_curvature, cam.system, m) -
                                             d.roller_radius));
       // p = √(F' E* / (π R)), Johnson, Contact Mechanics, equation 4.45.
-      const double pressure = std::sqrt(force / 0.01 / (std::numbers::pi * radius * 8e-12));
+      const double pressure = std::sqrt(force / 0.01 / (kPi * radius * 8e-12));
       EXPECT_NEAR(std::sqrt(value_of(Quantity::squared_stress, cam.system, m)), pressure,
                   1e-10 * pressure)
           << degree;

@@ -5,12 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <random>
 #include <string>
 #include <variant>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/certificate.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/path/certificate.hpp"
@@ -20,8 +20,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 template <class Kind>
 Kind of_library(const std::string& name) {

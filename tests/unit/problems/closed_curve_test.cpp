@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <vector>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -29,14 +30,14 @@ TEST(ClosedCurve, VerticesHoweverUnevenDoNotShiftSamples) {
   std::vector<Vec2d> vertices;
   constexpr int kVertices = 3000;
   for (int i = 0; i < kVertices; ++i) {
-    const double angle = 2 * std::numbers::pi * std::pow(double(i) / kVertices, 2);
+    const double angle = kTurn * std::pow(double(i) / kVertices, 2);
     vertices.push_back({std::cos(angle), std::sin(angle)});
   }
   const ClosedCurve circle(vertices);
-  EXPECT_NEAR(circle.length(), 2 * std::numbers::pi, 1e-5);
+  EXPECT_NEAR(circle.length(), kTurn, 1e-5);
   const auto points = circle.equally_spaced(7);
   for (int k = 0; k < 7; ++k) {
-    const double angle = 2 * std::numbers::pi * k / 7;
+    const double angle = kTurn * k / 7;
     EXPECT_NEAR(norm(points[k] - Vec2d{std::cos(angle), std::sin(angle)}), 0, 1e-5) << k;
   }
 }

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/curve_following.hpp"
 #include "problems/path/shape_placement.hpp"
@@ -20,8 +20,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Crank-rockers and a double crank.
 const FourBar kPlanted[] = {
@@ -44,7 +42,7 @@ std::string polyline(const FourBar& linkage, const Move& move = {}) {
   constexpr int kSides = 4000;
   std::string rows;
   for (int k = 0; k < kSides; ++k) {
-    const Vec2d p = move(*Motion(linkage).at(2 * std::numbers::pi * k / kSides)->coupler_point);
+    const Vec2d p = move(*Motion(linkage).at(kTurn * k / kSides)->coupler_point);
     rows += fmt::format("[{}, {}],", p.x, p.y);
   }
   return "kind = \"path-generation\"\n[target]\ncurve = [" + rows + "]\n";
@@ -74,8 +72,8 @@ double hausdorff(const FourBar& one, const FourBar& other, const Move& move) {
   constexpr int kPoints = 720;
   std::vector<Vec2d> a, b;
   for (int k = 0; k < kPoints; ++k) {
-    a.push_back(coupler_point(one, 2 * std::numbers::pi * k / kPoints));
-    b.push_back(move(coupler_point(other, 2 * std::numbers::pi * k / kPoints)));
+    a.push_back(coupler_point(one, kTurn * k / kPoints));
+    b.push_back(move(coupler_point(other, kTurn * k / kPoints)));
   }
   const auto farthest = [](const auto& from, const auto& to) {
     double greatest = 0;
@@ -189,13 +187,13 @@ TEST(ClosedPath, ThreadsDoNotMatter) {
 TEST(ClosedPath, ALoopTooManyIsSeen) {
   const FourBar& planted = kPlanted[0];
   std::vector<Vec2d> half;
-  for (int k = 0; k <= 100; ++k) half.push_back(coupler_point(planted, k * std::numbers::pi / 100));
+  for (int k = 0; k <= 100; ++k) half.push_back(coupler_point(planted, k * kPi / 100));
   for (int k = 99; k > 0; --k) half.push_back(half[static_cast<std::size_t>(k)] + Vec2d{1e-3, 0});
   const ClosedCurve curve(half);
   const double deviation = curve_deviation(curve, planted, {});
   double farthest = 0;
   for (int k = 0; k < 720; ++k) {
-    const Vec2d p = coupler_point(planted, k * std::numbers::pi / 360);
+    const Vec2d p = coupler_point(planted, k * kPi / 360);
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2d& q : half) least = std::min(least, norm(p - q));
     farthest = std::max(farthest, least);
@@ -212,7 +210,7 @@ TEST(ClosedPath, DesignsWithALoopTooManyDoNotHideTheOthers) {
   std::string rows;
   constexpr int kVertices = 60;
   for (int k = 0; k < kVertices; ++k) {
-    const double angle = 2 * std::numbers::pi * k / kVertices, x = (1 + std::cos(angle)) / 2;
+    const double angle = kTurn * k / kVertices, x = (1 + std::cos(angle)) / 2;
     const double half = 0.6 * (0.2969 * std::sqrt(x) - 0.126 * x - 0.3516 * x * x +
                                0.2843 * x * x * x - 0.1036 * x * x * x * x);
     const double camber = 0.15 * x * (1 - x);
@@ -234,13 +232,13 @@ TEST(PathStraying, TellsLoopsAndOtherOrders) {
     PathProblem problem;
     problem.constraints.full_turn = problem.constraints.no_extra_loop = true;
     for (int k = 0; k < 40; ++k) {
-      problem.points.push_back(coupler_point(planted, share * 2 * std::numbers::pi * k / 40));
+      problem.points.push_back(coupler_point(planted, share * kTurn * k / 40));
     }
     return problem;
   };
   const auto angles = [](double share) {
     std::vector<double> all;
-    for (int k = 0; k < 40; ++k) all.push_back(share * 2 * std::numbers::pi * k / 40);
+    for (int k = 0; k < 40; ++k) all.push_back(share * kTurn * k / 40);
     return all;
   };
   PathProblem whole = samples(1), part = samples(0.4);
@@ -262,7 +260,7 @@ TEST(PathStraying, TellsLoopsAndOtherOrders) {
 TEST(ShapePlacement, TurnsAsLittleAsTheFrameAngleAllows) {
   PathProblem problem = problem_of(polyline(kPlanted[0]) + "place = \"similar\"\n");
   std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> uniform(-3 * std::numbers::pi, 3 * std::numbers::pi);
+  std::uniform_real_distribution<double> uniform(-3 * kPi, 3 * kPi);
   for (int trial = 0; trial < 300; ++trial) {
     const double from = uniform(random);
     problem.bounds.frame_angle = Range{from, from + std::abs(uniform(random)) / 1.4};
@@ -273,16 +271,16 @@ TEST(ShapePlacement, TurnsAsLittleAsTheFrameAngleAllows) {
     double least = std::numeric_limits<double>::infinity();
     constexpr int kGrid = 7200;
     for (int k = -kGrid; k <= kGrid; ++k) {
-      const double tried = k * std::numbers::pi / kGrid;
+      const double tried = k * kPi / kGrid;
       for (int whole = -5; whole <= 5; ++whole) {
-        const double angle = direction + tried + 2 * std::numbers::pi * whole;
+        const double angle = direction + tried + kTurn * whole;
         const bool inside =
             angle >= problem.bounds.frame_angle->min && angle <= problem.bounds.frame_angle->max;
         if (inside) least = std::min(least, std::abs(tried));
       }
     }
     if (std::isinf(least)) continue;  // narrower than the grid
-    EXPECT_NEAR(std::abs(turn), least, 2 * std::numbers::pi / kGrid) << trial;
+    EXPECT_NEAR(std::abs(turn), least, kTurn / kGrid) << trial;
   }
 }
 

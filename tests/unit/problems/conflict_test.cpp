@@ -5,14 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::string explained(const Constraints& constraints, const Bounds& bounds,
                       const Feasibility& feasible, double time_limit = 60) {

@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Case {
   DrivenCrank crank;

@@ -2,17 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // The first line that is added is line 7, in [target].
 std::string file(const std::string& lines, const std::string& function = "log10(x)",

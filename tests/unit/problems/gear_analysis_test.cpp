@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/facts.hpp"
 #include "problems/gear/result.hpp"
 
@@ -89,7 +89,7 @@ TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
   int tested = 0;
   // Both anvils need b ≥ W sin β_b, here 27.5.
   GearProblem narrow = spur(60, 2);
-  narrow.gear.helix = std::numbers::pi / 6;
+  narrow.gear.helix = kPi / 6;
   const double length = span_measurement(narrow.gear).value().length;
   EXPECT_NEAR(length, 58.62, 5e-3);
   narrow.gear.face_width = 27.7;
@@ -112,7 +112,7 @@ TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
       ++tested;
       const auto result = analyse(spur(teeth, 1, shift), {});
       const auto &radius = column(result, "radius"), &involute = column(result, "is_involute");
-      const double base = 0.5 * teeth * std::cos(std::numbers::pi / 9);
+      const double base = 0.5 * teeth * std::cos(kPi / 9);
       const double touched = std::hypot(base, 0.5 * span->length);
       const auto first = std::ranges::find(involute, 1.0) - involute.begin();
       EXPECT_GE(touched, radius[static_cast<std::size_t>(first)] - 1e-9) << teeth << ' ' << shift;
@@ -125,7 +125,7 @@ TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
 /// The least distance of `centre` from the flank in the table, turned to the space at angle 0.
 double distance_to_flank(const GearResult& result, double teeth, double centre) {
   const auto &x = column(result, "x"), &y = column(result, "y");
-  const double turn = -std::numbers::pi / teeth;  // the space to the left, onto the y axis
+  const double turn = -kPi / teeth;  // the space to the left, onto the y axis
   double least = HUGE_VAL;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double u = x[i] * std::cos(turn) - y[i] * std::sin(turn);
@@ -142,7 +142,7 @@ TEST(GearAnalysis, APinTouchesTheFlanksOfItsSpace) {
     const auto result = analyse(problem, {});
     const double pin = 1.728 * 3, over = measurement_over_pins(problem.gear, pin);
     const double across = over - pin;
-    const double share = teeth == 24 ? 1 : std::cos(std::numbers::pi / (2 * teeth));
+    const double share = teeth == 24 ? 1 : std::cos(kPi / (2 * teeth));
     EXPECT_NEAR(distance_to_flank(result, teeth, 0.5 * across / share), 0.5 * pin, 1e-6);
   }
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
@@ -16,7 +16,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kAlpha = kPi / 9;
+constexpr double kAlpha = kPi / 9;
 
 double inv(double angle) {
   return std::tan(angle) - angle;
@@ -35,7 +35,7 @@ struct Textbook {
   double contact_ratio() const {
     const double t1 = tangent(z1, x1) / rb(z1), t2 = tangent(z2, x2) / rb(z2);
     const double t = std::tan(working());
-    return (z1 * (t1 - t) + z2 * (t2 - t)) / (2 * kPi);
+    return (z1 * (t1 - t) + z2 * (t2 - t)) / (kTurn);
   }
   /// Where the wheel's tip touches the pinion, from the pinion's base tangent; and the reverse.
   double foot1() const { return a * std::sin(working()) - tangent(z2, x2); }
@@ -47,7 +47,7 @@ struct Textbook {
     return std::max(std::abs(sliding1()), std::abs(sliding2()));
   }
   double thickness(int z, double x, double radius) const {
-    const double s = m * (kPi / 2 + 2 * x * std::tan(kAlpha));
+    const double s = m * (kRightAngle + 2 * x * std::tan(kAlpha));
     return radius * (s / (0.5 * m * z) + 2 * (inv(kAlpha) - inv(std::acos(rb(z) / radius))));
   }
   double tip_thickness() const {
@@ -55,7 +55,7 @@ struct Textbook {
   }
   double backlash() const {
     const double r1 = a * z1 / (z1 + z2), r2 = a - r1;
-    return 2 * kPi * r1 / z1 - thickness(z1, x1, r1) - thickness(z2, x2, r2);
+    return kTurn * r1 / z1 - thickness(z1, x1, r1) - thickness(z2, x2, r2);
   }
   double clearance() const { return a / m - 0.5 * (z1 + z2) - (x1 + x2) + 0.25; }
   bool is_undercut() const {
@@ -591,7 +591,7 @@ TEST(GearPairSearch, BevelGearsWhoseConesAreNearlyFlatAreSound) {
     EXPECT_EQ(solve(problem, {}).status, Status::solved) << less;
   }
   problem.teeth = {10, 40};
-  problem.shaft_angle = kPi / 2;
+  problem.shaft_angle = kRightAngle;
   const auto cut = solve(problem, {});
   EXPECT_TRUE(has_note(cut, "10 teeth on its cone (a virtual gear of 10.3078)"));
   EXPECT_TRUE(has_note(cut, "at least 17 teeth on the same cone"));

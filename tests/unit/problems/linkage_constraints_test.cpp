@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -140,7 +140,7 @@ TEST(LinkageConstraints, TransmissionLimitsAreThoseOfTheMovingLinkage) {
     const Motion motion({{0, 0}, {l.frame, 0}, l.crank, l.coupler, l.rocker, Assembly::open, {}});
     bool within = true;
     for (int step = 0; step < 360; ++step) {
-      const auto pose = motion.at(step * std::numbers::pi / 180);
+      const auto pose = motion.at(step * kPi / 180);
       ASSERT_TRUE(pose);
       within &= pose->transmission_angle >= limits.min && pose->transmission_angle <= limits.max;
     }

@@ -8,25 +8,24 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 
 namespace cognate::problems {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_quad;
-constexpr double kPi = std::numbers::pi;
 
 AnalysisResult over_a_turn(const FourBar& linkage) {
   AnalysisProblem problem;
   problem.mechanism = named(linkage);
   problem.drive.start = 0;
-  problem.drive.end = 2 * kPi;
+  problem.drive.end = kTurn;
   problem.drive.steps = 36;
   return analyse(problem, Run{.threads = 1});
 }
@@ -97,7 +96,7 @@ void refine(Hull& hull, const Lengths<double>& l, const std::function<Real(Real)
       if (share < 0 || share > 1) continue;
       const auto angle = rocker(l, drive(share), side);
       if (!angle) continue;
-      const Real here = value + Real(std::remainder(double(*angle - *reference), 2 * kPi));
+      const Real here = value + Real(std::remainder(double(*angle - *reference), kTurn));
       if (here < hull.least || here > hull.greatest) at = share;
       hull.least = std::min(hull.least, here);
       hull.greatest = std::max(hull.greatest, here);

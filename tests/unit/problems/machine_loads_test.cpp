@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/run.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/result.hpp"
 #include "problems/read.hpp"
 #include "tests/support/machines.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using test::constant_inertia;
 using test::machine_of;
-
-constexpr double kPi = std::numbers::pi;
 
 /// What a machine's steady turn is, by classical Runge-Kutta steps of K.
 struct FixedSteps {
@@ -84,7 +82,7 @@ FixedSteps pulse(double from, double width, double torque, double from_speed = 0
     const bool acts = phi > from && phi < from + width && omega > from_speed;
     return Torques{60 - omega, acts ? torque : 0};
   };
-  return {constant_inertia(5), law, {0, from, from + width, 2 * kPi}};
+  return {constant_inertia(5), law, {0, from, from + width, kTurn}};
 }
 
 TEST(NarrowLoad, OfAJumpIsNotJumpedOver) {
@@ -101,20 +99,19 @@ TEST(NarrowLoad, OfABumpIsNotJumpedOver) {
       return Torques{60 - omega, height * std::exp(-std::pow((phi - 2.1) / width, 2))};
     };
     const double reach = std::min(2.0, 8 * width);
-    expect_steady({constant_inertia(5), law, {0, 2.1 - reach, 2.1 + reach, 2 * kPi}}, 10, 60,
-                  false);
+    expect_steady({constant_inertia(5), law, {0, 2.1 - reach, 2.1 + reach, kTurn}}, 10, 60, false);
   }
 }
 
 TEST(NarrowLoad, TakesItsWorkFromTheEnergy) {
   // What a constant motor gives in a turn, the load takes within its width.
-  const double motor = 3, width = 0.01, load = -motor * 2 * kPi / width;
+  const double motor = 3, width = 0.01, load = -motor * kTurn / width;
   const Machine machine = machine_of(constant_inertia(2), [=](double phi, double, double) {
     return Torques{motor, phi > 4 && phi < 4 + width ? load : 0};
   });
   const SteadyState steady = steady_state(machine, {.speed = 10}, {}, 10);
   EXPECT_EQ(steady.missing, NoSteadyState::any_speed);
-  const double swing = motor * (2 * kPi - width);
+  const double swing = motor * (kTurn - width);
   EXPECT_NEAR(steady.energy_swing, swing, 1e-7);
   EXPECT_NEAR(steady.greatest.omega, std::sqrt(100 + motor * 4.0), 1e-8);
   EXPECT_NEAR(steady.motor_power, motor * steady.greatest.omega, 1e-7);
@@ -196,7 +193,7 @@ struct Slider {
   }
   /// The crank's angle on the way forward, which ends at 0.55.
   static double angle(double x) {
-    return 2 * kPi - std::acos(std::min(1.0, (0.01 + x * x - 0.45 * 0.45) / (0.2 * x)));
+    return kTurn - std::acos(std::min(1.0, (0.01 + x * x - 0.45 * 0.45) / (0.2 * x)));
   }
   static test::InertiaLaw inertia(double crank) {
     return [=](double phi) { return EquivalentInertia{crank + 6 * std::pow(rate(phi), 2), 0}; };
@@ -208,7 +205,7 @@ struct Slider {
       const bool acts = rate(phi) > 0 && at(phi) > from && at(phi) < to;
       return Torques{motor(omega), acts ? -force * rate(phi) : 0};
     };
-    return {inertia(crank), law, {0, kPi, angle(from), angle(to), 2 * kPi}};
+    return {inertia(crank), law, {0, kPi, angle(from), angle(to), kTurn}};
   }
 };
 

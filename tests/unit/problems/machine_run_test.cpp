@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "analysis/machine/cycle.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/model.hpp"
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/machine_results.hpp"
@@ -15,8 +15,6 @@ namespace cognate::problems {
 namespace {
 
 using test::column, test::fact, test::parse, test::result_of, test::says;
-
-constexpr double kPi = std::numbers::pi;
 
 /// A press with its stroke along +x, crank 0.1, coupler 0.45.
 const std::string kPress = R"(
@@ -53,7 +51,7 @@ TEST(MachineModel, ReducesAsInverseDynamicsDoes) {
   MechanismMotion<2> motion(mechanism);
   const Stroke stroke{0.35, 0.55};
   ActiveLoads active(mechanism, analysis.loads, {&stroke, 1});
-  for (double phi = 0.05; phi < 2 * kPi; phi += 0.1) {
+  for (double phi = 0.05; phi < kTurn; phi += 0.1) {
     motion.move_to(phi);
     const auto [inertia, slope] = machine.move_to(phi);
     for (const double omega : {3.0, -3.0}) {
@@ -77,17 +75,17 @@ TEST(MachineModel, KnowsWhereLoadsBeginAndCease) {
   // Dead centres, and where 0.7 of the stroke from 0.35 to 0.55 are done on either way.
   const double x = 0.35 + 0.7 * 0.2;
   const double angle = std::acos((0.01 + x * x - 0.45 * 0.45) / (0.2 * x));
-  std::vector<double> expected{0, angle, kPi, 2 * kPi - angle};
+  std::vector<double> expected{0, angle, kPi, kTurn - angle};
   for (const double place : expected) {
     EXPECT_TRUE(std::ranges::any_of(machine.breaks, [&](double found) {
-      return std::abs(std::remainder(found - place, 2 * kPi)) < 1e-12;
+      return std::abs(std::remainder(found - place, kTurn)) < 1e-12;
     })) << place;
   }
   const auto load = [&](double phi) {
     machine.move_to(phi);
     return machine.torques(1, 0).load;
   };
-  const double begin = 2 * kPi - angle;
+  const double begin = kTurn - angle;
   EXPECT_GT(std::abs(load(begin + 1e-9) - load(begin - 1e-9)), 1000);
 }
 
@@ -162,7 +160,7 @@ run = {tasks = ["start", "stop", "steady"]}
   EXPECT_NEAR(fact(result, "start_end_speed_rad_s"),
               8 * (1 - std::exp(-1.25 * fact(result, "start_time_s"))), 1e-8);
   EXPECT_NEAR(fact(result, "stop_time_s"), 16.0 / 3, 1e-7);
-  EXPECT_NEAR(fact(result, "stop_turns"), 64.0 / 3 / (2 * kPi), 1e-7);
+  EXPECT_NEAR(fact(result, "stop_turns"), 64.0 / 3 / (kTurn), 1e-7);
   EXPECT_EQ(column(result.motions[1], "speed_rad_s").back(), 0);
   EXPECT_EQ(column(result.motions[0], "time_s").size(), 361U);
 }
@@ -286,7 +284,7 @@ TEST(RunMachine, OfAParallelogramRepeatsAfterOneThoughItStartsAtAChangePoint) {
         four_bar("fixed_pivots = [[0, 0], [3, 0]], crank = 1, coupler = 3, rocker = 1", start));
     EXPECT_EQ(result.status, Status::solved);
     // Its coupler does not turn: J is 2 + 3 kg m² all round, and the speed is even.
-    EXPECT_NEAR(fact(result, "period_s"), 2 * kPi / 10, 1e-8);
+    EXPECT_NEAR(fact(result, "period_s"), kTurn / 10, 1e-8);
     EXPECT_NEAR(fact(result, "speed_max_rad_s"), 10, 1e-7);
     EXPECT_NEAR(column(result.motions.at(0), "inertia_kg_m2")[50], 5, 1e-9);
   }

@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <sstream>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/machine_results.hpp"
 
 namespace cognate::problems {
 namespace {
 
 using test::fact, test::result_of;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// J ω̇ = stall (1 − ω/no_load) + load, from rest: ω = ω_s (1 − e^(−t/τ)), τ = J no_load/stall.
 struct LineStart {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/vanishing_inertia.hpp"
 #include "tests/support/machine_results.hpp"
 
@@ -15,8 +15,6 @@ namespace cognate::problems {
 namespace {
 
 using test::column, test::fact, test::result_of, test::says;
-
-constexpr double kPi = std::numbers::pi;
 
 /// A crank-rocker 0.5, 1, 1.2, 1.6, turned in the plane by `turned`, whose rocker bears a spring.
 std::string sprung_rocker(double turned) {
@@ -39,7 +37,7 @@ TEST(MachineTravel, OfASwingingBodyIsCountedFromTheEndOfItsSwing) {
   const double least = kPi - inner(d, a + b);
   const auto travel = [&](double phi) {
     const double x = a * std::cos(phi) - d, y = a * std::sin(phi);
-    return std::remainder(std::atan2(y, x) - inner(std::hypot(x, y), b) - least, 2 * kPi);
+    return std::remainder(std::atan2(y, x) - inner(std::hypot(x, y), b) - least, kTurn);
   };
   const auto energy = [&](double phi) { return 5 * std::pow(travel(phi) - 0.4, 2); };
   for (const double turned : {0.0, 0.7, 2.0, 3.1, -1.3}) {
@@ -64,7 +62,7 @@ motor = {line = {stall_torque = 20, no_load_speed = 10}}
 run = {start_deg = 77}
 )");
   ASSERT_EQ(result.status, Status::solved);
-  EXPECT_NEAR(fact(result, "motor_work_J"), 2 * kPi * kPi, 1e-7);
+  EXPECT_NEAR(fact(result, "motor_work_J"), kTurn * kPi, 1e-7);
 }
 
 TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {
@@ -74,7 +72,7 @@ TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {
                                     return machine::EquivalentInertia{inertia(phi), 0};
                                   },
                               .torques = {},
-                              .period = 2 * kPi});
+                              .period = kTurn});
   };
   const auto about = [](double phi) { return std::pow(std::sin(0.5 * (phi - 4.321)), 2); };
   EXPECT_NEAR(place(about).value_or(-1), 4.321, 1e-9);

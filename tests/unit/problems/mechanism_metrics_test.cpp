@@ -7,17 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const SliderCrank kRotating{
     .pivot = {3, -2}, .crank = 1, .coupler = 3, .offset = 0.5, .direction = {0.6, 0.8}};
@@ -36,7 +34,7 @@ TEST(MechanismMetricsTest, RotatingSliderCrankByItsClosedForms) {
   const Metrics metrics = metrics_of(kRotating, {at(0.3), at(2), at(4)});
   const auto pressure = pressure_angles(kRotating);
   ASSERT_TRUE(pressure && metrics.time_ratio);
-  EXPECT_NEAR(metrics.transmission_acute_min, kPi / 2 - std::abs(pressure->steepest), 1e-12);
+  EXPECT_NEAR(metrics.transmission_acute_min, kRightAngle - std::abs(pressure->steepest), 1e-12);
   EXPECT_NEAR(*metrics.time_ratio, time_ratio(kRotating).value(), 1e-12);
   EXPECT_TRUE(metrics.defects.empty());
   EXPECT_FALSE(metrics.mobility);
@@ -72,13 +70,13 @@ TEST(MechanismMetricsTest, TransmissionOverTheMotionUsed) {
   const Metrics metrics = metrics_of(kSwinging, {at(middle - 0.1), at(middle + 0.1)});
   const auto pressure = pressure_angles(kSwinging, {middle - 0.1, middle + 0.1});
   ASSERT_TRUE(pressure);
-  EXPECT_NEAR(metrics.transmission_acute_min, kPi / 2 - std::abs(pressure->steepest), 1e-9);
+  EXPECT_NEAR(metrics.transmission_acute_min, kRightAngle - std::abs(pressure->steepest), 1e-9);
 }
 
 // A four-bar as a chain has the defects that the closed forms of four-bars say.
 TEST(MechanismMetricsTest, AgreesWithFourBars) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> length(0.5, 3), angle(0, 2 * kPi), coin(-1, 1);
+  std::uniform_real_distribution<double> length(0.5, 3), angle(0, kTurn), coin(-1, 1);
   int unsound = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const FourBar linkage{

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
 #include "problems/linkage/verify.hpp"
@@ -21,7 +21,6 @@ namespace {
 
 using synthesis::DyadKind;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 MotionProblem problem(std::vector<synthesis::Pose> poses) {
@@ -61,7 +60,7 @@ Planted planted(std::mt19937& random, int count) {
   const double body_angle = 6 * part(random);
   const Motion motion(made.linkage);
   for (int k = 0; k < count; ++k) {
-    const auto at = motion.at((k + 0.2 + 0.6 * part(random)) * 2 * kPi / count);
+    const auto at = motion.at((k + 0.2 + 0.6 * part(random)) * kTurn / count);
     const Vec2d coupler = at->c - at->b;
     made.poses.push_back(
         {at->coupler_point.value(), std::atan2(coupler.y, coupler.x) + body_angle});
@@ -230,8 +229,8 @@ void expect_sound_on_poses(const Result& result, const MotionProblem& asked) {
 }
 
 TEST(MotionGenerationTest, PivotAtThePoleLeavesItsPartnerFree) {
-  MotionProblem asked = problem({{{1, 0}, 0}, {{0, 1}, kPi / 2}});  // a turn about the origin
-  asked.moving_pivots = {{-1, 0}, {1, 1}};                          // the first is at the origin
+  MotionProblem asked = problem({{{1, 0}, 0}, {{0, 1}, kRightAngle}});  // a turn about the origin
+  asked.moving_pivots = {{-1, 0}, {1, 1}};  // the first is at the origin
   const Result moving = solved(asked);
   expect_sound_on_poses(moving, asked);
   EXPECT_TRUE(mentions(moving, "Moving pivot [-1, 0]"));
@@ -292,7 +291,6 @@ TEST(MotionGenerationTest, TranslationsRoundACircleCrossDeadPoints) {
 
 // No pair among many drawn at random from the families is better than the best that is found.
 TEST(MotionGenerationTest, TheBestPairIsNoWorseThanThousandsDrawn) {
-  constexpr double kDegree = kPi / 180;
   MotionProblem asked = problem({{{0, 0}, 0}, {{2, 1}, 20 * kDegree}, {{4, 1}, 50 * kDegree}});
   asked.dyads = {DyadKind::rr};
   problems::Run run;
@@ -316,7 +314,6 @@ TEST(MotionGenerationTest, TheBestPairIsNoWorseThanThousandsDrawn) {
 }
 
 TEST(MotionGenerationTest, LinksAreOfOneOrderOfLength) {
-  constexpr double kDegree = kPi / 180;
   MotionProblem asked = problem({{{0, 0}, 0}, {{2, 1}, 20 * kDegree}, {{4, 1}, 50 * kDegree}});
   asked.constraints.required_class = RequiredClass::double_crank;
   for (const Design& design : solved(asked).designs) {
@@ -328,7 +325,7 @@ TEST(MotionGenerationTest, LinksAreOfOneOrderOfLength) {
 
 /// The best of dyads of `kind` alone through the first `count` of three poses.
 Design best_of_slides(DyadKind kind, std::ptrdiff_t count) {
-  const std::vector<synthesis::Pose> poses{{{1, 1}, 0}, {{-1, 1}, -kPi / 2}, {{-1.2, -1}, -3}};
+  const std::vector<synthesis::Pose> poses{{{1, 1}, 0}, {{-1, 1}, -kRightAngle}, {{-1.2, -1}, -3}};
   MotionProblem asked = problem({poses.begin(), poses.begin() + count});
   asked.dyads = {kind};
   asked.solve.designs = 1;
@@ -370,7 +367,7 @@ TEST(MotionGenerationTest, DesignsOfATurnDiffer) {
 }
 
 TEST(MotionGenerationTest, DegeneratePosesAreNamedOnce) {
-  const Result turns = solved(problem({{{1, 0}, 0}, {{0, 1}, kPi / 2}, {{-1, 0}, kPi}}));
+  const Result turns = solved(problem({{{1, 0}, 0}, {{0, 1}, kRightAngle}, {{-1, 0}, kPi}}));
   EXPECT_EQ(turns.status, Status::no_solution);
   EXPECT_TRUE(mentions(turns, "turns about one point"));
   for (const std::size_t count : {3U, 4U, 5U}) {
@@ -421,7 +418,6 @@ TEST(MotionGenerationTest, KindsOfDyadsAreKeptTo) {
 // A slider-crank and an oscillating block serve these poses best, with pivots outside the boxes.
 TEST(MotionGenerationTest, BoundsOfPivotsHoldForEveryMechanism) {
   int tested = 0;
-  constexpr double kDegree = kPi / 180;
   MotionProblem asked = problem({{{-1, -1}, 90 * kDegree},
                                  {{-1.4204, 0.3232}, 55.0347 * kDegree},
                                  {{-0.0292, 1.9547}, 1.712 * kDegree},

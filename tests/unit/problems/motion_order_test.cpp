@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <random>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
 #include "problems/guidance/order.hpp"
 
@@ -16,8 +16,6 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 AnalysisResult analyse(const AnalysisProblem& problem) {
   return problems::analyse(problem, problems::Run{.threads = 1});
@@ -203,8 +201,7 @@ point = [{name = "D", on = "CB", at = [0.6, 0]}]
   const auto result = analyse(*problem);
   const double swing = 2 * std::asin(0.125 / 0.275);
   EXPECT_NEAR(number(result, "output_stroke"), 2 * 0.6 * std::sin(swing / 2), 1e-13);
-  EXPECT_NEAR(number(result, "time_ratio"), (std::numbers::pi + swing) / (std::numbers::pi - swing),
-              1e-12);
+  EXPECT_NEAR(number(result, "time_ratio"), (kPi + swing) / (kPi - swing), 1e-12);
   // Where the load acts the driving torque is that without it plus F·v/ω.
   auto unloaded = *problem;
   unloaded.loads.clear();

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/exact_starts.hpp"
 #include "tests/support/planted_path.hpp"
 
@@ -40,7 +40,7 @@ TEST(ExactStarts, HoldThePlantedLinkage) {
   ASSERT_EQ(nearest.crank_angles.size(), 13u);
   for (std::size_t j = 0; j < 13; ++j) {
     const double off = nearest.crank_angles[j] - planted.crank_angles[j];
-    EXPECT_LT(std::abs(std::remainder(off, 2 * std::numbers::pi)), 0.4);
+    EXPECT_LT(std::abs(std::remainder(off, kTurn)), 0.4);
   }
 }
 

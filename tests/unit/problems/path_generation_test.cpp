@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/result.hpp"
 
@@ -187,7 +187,7 @@ TEST(PathGeneration, KeepsTheTransmissionAngleWithoutAClass) {
   ASSERT_EQ(result.status, Status::solved);
   EXPECT_GE(result.designs[0].error.sum_of_squares, free_error);
   for (int step = 0; step < 360; ++step) {
-    const auto pose = Motion(four_bar(result.designs[0])).at(step * std::numbers::pi / 180);
+    const auto pose = Motion(four_bar(result.designs[0])).at(step * kPi / 180);
     if (!pose) continue;
     EXPECT_GT(pose->transmission_angle, 0.9 - 1e-9);
     EXPECT_LT(pose->transmission_angle, 2.2 + 1e-9);
@@ -209,14 +209,14 @@ TEST(PathGeneration, KeepsCrankAnglesWhereSomePointsAreTimed) {
     const auto turned = [&](int from, int to) {
       const double wanted = crank_angles[to] - crank_angles[from];
       const double found = best.crank_angles[to] - best.crank_angles[from];
-      return std::abs(std::remainder(std::abs(wanted) - std::abs(found), 2 * std::numbers::pi));
+      return std::abs(std::remainder(std::abs(wanted) - std::abs(found), kTurn));
     };
     EXPECT_LT(std::min(turned(2, 3), 1.0), 1e-9);
     if (reference == CrankReference::first) continue;
     const double zero = reference == CrankReference::frame ? frame_angle(four_bar(best)) : 0;
     for (const int j : {2, 3, 9}) {
       const double off = best.crank_angles[j] - zero - problem.crank_angles[j];
-      EXPECT_NEAR(std::remainder(off, 2 * std::numbers::pi), 0, 1e-9) << "point " << j;
+      EXPECT_NEAR(std::remainder(off, kTurn), 0, 1e-9) << "point " << j;
     }
   }
 }
@@ -229,20 +229,18 @@ TEST(PathGeneration, EveryDesignKeepsCrankAnglesCountedFromTheXAxis) {
   ASSERT_EQ(result.status, Status::solved);
   for (const Design& design : result.designs) {
     for (std::size_t j = 0; j < crank_angles.size(); ++j) {
-      EXPECT_NEAR(std::remainder(design.crank_angles[j] - crank_angles[j], 2 * std::numbers::pi), 0,
-                  1e-9);
+      EXPECT_NEAR(std::remainder(design.crank_angles[j] - crank_angles[j], kTurn), 0, 1e-9);
     }
   }
 }
 
 TEST(PathGeneration, AWholeTurnEndsWhereItBeganWithSomePointsTimed) {
   for (const auto reference : {CrankReference::frame, CrankReference::global}) {
-    PathProblem problem = timed(angles(10, 0.35, 0.35 + 2 * std::numbers::pi), reference);
+    PathProblem problem = timed(angles(10, 0.35, 0.35 + kTurn), reference);
     problem.timing = Timing::mixed;
     problem.points.back() = problem.points.front();
     // As a reader makes them of 20 and 380 degrees, say: to rounding a whole turn.
-    problem.crank_angles.back() =
-        std::nextafter(problem.crank_angles.front() + 2 * std::numbers::pi, 100);
+    problem.crank_angles.back() = std::nextafter(problem.crank_angles.front() + kTurn, 100);
     for (int j = 0; j < 10; ++j) problem.has_crank_angle.push_back(j == 0 || j == 9);
     const Result result = solve(problem, {});
     ASSERT_EQ(result.status, Status::solved);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <complex>
 #include <map>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/defects.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/path/order.hpp"
 #include "problems/path/ordered_model.hpp"
 
@@ -16,7 +16,6 @@ namespace cognate::problems {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kGrid = 360;
 
 double uniform(std::mt19937_64& random, double low, double high) {

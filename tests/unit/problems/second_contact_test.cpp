@@ -5,6 +5,7 @@
 
 #include "analysis/cam/profile.hpp"
 #include "analysis/cam/turn_extremes.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/facts.hpp"
 #include "problems/linkage/verify.hpp"
 #include "tests/support/cam_problems.hpp"
@@ -55,7 +56,7 @@ TEST(SecondContact, ConjugateCamTouchesTheSecondRollerOfAStem) {
       const double height = start + design.cam.programme.at(angle).displacement;
       const Vec2d lower{6, height - apart};
       // The second cam is given upright: mounted, it is turned by half a turn.
-      const Vec2d seen = turned(lower, -angle - std::numbers::pi);
+      const Vec2d seen = turned(lower, -angle - kPi);
       EXPECT_NEAR(distance(seen, curve), 7, 1e-6) << degree;
     }
   }
@@ -136,7 +137,7 @@ TEST(SecondContact, MotionsWithoutConstantBreadthAreNamed) {
   // What harmonic and cycloidal motion differ by at most, on a grid.
   double farthest = 0;
   for (int i = 0; i <= 100000; ++i) {
-    const double u = i / 1e5, pi = std::numbers::pi;
+    const double u = i / 1e5, pi = kPi;
     const double harmonic = 6 * (1 - std::cos(pi * u));
     const double cycloidal = 12 * (u - std::sin(2 * pi * u) / (2 * pi));
     farthest = std::max(farthest, std::abs(harmonic - cycloidal));

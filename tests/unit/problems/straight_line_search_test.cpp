@@ -4,12 +4,12 @@
 
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/result.hpp"
@@ -18,8 +18,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 StraightLineProblem problem_of(const std::string& text) {
   const auto problem = parse_problem("kind = \"straight-line\"\n" + text);

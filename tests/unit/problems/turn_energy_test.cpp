@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -13,14 +12,13 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/machine/reduction.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/linkage/turn_limits.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/problem.hpp"
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A linkage of the class wanted, well away from its change points.
 FourBar random_linkage(std::mt19937_64& random, MobilityClass wanted) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 
@@ -13,6 +12,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/model.hpp"
 #include "problems/guidance/model.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -20,8 +20,6 @@
 
 namespace cognate::problems {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A crank-rocker well away from its change points.
 FourBar random_linkage(std::mt19937_64& random) {

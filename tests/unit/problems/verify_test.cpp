@@ -5,16 +5,16 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include "analysis/linkage/double_slider.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
 
 namespace cognate::synthesis {
@@ -225,7 +225,7 @@ std::vector<Poses> special_poses() {
       {start, second, third, turned(third, {2, 1}, 0.5)},
       {start, second, third, turned(third, {2, 1}, -0.8)},
       // half turns; mirror images of one another; equal steps
-      {Pose{{0, 0}, 0}, {{1, 0}, std::numbers::pi}, {{2, 1}, 0}, {{3, 0}, std::numbers::pi}},
+      {Pose{{0, 0}, 0}, {{1, 0}, kPi}, {{2, 1}, 0}, {{3, 0}, kPi}},
       {Pose{{-2, 0}, 0.6}, {{-1, 0.5}, 0.2}, {{1, 0.5}, -0.2}, {{2, 0}, -0.6}},
       {Pose{{0, 0}, 0}, {{1, 0}, 0.5}, {{2, 0}, 1}, {{3, 0}, 1.5}},
       poses_of(as_mechanism(trammel), 1),
@@ -307,7 +307,7 @@ TEST(BurmesterCurves, FindFamiliesOfSlides) {
 // Poses of a square, of a rectangle and mirrored about an axis: the cubics fall apart or are
 // symmetric, and no point of theirs is without a number.
 TEST(BurmesterCurves, OfSymmetricPosesAreNumbers) {
-  constexpr double right = std::numbers::pi / 2;
+  constexpr double right = kRightAngle;
   const std::vector<Poses> cases{
       {{{{1, 1}, 0}, {{-1, 1}, right}, {{-1, -1}, 2 * right}, {{1, -1}, 3 * right}}},
       {{{{1, 1}, 0}, {{-1, 1}, -right}, {{-1, -1}, -2 * right}, {{1, -1}, -3 * right}}},

@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 FourBar four_bar(double crank, double coupler, double rocker, double frame) {
   return {.pivot_a = {0, 0},

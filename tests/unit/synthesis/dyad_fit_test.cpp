@@ -7,11 +7,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/fit/algebraic_dyads.hpp"
 #include "synthesis/fit/body_motion.hpp"
 #include "synthesis/fit/circle.hpp"
@@ -165,7 +165,7 @@ TEST(NearestSlider, IsTheLeastOverAllDirections) {
     const auto poses = random_poses(random, 9);
     double least = 1e300;
     for (int k = 0; k < 2000; ++k) {
-      least = std::min(least, least_misfit(poses, std::numbers::pi * k / 2000));
+      least = std::min(least, least_misfit(poses, kPi * k / 2000));
     }
     const GuidingDyad slider = nearest_slider(poses);
     EXPECT_LE(squared_misfit(slider, poses), least * (1 + 1e-12));

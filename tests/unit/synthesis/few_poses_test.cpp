@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <random>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/guided_mechanism.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 #include "synthesis/exact/motion/two_poses.hpp"
@@ -14,7 +14,7 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 using Two = std::array<Pose, 2>;
 using Three = std::array<Pose, 3>;
 

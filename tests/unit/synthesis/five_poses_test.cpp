@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 
@@ -14,12 +13,13 @@
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/count_allocations.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 using Poses = std::array<Pose, 5>;
 
 /// What rounding of the poses may do, relative to their extent, before the condition.
@@ -266,7 +266,7 @@ TEST(FivePoses, NameADegeneracy) {
   const Poses poses = challenge_poses({1, 3, 6, 9, 11});
   Poses twice = poses;
   twice[3] = twice[1];
-  twice[3].angle += 2 * std::numbers::pi;
+  twice[3].angle += kTurn;
   EXPECT_EQ(dyads_of_five_poses(twice).status, GuidanceStatus::coincident_poses);
   Poses infinite = poses;
   infinite[2].at.x = INFINITY;

@@ -6,10 +6,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/planted_generators.hpp"
 
 namespace cognate::synthesis {
@@ -18,12 +18,10 @@ namespace {
 using test::PlantedFourBar;
 using test::Random;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 constexpr double kEpsilon = 2.220446049250313e-16;
 
 double turn_between(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * kPi));
+  return std::abs(std::remainder(a - b, kTurn));
 }
 
 /// How far `found` is from `planted`: lengths relative to the largest, angles in radians.

@@ -4,17 +4,17 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 // Li Bincheng, Xu Chao, Mechanism Theory with MATLAB (2011), example 3-6, recomputed with 30

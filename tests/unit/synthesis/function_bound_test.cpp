@@ -6,12 +6,12 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 
 namespace cognate::synthesis {
@@ -19,9 +19,6 @@ namespace {
 
 using Real = long double;
 using Point = std::array<double, kBoxSides>;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 int repeats(int usual) {
   const char* asked = std::getenv("COGNATE_TEST_SEEDS");
@@ -46,7 +43,7 @@ class Random {
     const double low[4] = {box.proportions == Proportions::crank_shortest ? 0.5 : 0.05,
                            any ? -0.9 : 0.0, 0.02, 0.0};
     const double high[4] = {box.proportions == Proportions::frame_shortest ? 0.5 : 0.95,
-                            any ? 0.9 : kPi, any ? 0.8 : kPi / 2 - 0.01, 2 * kPi};
+                            any ? 0.9 : kPi, any ? 0.8 : kRightAngle - 0.01, kTurn};
     const double scale = std::pow(10.0, uniform(-6, 0));
     for (int i = 0; i < kBoxSides; ++i) {
       const double width = scale * uniform(0, 1) * (high[i] - low[i]);
@@ -105,7 +102,7 @@ Real wrapped(Real angle) {
 /// The least sum of squares over the output's start: between two starts where an error jumps by a
 /// whole turn the best is the mean, so all ways to cut the circle are tried.
 double best_squares(const std::vector<Real>& angles) {
-  double best = kInfinite;
+  double best = kInfinity;
   for (const Real cut : angles) {
     Real mean = 0;
     for (const Real angle : angles) mean += wrapped(angle - cut) / Real(angles.size());
@@ -157,7 +154,7 @@ std::optional<double> error_at(const WantedFunction& function, const ProportionB
 
 ProportionLimits no_limits() {
   ProportionLimits limits;
-  limits.greatest_ratio = kInfinite;
+  limits.greatest_ratio = kInfinity;
   limits.transmission_max = kPi;
   return limits;
 }
@@ -167,7 +164,7 @@ std::optional<WantedFunction> function_near(Random& random, const ProportionBox&
                                             std::optional<LimitOfOutput> start) {
   WantedFunction function;
   function.start = start;
-  function.lengths.greatest.fill(kInfinite);
+  function.lengths.greatest.fill(kInfinity);
   const Point at = random.in(box);
   const Links links = links_at(box, at);
   const auto begin = start_of(function, box, at);

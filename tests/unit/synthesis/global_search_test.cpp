@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/support/optimisation_problems.hpp"
 
@@ -17,7 +17,7 @@ Values rastrigin(Point x) {
   Values out;
   for (const Complex& value : x) {
     out.push_back(value);
-    out.push_back(std::sqrt(20.0) * std::sin(std::numbers::pi * value));
+    out.push_back(std::sqrt(20.0) * std::sin(kPi * value));
   }
   return out;
 }

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate {
 namespace {
 
@@ -179,7 +181,7 @@ TEST(NearestPoint, OfManyAgreesWithAllFeetAndCorners) {
     const Vec2d centre{draw(random, -5, 5), draw(random, -5, 5)};
     std::vector<HalfPlane> planes(3 + random() % 28);
     for (HalfPlane& plane : planes) {
-      const double angle = draw(random, 0, 2 * std::numbers::pi), size = draw(random, 0.1, 10);
+      const double angle = draw(random, 0, kTurn), size = draw(random, 0.1, 10);
       plane.normal = {size * std::cos(angle), size * std::sin(angle)};
       plane.bound = dot(plane.normal, common) - size * draw(random, 0.01, 3);
     }

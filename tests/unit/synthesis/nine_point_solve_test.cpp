@@ -8,19 +8,17 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <sstream>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Slow builds ask for less: then Alt's problem is left to the oracle test.
 bool is_slow() {

@@ -10,12 +10,11 @@
 #include <cmath>
 #include <complex>
 #include <cstdlib>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/bounds/box_quadratic.hpp"
 
 namespace cognate::synthesis {
@@ -24,9 +23,6 @@ namespace {
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using Complex = std::complex<double>;
 using Point = std::array<double, kBoxSides>;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 int repeats(int usual) {
   const char* asked = std::getenv("COGNATE_TEST_SEEDS");
@@ -53,7 +49,7 @@ class Random {
     const double low[4] = {box.proportions == Proportions::crank_shortest ? 0.5 : 0.01,
                            any ? -1.0 : 0.0, 0.0, 0.0};
     const double high[4] = {box.proportions == Proportions::frame_shortest ? 0.5 : 0.99,
-                            any ? 1.0 : kPi, any ? 0.9 : kPi / 2, 2 * kPi};
+                            any ? 1.0 : kPi, any ? 0.9 : kRightAngle, kTurn};
     const double scale = std::pow(10.0, uniform(-7, 0));
     for (int i = 0; i < kBoxSides; ++i) {
       const double width = scale * uniform(0, 1) * (high[i] - low[i]);
@@ -161,11 +157,11 @@ TimedPath random_path(Random& random) {
   }
   path.pivot_fixed = random.chance(0.4);
   path.direction_fixed = random.chance(0.4);
-  path.farthest_point = random.chance(0.4) ? random.uniform(0.2, 2) : kInfinite;
+  path.farthest_point = random.chance(0.4) ? random.uniform(0.2, 2) : kInfinity;
   for (int i = 0; i < 4; ++i) {
     double& least = path.lengths.least[i];
     least = random.chance(0.4) ? random.uniform(0, 0.8) : 0;
-    path.lengths.greatest[i] = random.chance(0.4) ? least + random.uniform(0, 2) : kInfinite;
+    path.lengths.greatest[i] = random.chance(0.4) ? least + random.uniform(0, 2) : kInfinity;
   }
   if (random.chance(0.1)) path.lengths.greatest[0] = path.lengths.least[0];
   return path;
@@ -221,7 +217,7 @@ std::optional<double> error_at(const TimedPath& path, const ProportionBox& box, 
   const double ratio[4] = {1, double(links->coupler / links->crank),
                            double(links->rocker / links->crank),
                            double(links->frame / links->crank)};
-  double low = 0, high = kInfinite;
+  double low = 0, high = kInfinity;
   for (int i = 0; i < 4; ++i) {
     low = std::max(low, path.lengths.least[i] / ratio[i]);
     high = std::min(high, path.lengths.greatest[i] / ratio[i]);
@@ -252,7 +248,7 @@ std::optional<double> error_at(const TimedPath& path, const ProportionBox& box, 
 
 ProportionLimits no_limits() {
   ProportionLimits limits;
-  limits.greatest_ratio = kInfinite;
+  limits.greatest_ratio = kInfinity;
   limits.transmission_max = kPi;
   return limits;
 }
@@ -305,9 +301,9 @@ TEST(PathBound, PlantedDesignKeepsItsBoxes) {
                                crank * double(links->frame / links->crank)};
     for (int l = 0; l < 4; ++l) {  // limits that the planted design just satisfies
       path.lengths.least[l] = random.chance(0.3) ? lengths[l] * (1 - 1e-12) : 0;
-      path.lengths.greatest[l] = random.chance(0.3) ? lengths[l] * (1 + 1e-12) : kInfinite;
+      path.lengths.greatest[l] = random.chance(0.3) ? lengths[l] * (1 + 1e-12) : kInfinity;
     }
-    path.farthest_point = random.chance(0.5) ? std::abs(q) : kInfinite;
+    path.farthest_point = random.chance(0.5) ? std::abs(q) : kInfinity;
     const PathBound bound(path, no_limits());
     ProportionBox box = whole;
     while (true) {
@@ -340,7 +336,7 @@ TEST(PathBound, LeastOfAQuadraticOverTheBox) {
       return sum;
     };
     const double bound = least_over_box(c);
-    double least = kInfinite;
+    double least = kInfinity;
     for (int trial = 0; trial < 50; ++trial) {
       Point t{};
       for (double& x : t)

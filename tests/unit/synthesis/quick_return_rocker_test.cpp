@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 
 [[nodiscard]] bool has(const RockerSolutions& found, const Lengths<double>& links,

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
 #include "synthesis/exact/quick_return/shaper.hpp"
 #include "synthesis/exact/quick_return/slider.hpp"
@@ -14,7 +14,7 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = kPi;
 
 [[nodiscard]] bool has(const SliderSolutions& found, const SliderCrank& planted) {
   return std::ranges::any_of(found.designs, [&](const QuickReturnSlider& design) {

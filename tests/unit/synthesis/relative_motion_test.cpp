@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 
 #include "analysis/linkage/motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/burmester_curves.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 #include "synthesis/exact/motion/two_poses.hpp"
@@ -17,7 +17,7 @@
 namespace cognate::synthesis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 
 struct Random {
   std::mt19937_64 engine;

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = kPi / 180;
 
 /// y = f(x) on a domain, carried to the angles of two links.
 struct Classic {
@@ -37,9 +37,8 @@ double error_at(const GeneratingFourBar& linkage, const Classic& classic, double
   const double d = std::hypot(x, y);
   const double at_d = std::acos((d * d + l3 * l3 - l2 * l2) / (2 * d * l3));
   const double side = linkage.assembly == Assembly::open ? -1 : 1;
-  const double rocker = std::atan2(y, x) + std::numbers::pi + side * at_d;
-  return std::remainder(rocker - linkage.output_start - classic.angle(turned),
-                        2 * std::numbers::pi);
+  const double rocker = std::atan2(y, x) + kPi + side * at_d;
+  return std::remainder(rocker - linkage.output_start - classic.angle(turned), kTurn);
 }
 
 double greatest_error(const GeneratingFourBar& linkage, const Classic& classic) {
@@ -118,8 +117,7 @@ const Known kKnown[] = {
      0.023536794106476987},
     {{"sqrt against", [](double x) { return std::sqrt(x); }, 1, 10, 90, -90}, 0.09245228407441722},
     {{"sqrt", [](double x) { return std::sqrt(x); }, 1, 10, 90, 90}, 0.018721935120204813},
-    {{"sin", [](double x) { return std::sin(x); }, 0, std::numbers::pi / 2, 90, 90},
-     0.1903377706046579},
+    {{"sin", [](double x) { return std::sin(x); }, 0, kRightAngle, 90, 90}, 0.1903377706046579},
     {{"1/x", [](double x) { return 1 / x; }, 1, 2, 90, 90}, 0.012815564605462178},
     {{"1/x against", [](double x) { return 1 / x; }, 1, 2, 90, -90}, 0.00819067014869068},
     {{"log10 60-60", [](double x) { return std::log10(x); }, 1, 2, 60, 60}, 0.003671916024670183},

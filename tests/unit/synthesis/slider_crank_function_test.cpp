@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/planted_generators.hpp"
 
 namespace cognate::synthesis {
@@ -17,7 +17,6 @@ namespace {
 using test::PlantedSliderCrank;
 using test::Random;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEpsilon = 2.220446049250313e-16;
 
 double distance(const SliderCrankFunction& found, const PlantedSliderCrank& planted) {
@@ -26,7 +25,7 @@ double distance(const SliderCrankFunction& found, const PlantedSliderCrank& plan
                    std::abs(found.coupler - planted.coupler) / size,
                    std::abs(found.offset - planted.offset) / size,
                    std::abs(found.output_start - planted.output_start) / size,
-                   std::abs(std::remainder(found.input_start - planted.input_start, 2 * kPi))});
+                   std::abs(std::remainder(found.input_start - planted.input_start, kTurn))});
 }
 
 struct Planting {

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "analysis/numbers/constants.hpp"
 #include "tests/support/cam_problems.hpp"
 
 namespace cognate {
@@ -37,18 +38,18 @@ struct HarmonicCam {
   }
   /// The greatest of ±s′ − T s over a stroke: (h/2)(√(ω² + T²) − T), without cancellation.
   double depth(double over, double tangent) const {
-    const double rate = std::numbers::pi / over;
+    const double rate = kPi / over;
     return 0.5 * stroke * rate * rate / (std::hypot(rate, tangent) + tangent);
   }
   double rise_depth(double tangent) const { return depth(rise_over, tangent); }
   double return_depth(double tangent) const { return depth(return_over, tangent); }
   /// Where they are greatest.
   double rise_place(double tangent) const {
-    const double rate = std::numbers::pi / rise_over;
+    const double rate = kPi / rise_over;
     return std::atan2(rate, tangent) / rate;
   }
   double return_place(double tangent) const {
-    const double rate = std::numbers::pi / return_over;
+    const double rate = kPi / return_over;
     return rise_over + return_over - std::atan2(rate, tangent) / rate;
   }
 };
@@ -321,7 +322,7 @@ double breach(const std::vector<Position>& positions, const Tangents& limits, co
 double least_breach(const std::vector<Position>& positions, const Tangents& limits, const Arm& arm,
                     double base) {
   constexpr int kDirections = 120, kCloser = 8;
-  double centre = std::numbers::pi, half = std::numbers::pi, least = kFree;
+  double centre = kPi, half = kPi, least = kFree;
   for (int round = 0; round < 6; ++round) {
     const int steps = round == 0 ? kDirections : kCloser;
     const double from = centre - half, step = 2 * half / steps;
