@@ -213,9 +213,11 @@ class Exchange {
     }
     made.violation = std::max(made.violation, turn_missed(x));
     const Range& base = variables_.problem().length(CamDimension::base_radius).bounds;
-    const double radius = cam.system.follower.dimensions.base_radius;
+    const auto& d = cam.system.follower.dimensions;
+    const double radius = d.base_radius;
     made.violation = std::max({made.violation, (base.min - radius) / variables_.unit(),
-                               (radius - base.max) / variables_.unit()});
+                               (radius - base.max) / variables_.unit(),
+                               (d.roller_radius - radius) / variables_.unit()});
     const auto& width = variables_.problem().constraints.face_width_max;
     if (width)
       made.violation = std::max(made.violation, CamExtremes(cam).face_width() / *width - 1);

@@ -162,12 +162,36 @@ class Summary {
     if (ratio && std::isfinite(*ratio)) add("time_ratio", *ratio);
   }
 
-  /// The output's stroke or swing in the range driven, the first of the course, and on the whole
-  /// circuit; none where the range is a whole turn in which the output turns too.
+  /// The first range of the course. Where a crank begins within it and comes back a turn later in
+  /// the same assemblies, the way in which it came back is a part of it too.
+  CourseRun range_driven() const {
+    const double sense = course_.start <= course_.end ? 1 : -1;
+    const CourseRun& first = sense > 0 ? course_.runs.front() : course_.runs.back();
+    const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism_.drive);
+    const bool from_start = (sense > 0 ? first.from_dyad : first.to_dyad) < 0;
+    if (!turns || !from_start || sense * (course_.end - course_.start) < kFullTurn) return first;
+    const double shift = sense * 2 * kPi, back = course_.start + shift;
+    const CourseRun* again = course_.run_at(back);
+    if (again == nullptr || again == &first) return first;
+    if (sides_at(*again, back) != sides_at(first, course_.start)) return first;
+    CourseRun joined = first;
+    (sense > 0 ? joined.from : joined.to) = (sense > 0 ? again->from : again->to) - shift;
+    (sense > 0 ? joined.from_dyad : joined.to_dyad) = sense > 0 ? again->from_dyad : again->to_dyad;
+    for (Change change : again->changes) {
+      change.drive -= shift;
+      const bool before_start = sense * (course_.start - change.drive) > 0;
+      if (before_start) joined.changes.push_back(change);
+    }
+    std::ranges::stable_sort(joined.changes, {}, &Change::drive);
+    return joined;
+  }
+
+  /// The output's stroke or swing in the range driven and on the whole circuit; none where the
+  /// range is a whole turn in which the output turns too.
   void add_strokes(const OutputRange& all) {
     const bool is_one = course_.runs.size() == 1;
     Course driven = course_;
-    driven.runs = {course_.start <= course_.end ? course_.runs.front() : course_.runs.back()};
+    driven.runs = {range_driven()};
     const auto own = is_one ? all : output_range(mechanism_, driven, travel_);
     const double unit = travel_.slides ? 1 : kDegreesInRadian;
     if (own && (travel_.slides || own->stroke() < kFullTurn)) {

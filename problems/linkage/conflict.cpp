@@ -286,16 +286,16 @@ class Conflict {
     if (time_is_up()) return {};
     if (!ways.empty()) {
       return {
-          fmt::format("No design meets all constraints at once. Any one of these changes makes "
-                      "a design possible, by as little as was found: {}.",
+          fmt::format("No design was found that meets all constraints at once. Any one of these "
+                      "changes makes a design possible, by as little as was found: {}.",
                       fmt::join(ways, "; "))};
     }
     const auto together = fewest();
     if (time_is_up() || together.empty()) return {};
     return {
-        fmt::format("No design meets all constraints at once, and none alone stands in the way. "
-                    "These changes together make a design possible, by as little as was found: "
-                    "{}.",
+        fmt::format("No design was found that meets all constraints at once, and none alone stands "
+                    "in the way. These changes together make a design possible, by as little as "
+                    "was found: {}.",
                     way(together))};
   }
 

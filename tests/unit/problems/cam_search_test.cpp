@@ -126,5 +126,38 @@ TEST(CamSearch, FreeAnglesMakeOneTurn) {
   EXPECT_NEAR(turn, 360 * kDegree, 1e-9);
 }
 
+// The half planes know nothing of the roller: the cam that they give may be smaller than it, where
+// any large cam keeps the limits.
+TEST(CamSearch, RollerLargerThanTheHalfPlanesAllow) {
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> limit(40, 50), stroke(5, 20), enlarged(1.05, 1.5);
+  constexpr int kProblems = 12;
+  int searched = 0;
+  for (int i = 0; i < kProblems; ++i) {
+    CamProblem problem = translating_roller({}, {}, 1e-3);
+    problem.motion = {segment(cam::MotionLaw::constant_acceleration, 137, stroke(random)), {}};
+    problem.motion[1] = segment(cam::MotionLaw::harmonic, 223, -problem.motion[0].rise);
+    problem.constraints.curvature_radius_min.reset();
+    problem.constraints.pressure_angle_max = limit(random) * kDegree;
+    const double least = base_radius(solve(problem, {.threads = 1}));
+    const double roller = enlarged(random) * least;
+    if (i % 2 == 0) problem.constraints.curvature_radius_min = 0;
+
+    CamProblem planted = problem;
+    use(planted, problems::CamDimension::base_radius, 20 * problem.motion[0].rise);
+    use(planted, problems::CamDimension::offset, 0.0);
+    use(planted, problems::CamDimension::roller_radius, roller);
+    ASSERT_EQ(solve(planted, {.threads = 1}).status, problems::Status::solved) << i;
+
+    use(problem, problems::CamDimension::roller_radius, roller);
+    const auto found = solve(problem, {.threads = 1});
+    EXPECT_EQ(found.status, problems::Status::solved) << i;
+    EXPECT_GT(base_radius(found), roller) << i;
+    EXPECT_LT(base_radius(found), base_radius(solve(planted, {.threads = 1}))) << i;
+    ++searched;
+  }
+  EXPECT_EQ(searched, kProblems);
+}
+
 }  // namespace
 }  // namespace cognate

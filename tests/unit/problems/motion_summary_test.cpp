@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/linkage/mobility.hpp"
@@ -224,6 +227,72 @@ point = [{name = "D", on = "CB", at = [0.6, 0]}]
   }
   EXPECT_GT(loaded, 150);
   EXPECT_LT(number(result, "power_residual"), 1e-14);
+}
+
+/// A four-bar of the first range of its crank that holds `reach`, half of it, about `middle` from
+/// the frame, with rocker angles by complex numbers.
+struct RockerBySamples {
+  double crank, coupler, rocker, frame, side;
+
+  std::complex<double> along_rocker(double crank_angle) const {
+    const std::complex<double> pin = std::polar(crank, crank_angle), to_pivot = frame - pin;
+    const double apart = std::norm(to_pivot);
+    const double along = 0.5 * (apart + coupler * coupler - rocker * rocker);
+    const double across = std::sqrt(std::max(0.0, coupler * coupler * apart - along * along));
+    return pin + std::complex<double>(along, side * across) / apart * to_pivot - frame;
+  }
+
+  double swing(double middle, double reach) const {
+    constexpr int kSamples = 4000;
+    double angle = 0, least = 0, greatest = 0;
+    std::complex<double> last = along_rocker(middle - reach);
+    for (int k = 1; k <= kSamples; ++k) {
+      const double share = -std::cos(std::numbers::pi * k / kSamples);
+      const std::complex<double> next = along_rocker(middle + share * reach);
+      angle += std::arg(next / last);
+      least = std::min(least, angle);
+      greatest = std::max(greatest, angle);
+      last = next;
+    }
+    return greatest - least;
+  }
+};
+
+// A crank that starts within its only range leaves it at one dead point, comes back from the other,
+// and ends where it started: both parts are one range.
+TEST(MotionSummary, SwingIsThatOfTheRangeOnBothSidesOfTheStart) {
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> length(0.3, 3), share(-0.9, 0.9), angle(-3, 3);
+  int tested = 0;
+  while (tested < 100) {
+    const double a = length(random), b = length(random), c = length(random), f = length(random);
+    const bool ends_outside = f + a > b + c, ends_inside = std::abs(f - a) < std::abs(b - c);
+    if (ends_outside == ends_inside || std::abs(f - a) >= b + c || f + a <= std::abs(b - c)) {
+      continue;
+    }
+    const double end = ends_outside ? b + c : b - c;
+    const double reached = std::acos((a * a + f * f - end * end) / (2 * a * f));
+    const double middle = ends_outside ? 0 : std::numbers::pi;
+    const double reach = ends_outside ? reached : std::numbers::pi - reached;
+    const bool open = random() % 2 == 0;
+    const RockerBySamples rocker{a, b, c, f, open ? 1.0 : -1.0};
+    // The start of the turn, the x axis, lies anywhere in the range.
+    const double along = -(middle + share(random) * reach);
+    const FourBar linkage{
+        {angle(random), 1}, {}, a, b, c, open ? Assembly::open : Assembly::crossed, std::nullopt};
+    FourBar placed = linkage;
+    placed.pivot_d = linkage.pivot_a + f * Vec2d{std::cos(along), std::sin(along)};
+    const double wanted = rocker.swing(middle, reach) / kDegree;
+    AnalysisProblem problem = analysis_of(named(placed), 36);
+    for (const double turns : {1.0, -1.0, 2.0}) {
+      problem.drive.end = problem.drive.start + turns * kTurn;
+      const auto result = analyse(problem);
+      EXPECT_NEAR(number(result, "output_swing_deg"), wanted, 1e-3 + 1e-5 * wanted)
+          << a << " " << b << " " << c << " " << f << " turns " << turns;
+    }
+    ++tested;
+  }
+  EXPECT_EQ(tested, 100);
 }
 
 }  // namespace
