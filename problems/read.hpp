@@ -5,28 +5,12 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
-#include <variant>
 #include <vector>
 
-#include "problems/cam/problem.hpp"
-#include "problems/evaluation/problem.hpp"
-#include "problems/gear/problem.hpp"
-#include "problems/machine/problem.hpp"
-#include "problems/problem.hpp"
+#include "problems/kinds.hpp"
+#include "problems/toml/fault.hpp"
 
 namespace cognate::problems {
-
-/// One fault of a file. Lines and columns count from 1.
-struct Fault {
-  std::size_t line = 1;
-  std::size_t column = 1;
-  std::string message;  ///< what is wrong; what is allowed
-};
-
-/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, a gear
-/// or a pair of them, or what a machine does.
-using Task = std::variant<Problem, AnalysisProblem, CamProblem, GearProblem, GearPairProblem,
-                          MachineProblem>;
 
 /// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);

@@ -12,8 +12,8 @@
 #include "app/console/exit_status.hpp"
 #include "app/console/options.hpp"
 #include "app/console/screen.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::app {
 

@@ -18,7 +18,7 @@
 #include "app/kinds/machine/catalogue.hpp"
 #include "app/study/catalogue.hpp"
 #include "app/study/metrics.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/console/design_dimensions.hpp"
 #include "app/console/messages.hpp"
-#include "problems/degrees.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/console/text_table.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::app {
 

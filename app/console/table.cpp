@@ -12,7 +12,7 @@
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/console/paint.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::app {
 

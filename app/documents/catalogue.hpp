@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::app {
 

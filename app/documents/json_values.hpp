@@ -8,9 +8,9 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/vec2.hpp"
-#include "problems/degrees.hpp"
-#include "problems/fact.hpp"
-#include "problems/problem.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/fact.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::app {
 

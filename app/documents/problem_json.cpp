@@ -5,7 +5,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/problem_tables.hpp"
 #include "app/documents/turn_tables.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "problems/cam/problem.hpp"
 #include "problems/gear/problem.hpp"
-#include "problems/problem.hpp"
+#include "problems/kinds.hpp"
 
 namespace cognate::app {
 

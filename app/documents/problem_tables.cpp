@@ -1,8 +1,8 @@
 #include "app/documents/problem_tables.hpp"
 
 #include "app/documents/turn_tables.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::app {
 

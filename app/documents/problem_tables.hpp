@@ -6,7 +6,10 @@
 #include <string>
 
 #include "app/documents/json_values.hpp"
-#include "problems/problem.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/quick_return/problem.hpp"
+#include "problems/straight_line/problem.hpp"
 
 namespace cognate::app {
 

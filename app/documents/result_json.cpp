@@ -12,7 +12,7 @@
 #include "app/documents/problem_json.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/evaluation/problem_json.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

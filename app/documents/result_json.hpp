@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/kinds.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::app {
 

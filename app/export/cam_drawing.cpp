@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/basics/degrees.hpp"
 #include "problems/cam/extremes.hpp"
-#include "problems/degrees.hpp"
 
 namespace cognate::app {
 namespace {
@@ -61,7 +61,7 @@ std::optional<std::string> gouging(const CamProblem& problem, const cam::Cam& ca
 
 /// Why the order is not possible for this cam; empty where it is.
 std::optional<std::string> refused_cam(const CamProblem& problem, const CamDesign& design,
-                                   const DrawingOrder& order) {
+                                       const DrawingOrder& order) {
   const auto& follower = design.cam.system.follower;
   if (order.kind == ExportedCurve::pitch && follower.dimensions.roller_radius == 0) {
     return "--curve: this follower has no roller, so there is no pitch curve; allowed is profile "

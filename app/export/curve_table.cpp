@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "app/documents/csv.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::app {
 

@@ -12,7 +12,7 @@
 #include "app/export/linkage_json.hpp"
 #include "app/export/linkage_plan.hpp"
 #include "app/export/svg.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/documents/json_values.hpp"
 #include "app/documents/result_json.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/console/design_dimensions.hpp"
 #include "app/documents/json_values.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

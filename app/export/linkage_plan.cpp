@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

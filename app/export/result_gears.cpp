@@ -9,9 +9,9 @@
 
 #include "analysis/gear/mesh.hpp"
 #include "app/export/toml_text.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/gear/pair_limits.hpp"
 #include "problems/gear/result.hpp"
-#include "problems/names.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::app {

@@ -9,7 +9,7 @@
 #include "app/report/checks_json.hpp"
 #include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::app {
 

@@ -13,7 +13,7 @@
 #include "app/report/mechanism_poses.hpp"
 #include "app/report/mechanism_shapes.hpp"
 #include "app/report/report_data.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::app {
 namespace {

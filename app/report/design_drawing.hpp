@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/exact/motion/pose.hpp"
 
 namespace cognate::app {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "problems/fact.hpp"
+#include "problems/basics/fact.hpp"
 
 namespace cognate::app {
 

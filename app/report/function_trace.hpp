@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::app {
 

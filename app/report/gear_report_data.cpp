@@ -9,8 +9,8 @@
 #include "app/report/fact_json.hpp"
 #include "app/report/gear_drawing.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/gear/pair_design.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/report/drawn_rows.hpp"
 #include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -7,9 +7,9 @@
 #include "problems/cam/result.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/gear/result.hpp"
+#include "problems/kinds.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/machine/result.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::app {
 

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/kinds.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::app {
 

@@ -18,8 +18,8 @@
 #include "app/study/cache_folder.hpp"
 #include "problems/evaluation/curve_metrics.hpp"
 #include "problems/evaluation/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/machine/result.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::app {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/facts.hpp"
 #include "problems/cam/second_contact.hpp"
-#include "problems/degrees.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

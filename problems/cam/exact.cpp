@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/cam/turn_extremes.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "synthesis/exact/cam/smallest_cam.hpp"
 
 namespace cognate::problems {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "analysis/cam/profile.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/second_contact.hpp"
-#include "problems/degrees.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/basics/degrees.hpp"
 #include "problems/cam/exact.hpp"
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/second_contact.hpp"
-#include "problems/degrees.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

@@ -9,6 +9,7 @@
 #include "analysis/cam/follower.hpp"
 #include "analysis/cam/motion_law.hpp"
 #include "analysis/cam/operation.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
@@ -97,5 +98,20 @@ struct CamProblem {
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }
   CamLength& length(CamDimension d) { return lengths[static_cast<int>(d)]; }
 };
+
+template <>
+std::span<const Named<cam::FollowerType>> names<cam::FollowerType>();
+template <>
+std::span<const Named<cam::ArmSide>> names<cam::ArmSide>();
+template <>
+std::span<const Named<cam::Closure>> names<cam::Closure>();
+template <>
+std::span<const Named<cam::MotionLaw>> names<cam::MotionLaw>();
+template <>
+std::span<const Named<CamDimension>> names<CamDimension>();
+template <>
+std::span<const Named<MotionParameter>> names<MotionParameter>();
+template <>
+std::span<const Named<CamObjective>> names<CamObjective>();
 
 }  // namespace cognate::problems

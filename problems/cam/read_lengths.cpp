@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/cam/read_follower.hpp"
 #include "problems/cam/read_motion.hpp"
 #include "problems/cam/rules.hpp"
-#include "problems/degrees.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "analysis/cam/cam.hpp"
 #include "problems/cam/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

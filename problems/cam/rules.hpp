@@ -1,6 +1,7 @@
 /// @file Which numbers a cam's file takes.
 #pragma once
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 
 namespace cognate::problems::reading {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "analysis/cam/cam.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/cam/variables.hpp"
-#include "problems/deadline.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

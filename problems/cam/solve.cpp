@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/cam/exact.hpp"
 #include "problems/cam/facts.hpp"
 #include "problems/cam/largest_roller.hpp"
@@ -13,7 +14,6 @@
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/cam/starts.hpp"
-#include "problems/deadline.hpp"
 #include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/verify.hpp"
 

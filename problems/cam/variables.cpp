@@ -6,7 +6,7 @@
 
 #include "analysis/cam/universal_law.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/result.hpp"
 
 namespace cognate::problems {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/problem.hpp"
 

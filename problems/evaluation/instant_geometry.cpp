@@ -8,7 +8,7 @@
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::problems {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/evaluation/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/column_plan.hpp"
 #include "problems/evaluation/row_filler.hpp"
 

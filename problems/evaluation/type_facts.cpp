@@ -10,7 +10,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/joints.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/problem.hpp"
 
 namespace cognate::problems {

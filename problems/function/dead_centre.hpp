@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
 
 namespace cognate::problems {
 

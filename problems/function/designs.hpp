@@ -7,9 +7,10 @@
 
 #include "analysis/linkage/defects.hpp"
 #include "problems/function/generator.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -1,9 +1,9 @@
 /// @file Function generation by exact synthesis.
 #pragma once
 
-#include "problems/deadline.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -1,10 +1,10 @@
 /// @file Exact function generators where fewer conditions are asked for than there are unknowns.
 #pragma once
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

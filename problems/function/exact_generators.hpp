@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

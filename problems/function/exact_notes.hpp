@@ -2,7 +2,7 @@
 #pragma once
 
 #include "problems/function/samples.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

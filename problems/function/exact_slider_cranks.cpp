@@ -7,7 +7,7 @@
 
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/function/designs.hpp"
 #include "problems/function/exact_generators.hpp"
 #include "problems/function/slider_generator.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::problems {
 namespace {

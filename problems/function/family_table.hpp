@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

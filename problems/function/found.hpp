@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/model.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

@@ -6,7 +6,7 @@
 
 #include "analysis/linkage/closure.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

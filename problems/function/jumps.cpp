@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems::reading {

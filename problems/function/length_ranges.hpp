@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
 

@@ -6,10 +6,11 @@
 
 #include "analysis/linkage/closure.hpp"
 #include "problems/function/generator.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/turn_limits.hpp"
-#include "problems/problem.hpp"
 #include "synthesis/lanes/function_fit.hpp"
 #include "synthesis/optimise/model.hpp"
 

@@ -11,7 +11,7 @@
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/function/jumps.hpp"
 
 namespace cognate::problems {

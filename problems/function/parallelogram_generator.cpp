@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "problems/function/generator.hpp"
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
 
 namespace cognate::problems {
 

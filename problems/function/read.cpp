@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
 #include "problems/linkage/error_limit.hpp"

@@ -1,7 +1,7 @@
 /// @file `kind = "function-generation"`.
 #pragma once
 
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

@@ -2,7 +2,7 @@
 /// with the least error at samples.
 #pragma once
 
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

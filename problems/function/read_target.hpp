@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

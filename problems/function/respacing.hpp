@@ -1,9 +1,9 @@
 /// @file Exact function generators whose precision points are spaced anew.
 #pragma once
 
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -4,7 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/freudenstein.hpp"
 #include "synthesis/exact/function/precision_point.hpp"
 

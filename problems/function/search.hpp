@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/thoroughness.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

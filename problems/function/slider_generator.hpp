@@ -6,7 +6,7 @@
 
 #include "analysis/linkage/slider_crank.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

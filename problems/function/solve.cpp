@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/function/certificate.hpp"
 #include "problems/function/designs.hpp"
 #include "problems/function/exact.hpp"

@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/problem.hpp"
 
 namespace cognate::problems {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "analysis/gear/tooth_outline.hpp"
-#include "problems/deadline.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/gear/facts.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/result.hpp"

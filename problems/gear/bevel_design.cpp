@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_facts.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/gear/pair_search.hpp"
 
 namespace cognate::problems {

@@ -5,7 +5,7 @@
 
 #include "analysis/gear/involute.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/gear/other_gears.hpp"
-#include "problems/fact.hpp"
+#include "problems/basics/fact.hpp"
 
 namespace cognate::problems {
 

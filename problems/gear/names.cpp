@@ -1,4 +1,4 @@
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/gear/facts.hpp"
 #include "problems/gear/pair_design.hpp"
 

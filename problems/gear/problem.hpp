@@ -9,6 +9,7 @@
 
 #include "analysis/gear/other_gears.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
@@ -71,5 +72,10 @@ struct GearPairProblem {
   GearConstraints constraints;
   Solve solve;
 };
+
+template <>
+std::span<const Named<Gearing>> names<Gearing>();
+template <>
+std::span<const Named<GearObjective>> names<GearObjective>();
 
 }  // namespace cognate::problems

@@ -7,7 +7,7 @@
 
 #include "problems/evaluation/result.hpp"
 #include "problems/gear/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

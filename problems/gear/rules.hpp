@@ -1,6 +1,7 @@
 /// @file Which numbers a gear's file takes.
 #pragma once
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 

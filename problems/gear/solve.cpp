@@ -8,7 +8,7 @@
 #include <string>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/gear/combinations.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"

@@ -1,5 +1,5 @@
 /// A cylindrical worm and its wheel, of which all is given.
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
 

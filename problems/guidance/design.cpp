@@ -9,11 +9,11 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "problems/guidance/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/exact/motion/guided_mechanism.hpp"
 
 namespace cognate::problems {

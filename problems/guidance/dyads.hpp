@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/guidance/problem.hpp"
 
 namespace cognate::problems {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/guidance/model.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/thoroughness.hpp"
-#include "problems/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

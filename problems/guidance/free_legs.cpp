@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/guidance/leg_parts.hpp"
-#include "problems/names.hpp"
 #include "synthesis/exact/motion/degenerate_poses.hpp"
 #include "synthesis/exact/motion/guidance_forms.hpp"
 #include "synthesis/exact/motion/seen_from_body.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "problems/guidance/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::problems {
 

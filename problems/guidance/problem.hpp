@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 #include "synthesis/exact/motion/pose.hpp"
@@ -59,5 +60,17 @@ std::optional<Vec2d> given_pivot(const MotionProblem& problem, const std::vector
 /// origin from its mean place, so that poses moved or enlarged give the same designs moved or
 /// enlarged; 1 where the origin stands still.
 double natural_angle_weight(std::span<const synthesis::Pose> poses);
+
+struct Result;
+struct Run;
+
+/// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
+/// problem and seed give the same designs whatever the number of threads.
+Result solve(const MotionProblem& problem, const Run& run);
+
+template <>
+std::span<const Named<MotionMethod>> names<MotionMethod>();
+template <>
+std::span<const Named<synthesis::DyadKind>> names<synthesis::DyadKind>();
 
 }  // namespace cognate::problems

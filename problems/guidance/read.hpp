@@ -1,7 +1,7 @@
 /// @file Reading `kind = "motion-generation"`.
 #pragma once
 
-#include "problems/problem.hpp"
+#include "problems/guidance/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

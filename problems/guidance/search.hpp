@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/legs.hpp"
 

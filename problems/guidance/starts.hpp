@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/dyads.hpp"
 #include "problems/guidance/problem.hpp"

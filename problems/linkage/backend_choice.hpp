@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

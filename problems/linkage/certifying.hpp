@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/linkage/certificate.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/bounds/branch_and_bound.hpp"
 #include "synthesis/bounds/path_bound.hpp"
 

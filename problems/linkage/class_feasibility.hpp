@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems::reading {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

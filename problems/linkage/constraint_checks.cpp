@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/required_class.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <string_view>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/guidance/scale.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/scale.hpp"
 

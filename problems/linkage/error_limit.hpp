@@ -4,8 +4,11 @@
 
 #include <string>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::problems {
 

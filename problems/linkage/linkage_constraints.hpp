@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/bounds/link_limit.hpp"
 
 namespace cognate::problems {

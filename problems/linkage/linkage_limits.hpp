@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
@@ -149,5 +151,24 @@ struct Solve {
   bool certify = false;             ///< prove how near the best design is to the best possible
   double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
 };
+
+template <>
+std::span<const Named<Assembly>> names<Assembly>();
+template <>
+std::span<const Named<MobilityClass>> names<MobilityClass>();
+template <>
+std::span<const Named<RequiredClass>> names<RequiredClass>();
+template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>();
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>();
+template <>
+std::span<const Named<SolverChoice>> names<SolverChoice>();
+template <>
+std::span<const Named<Measure>> names<Measure>();
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>();
+template <>
+std::span<const Named<synthesis::Loss>> names<synthesis::Loss>();
 
 }  // namespace cognate::problems

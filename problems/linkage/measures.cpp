@@ -6,7 +6,7 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 namespace cognate::problems {
 namespace {

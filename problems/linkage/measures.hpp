@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "problems/linkage/linkage_limits.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

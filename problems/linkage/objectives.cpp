@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems {
 namespace {

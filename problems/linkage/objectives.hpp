@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/pareto_front.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "problems/basics/names.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "problems/linkage/class_feasibility.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "problems/linkage/class_feasibility.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

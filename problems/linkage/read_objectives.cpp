@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

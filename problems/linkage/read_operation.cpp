@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "problems/basics/names.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
-#include "problems/names.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {

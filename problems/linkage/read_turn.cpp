@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/basics/names.hpp"
 #include "problems/linkage/read_operation.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::problems::reading {
 namespace {

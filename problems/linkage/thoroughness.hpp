@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/fact.hpp"
+#include "problems/basics/fact.hpp"
 
 namespace cognate::problems {
 

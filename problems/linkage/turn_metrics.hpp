@@ -8,8 +8,8 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/turn_limits.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 

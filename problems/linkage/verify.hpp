@@ -9,8 +9,9 @@
 
 #include "analysis/linkage/defects.hpp"
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {

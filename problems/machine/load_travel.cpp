@@ -6,6 +6,7 @@
 
 #include "analysis/mechanism/output_limits.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {

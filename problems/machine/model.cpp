@@ -9,6 +9,7 @@
 
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/load_strokes.hpp"
 #include "problems/evaluation/whole_motion.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems::reading {

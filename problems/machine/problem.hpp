@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/basics/names.hpp"
 #include "problems/evaluation/problem.hpp"
 
 namespace cognate::problems {
@@ -81,5 +82,8 @@ struct MachineProblem {
   std::optional<double> brake;        ///< of a stop: torque against the motion, the motor off
   MachineRunRequest run;
 };
+
+template <>
+std::span<const Named<MachineTask>> names<MachineTask>();
 
 }  // namespace cognate::problems

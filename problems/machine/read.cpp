@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/read_function.hpp"
 #include "problems/machine/read_loads.hpp"
 #include "problems/machine/read_motor.hpp"

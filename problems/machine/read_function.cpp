@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/function/read_target.hpp"
 #include "problems/machine/expression_jumps.hpp"
 #include "problems/machine/periodic_table.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "problems/basics/names.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
-#include "problems/names.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {

@@ -7,8 +7,8 @@
 
 #include "analysis/machine/flywheel.hpp"
 #include "problems/evaluation/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/machine/problem.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 

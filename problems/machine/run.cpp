@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/machine/flywheel.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/machine/model.hpp"
 #include "problems/machine/motion_table.hpp"
 #include "problems/machine/notes.hpp"

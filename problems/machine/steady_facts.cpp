@@ -1,5 +1,6 @@
 #include "problems/machine/steady_facts.hpp"
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {

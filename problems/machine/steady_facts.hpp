@@ -5,7 +5,7 @@
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/steady_state.hpp"
-#include "problems/fact.hpp"
+#include "problems/basics/fact.hpp"
 #include "problems/machine/problem.hpp"
 
 namespace cognate::problems {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {

@@ -7,6 +7,7 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/mechanism.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/mechanism/mechanism_description.hpp"
 
 namespace cognate::problems {
@@ -48,5 +49,10 @@ NamedMechanism named(const MechanismDescription& description);
 /// Adds a point of the body called `body`, at `at` in that body's axes, under `name`.
 void add_point(NamedMechanism& mechanism, const std::string& name, const std::string& body,
                const Vec2d& at);
+
+template <>
+std::span<const Named<MechanismType>> names<MechanismType>();
+template <>
+std::span<const Named<DyadType>> names<DyadType>();
 
 }  // namespace cognate::problems

@@ -7,8 +7,8 @@
 
 #include "analysis/coupler_curve/fourier_descriptors.hpp"
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"
+#include "problems/linkage/curve_placement.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/path/closed_curve.hpp"
-#include "problems/path/curve_placement.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 

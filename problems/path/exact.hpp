@@ -1,7 +1,7 @@
 /// @file Path generation by exact synthesis: four-bars through every point and pose.
 #pragma once
 
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -7,7 +7,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/linkage/prevailing_side.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/crank_sense.hpp"

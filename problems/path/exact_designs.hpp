@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/exact/nine_point/certificate.hpp"
 #include "synthesis/exact/nine_point/given_parts.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "problems/linkage/result.hpp"
 #include "problems/path/exact_designs.hpp"
-#include "problems/result.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::problems {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 #include "problems/path/starts.hpp"
 
 namespace cognate::problems {

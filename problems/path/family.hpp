@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/exact/nine_point/given_parts.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 

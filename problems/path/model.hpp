@@ -8,8 +8,9 @@
 #include "analysis/linkage/closure.hpp"
 #include "problems/linkage/driven_range.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/turn_limits.hpp"
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/lanes/path_fit.hpp"
 #include "synthesis/optimise/model.hpp"
 

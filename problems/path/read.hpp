@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

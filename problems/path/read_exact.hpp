@@ -1,7 +1,7 @@
 /// @file `method = "exact"` of paths: positions, and what there may be besides.
 #pragma once
 
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

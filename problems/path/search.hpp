@@ -4,11 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/thoroughness.hpp"
 #include "problems/path/model.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

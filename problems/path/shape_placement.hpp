@@ -6,8 +6,8 @@
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/path/curve_placement.hpp"
-#include "problems/problem.hpp"
+#include "problems/linkage/curve_placement.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -7,12 +7,13 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/conflict.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/objectives.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
@@ -23,7 +24,6 @@
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

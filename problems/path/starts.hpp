@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/lanes/path_screen.hpp"
 
 namespace cognate::problems {

@@ -6,7 +6,7 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/path/closed_curve.hpp"
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

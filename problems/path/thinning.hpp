@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

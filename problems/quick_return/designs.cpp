@@ -7,7 +7,7 @@
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

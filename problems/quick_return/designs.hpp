@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "problems/linkage/result.hpp"
 #include "problems/quick_return/problem.hpp"
-#include "problems/result.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
 #include "synthesis/exact/quick_return/shaper.hpp"
 #include "synthesis/exact/quick_return/slider.hpp"

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 
@@ -33,5 +34,15 @@ struct QuickReturnProblem {
   std::optional<double> pressure_angle_max;              ///< slider-crank, shaper
   Solve solve;
 };
+
+struct Result;
+struct Run;
+
+/// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
+/// problem and seed give the same designs whatever the number of threads.
+Result solve(const QuickReturnProblem& problem, const Run& run);
+
+template <>
+std::span<const Named<QuickReturnType>> names<QuickReturnType>();
 
 }  // namespace cognate::problems

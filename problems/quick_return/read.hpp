@@ -1,7 +1,7 @@
 /// @file `kind = "quick-return"`.
 #pragma once
 
-#include "problems/problem.hpp"
+#include "problems/quick_return/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

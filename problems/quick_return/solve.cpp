@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "problems/deadline.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/quick_return/designs.hpp"
 #include "problems/quick_return/notes.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

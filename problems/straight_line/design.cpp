@@ -9,7 +9,7 @@
 
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/numbers/angle.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
 
 namespace cognate::problems {

@@ -1,8 +1,8 @@
 /// @file A straight-line solution as a design, measured by the analysis kernel.
 #pragma once
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/straight_line/problem.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 
 namespace cognate::problems {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/straight_line/model.hpp"
 
 namespace cognate::problems {

@@ -1,8 +1,8 @@
 /// @file A straight-line problem without method = "exact", from problem to designs.
 #pragma once
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/straight_line/problem.hpp"
 
 namespace cognate::problems {
 

@@ -69,4 +69,11 @@ struct StraightLineProblem {
   Solve solve;  ///< `designs` is 100 where the file says nothing
 };
 
+struct Result;
+struct Run;
+
+/// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
+/// problem and seed give the same designs whatever the number of threads.
+Result solve(const StraightLineProblem& problem, const Run& run);
+
 }  // namespace cognate::problems

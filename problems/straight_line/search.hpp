@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/thoroughness.hpp"
-#include "problems/result.hpp"
 #include "problems/straight_line/starts.hpp"
 #include "problems/straight_line/stretch.hpp"
 

@@ -11,7 +11,7 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
 #include "problems/linkage/verify.hpp"

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/result.hpp"
 #include "problems/straight_line/design.hpp"
 #include "problems/straight_line/goal.hpp"
 #include "problems/straight_line/solutions.hpp"

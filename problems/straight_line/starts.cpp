@@ -9,7 +9,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
-#include "problems/counter_random.hpp"
+#include "problems/basics/counter_random.hpp"
 #include "problems/linkage/required_class.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/exact/straight_line/straight_points.hpp"

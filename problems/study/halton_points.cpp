@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/counter_random.hpp"
+#include "problems/basics/counter_random.hpp"
 #include "problems/study/sampling.hpp"
 
 namespace cognate::problems {

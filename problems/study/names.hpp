@@ -1,7 +1,7 @@
 /// @file How the enums of studies are written.
 #pragma once
 
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/study/block.hpp"
 #include "problems/study/study.hpp"
 

@@ -1,6 +1,6 @@
 #include "problems/study/random_permutation.hpp"
 
-#include "problems/counter_random.hpp"
+#include "problems/basics/counter_random.hpp"
 
 namespace cognate::problems {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problems/counter_random.hpp"
+#include "problems/basics/counter_random.hpp"
 #include "problems/study/random_permutation.hpp"
 
 namespace cognate::problems {

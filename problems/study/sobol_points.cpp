@@ -1,7 +1,7 @@
 #include <boost/random/sobol.hpp>
 #include <vector>
 
-#include "problems/counter_random.hpp"
+#include "problems/basics/counter_random.hpp"
 #include "problems/study/sampling.hpp"
 
 namespace cognate::problems {

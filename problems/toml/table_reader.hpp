@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "problems/names.hpp"
-#include "problems/problem.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/document.hpp"
 #include "problems/toml/fault_list.hpp"
 #include "problems/toml/number_rules.hpp"

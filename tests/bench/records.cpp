@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/lanes/path_screen.hpp"
 
 namespace cognate {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -9,8 +9,8 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/report/design_motion.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -9,9 +9,9 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/model.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
 namespace cognate::problems {

@@ -9,7 +9,7 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
 
 namespace cognate::problems {

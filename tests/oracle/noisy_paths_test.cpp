@@ -8,9 +8,9 @@
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

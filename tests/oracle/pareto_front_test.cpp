@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate {
 namespace {

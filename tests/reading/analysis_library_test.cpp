@@ -12,7 +12,7 @@
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {

@@ -8,7 +8,7 @@
 
 #include "analysis/cam/motion_programme.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "analysis/mechanism/output_limits.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {

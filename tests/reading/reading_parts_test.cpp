@@ -11,8 +11,8 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/class_feasibility.hpp"
-#include "problems/names.hpp"
 #include "problems/toml/expression.hpp"
 #include "problems/toml/interpolation.hpp"
 #include "problems/toml/nearest.hpp"

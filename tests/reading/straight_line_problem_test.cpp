@@ -11,8 +11,8 @@
 
 #include "analysis/coupler_curve/straightness.hpp"
 #include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/problem.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 

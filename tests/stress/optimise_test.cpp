@@ -10,8 +10,8 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "tests/support/planted_path.hpp"
 
 namespace cognate::problems {

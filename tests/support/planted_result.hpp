@@ -4,8 +4,10 @@
 #include <limits>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

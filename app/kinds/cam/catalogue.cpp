@@ -1,6 +1,6 @@
 #include "app/kinds/cam/catalogue.hpp"
 
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

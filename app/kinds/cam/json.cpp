@@ -13,7 +13,7 @@
 #include "app/documents/problem_json.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/documents/version.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

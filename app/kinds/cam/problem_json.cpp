@@ -6,7 +6,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/problem_tables.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
 #include "app/kinds/cam/description.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "app/documents/result_json.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/evaluation/problem_json.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {

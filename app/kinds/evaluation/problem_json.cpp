@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/json_values.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
 #include "app/study/metric_unit.hpp"
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
-#include "problems/names.hpp"
 
 namespace cognate::app {
 namespace {

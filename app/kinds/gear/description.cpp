@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/console/messages.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/documents/problem_tables.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/documents/problem_tables.hpp"
 #include "app/documents/turn_tables.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/documents/version.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

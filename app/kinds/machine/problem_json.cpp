@@ -4,7 +4,7 @@
 
 #include "app/documents/json_values.hpp"
 #include "app/kinds/machine/json.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/console/text_table.hpp"
 #include "app/documents/csv.hpp"
 #include "app/study/metric_unit.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {

@@ -1,5 +1,5 @@
 #include "app/documents/problem_tables.hpp"
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 

@@ -111,5 +111,6 @@ cognate_page_kernel(mechanism_kernel
   problems/mechanism/simple_parts.cpp
   problems/evaluation/type_facts.cpp
   problems/evaluation/whole_motion.cpp
-  problems/deadline.cpp
-  problems/names.cpp)
+  problems/basics/deadline.cpp
+  problems/linkage/names.cpp
+  problems/mechanism/names.cpp)

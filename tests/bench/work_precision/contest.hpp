@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/problem.hpp"
-#include "problems/result.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::bench {

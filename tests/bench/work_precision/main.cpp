@@ -16,8 +16,8 @@
 #include <fstream>
 #include <limits>
 
+#include "problems/basics/names.hpp"
 #include "problems/linkage/backend_choice.hpp"
-#include "problems/names.hpp"
 #include "problems/read.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/bench/work_precision/contest.hpp"

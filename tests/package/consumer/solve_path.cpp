@@ -1,8 +1,8 @@
 // A problem stated and solved in C++: a point passes through eight places of a known coupler curve.
 #include <cmath>
 #include <cognate/analysis/linkage/motion.hpp>
-#include <cognate/problems/problem.hpp>
-#include <cognate/problems/result.hpp>
+#include <cognate/problems/kinds.hpp>
+#include <cognate/problems/linkage/result.hpp>
 #include <cstdio>
 
 int main() {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/names.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {

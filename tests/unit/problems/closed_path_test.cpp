@@ -11,12 +11,12 @@
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/curve_following.hpp"
 #include "problems/path/shape_placement.hpp"
 #include "problems/path/straying.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "tests/reading/fault_cases.hpp"
 
 namespace cognate::problems {

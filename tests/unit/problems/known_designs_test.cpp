@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -13,8 +13,8 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/result.hpp"
 
 namespace cognate::problems {
 namespace {

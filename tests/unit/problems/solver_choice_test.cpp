@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/linkage/motion.hpp"
-#include "problems/names.hpp"
-#include "problems/result.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 namespace {

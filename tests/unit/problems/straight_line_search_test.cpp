@@ -10,9 +10,9 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
-#include "problems/result.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/starts.hpp"
 

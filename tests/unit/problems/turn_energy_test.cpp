@@ -13,9 +13,10 @@
 #include "analysis/machine/reduction.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/turn_limits.hpp"
 #include "problems/linkage/turn_metrics.hpp"
-#include "problems/problem.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 namespace {

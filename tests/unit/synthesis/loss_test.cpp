@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "analysis/linkage/motion.hpp"
-#include "problems/names.hpp"
-#include "problems/result.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/linkage/result.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/support/optimisation_problems.hpp"

@@ -1,4 +1,4 @@
-#include "problems/deadline.hpp"
+#include "problems/basics/deadline.hpp"
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "problems/result.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/degrees.hpp"
+#include "problems/basics/degrees.hpp"
 
 #include <array>
 #include <charconv>

@@ -12,11 +12,12 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
-#include "problems/fact.hpp"
+#include "problems/basics/fact.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/linkage/certificate.hpp"
+#include "problems/linkage/curve_placement.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
-#include "problems/path/curve_placement.hpp"
-#include "problems/problem.hpp"
 
 namespace cognate::problems {
 
@@ -147,12 +148,9 @@ struct Run {
   std::function<void(double share, double best)> progress;
 };
 
-/// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
-/// same designs whatever the number of threads.
-Result solve(const PathProblem& problem, const Run& run);
-Result solve(const FunctionProblem& problem, const Run& run);
-Result solve(const MotionProblem& problem, const Run& run);
-Result solve(const QuickReturnProblem& problem, const Run& run);
-Result solve(const StraightLineProblem& problem, const Run& run);
+template <>
+std::span<const Named<Status>> names<Status>();
+template <>
+std::span<const Named<Defect>> names<Defect>();
 
 }  // namespace cognate::problems

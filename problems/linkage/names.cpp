@@ -1,0 +1,117 @@
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/linkage/result.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr Named<Assembly> kAssemblies[] = {{"open", Assembly::open},
+                                           {"crossed", Assembly::crossed}};
+constexpr Named<MobilityClass> kMobilityClasses[] = {
+    {"crank-rocker", MobilityClass::crank_rocker},
+    {"double-crank", MobilityClass::double_crank},
+    {"rocker-crank", MobilityClass::rocker_crank},
+    {"double-rocker", MobilityClass::double_rocker},
+    {"triple-rocker", MobilityClass::triple_rocker}};
+constexpr Named<RequiredClass> kRequiredClasses[] = {
+    {"crank-rocker", RequiredClass::crank_rocker},
+    {"double-crank", RequiredClass::double_crank},
+    {"rocker-crank", RequiredClass::rocker_crank},
+    {"double-rocker", RequiredClass::double_rocker},
+    {"triple-rocker", RequiredClass::triple_rocker},
+    {"grashof", RequiredClass::grashof},
+    {"non-grashof", RequiredClass::non_grashof}};
+constexpr Named<MovingPoint> kMovingPoints[] = {
+    {"coupler-point", MovingPoint::coupler_point}, {"B", MovingPoint::b}, {"C", MovingPoint::c}};
+constexpr Named<MovingLink> kMovingLinks[] = {
+    {"crank", MovingLink::crank}, {"coupler", MovingLink::coupler}, {"rocker", MovingLink::rocker}};
+constexpr Named<SolverChoice> kSolvers[] = {
+    {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
+    {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
+    {"mma", SolverChoice::mma},        {"ccsaq", SolverChoice::ccsaq},
+    {"cobyla", SolverChoice::cobyla},  {"bobyqa", SolverChoice::bobyqa},
+    {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
+    {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
+    {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
+constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
+                                        {"transmission_angle", Measure::transmission_angle},
+                                        {"link_ratio", Measure::link_ratio},
+                                        {"size", Measure::size},
+                                        {"peak_acceleration", Measure::peak_acceleration},
+                                        {"torque_ripple", Measure::torque_ripple},
+                                        {"speed_fluctuation", Measure::speed_fluctuation},
+                                        {"flywheel_inertia", Measure::flywheel_inertia},
+                                        {"motor_power", Measure::motor_power}};
+constexpr Named<ErrorMeasure> kErrorMeasures[] = {
+    {"rms_error_max", ErrorMeasure::rms_length},
+    {"rms_error_deg_max", ErrorMeasure::rms_angle},
+    {"max_error_deg_max", ErrorMeasure::largest_angle}};
+constexpr Named<synthesis::Loss> kLosses[] = {
+    {"none", synthesis::Loss::none},       {"huber", synthesis::Loss::huber},
+    {"soft-l1", synthesis::Loss::soft_l1}, {"cauchy", synthesis::Loss::cauchy},
+    {"arctan", synthesis::Loss::arctan},   {"tukey", synthesis::Loss::tukey}};
+constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
+                                       {"infeasible", Status::infeasible},
+                                       {"no-solution", Status::no_solution},
+                                       {"time-limit", Status::time_limit},
+                                       {"interrupted", Status::interrupted}};
+constexpr Named<Defect> kDefects[] = {
+    {"circuit", Defect::circuit}, {"branch", Defect::branch}, {"order", Defect::order}};
+
+}  // namespace
+
+template <>
+std::span<const Named<Assembly>> names<Assembly>() {
+  return kAssemblies;
+}
+
+template <>
+std::span<const Named<MobilityClass>> names<MobilityClass>() {
+  return kMobilityClasses;
+}
+
+template <>
+std::span<const Named<RequiredClass>> names<RequiredClass>() {
+  return kRequiredClasses;
+}
+
+template <>
+std::span<const Named<MovingPoint>> names<MovingPoint>() {
+  return kMovingPoints;
+}
+
+template <>
+std::span<const Named<MovingLink>> names<MovingLink>() {
+  return kMovingLinks;
+}
+
+template <>
+std::span<const Named<SolverChoice>> names<SolverChoice>() {
+  return kSolvers;
+}
+
+template <>
+std::span<const Named<Measure>> names<Measure>() {
+  return kMeasures;
+}
+
+template <>
+std::span<const Named<ErrorMeasure>> names<ErrorMeasure>() {
+  return kErrorMeasures;
+}
+
+template <>
+std::span<const Named<synthesis::Loss>> names<synthesis::Loss>() {
+  return kLosses;
+}
+
+template <>
+std::span<const Named<Status>> names<Status>() {
+  return kStatuses;
+}
+
+template <>
+std::span<const Named<Defect>> names<Defect>() {
+  return kDefects;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,81 @@
+/// @file What `kind = "path-generation"` asks for. Angles are in radians, lengths in the file's
+/// unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/basics/names.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/path/atlas_source.hpp"
+#include "problems/path/target_curve.hpp"
+
+namespace cognate::problems {
+
+/// `mixed`: prescribed at some of the points.
+enum class Timing { free, prescribed, mixed };
+/// What stands in `target.crank_deg` at a point that is not timed.
+inline constexpr const char* kFreeAngle = "free";
+/// From where `target.crank_deg` counts: the first timed point, the line A→D, the x axis.
+enum class CrankReference { first, frame, global };
+/// In which sense the crank turns from point to point.
+enum class CrankSense { either, ccw, cw };
+/// Whether free points are met one after the other along the motion.
+enum class PointOrder { cyclic, any };
+/// `least_squares`: as near to the points as can be. `exact`: through each of them, all solutions.
+enum class PathMethod { least_squares, exact };
+
+/// `kind = "path-generation"`.
+struct PathProblem {
+  std::string title;
+  PathMethod method = PathMethod::least_squares;
+  /// At least 3, neighbours distinct (the last may repeat the first); `exact`: 2 to 9, all
+  /// distinct.
+  std::vector<Vec2d> points;
+  /// Where a closed curve is given instead: `points` are then its samples, in equal steps.
+  std::optional<TargetCurve> curve;
+  /// `exact`: orientations of the coupler at the first of the points, which are `target.poses`.
+  std::vector<double> pose_angles;
+  Timing timing = Timing::free;
+  /// One for each point, empty with free timing; those of points that are not timed are of no
+  /// account. With reference `first` only differences from that of the first timed point count.
+  std::vector<double> crank_angles;
+  std::vector<bool> has_crank_angle;  ///< mixed timing: whether each point is timed, some are
+  CrankReference crank_reference = CrankReference::first;
+  CrankSense crank_sense = CrankSense::either;
+  PointOrder order = PointOrder::cyclic;
+  std::vector<double> weights;  ///< one for each point; all 1 when the file gives none
+  Given given;
+  Bounds bounds;
+  Constraints constraints;
+  Solve solve;
+  std::optional<AtlasSource> atlas;  ///< of a closed curve
+
+  /// Whether the crank's angle at a point is prescribed.
+  bool is_timed(std::size_t point) const {
+    return timing == Timing::prescribed || (timing == Timing::mixed && has_crank_angle[point]);
+  }
+};
+
+struct Result;
+struct Run;
+
+/// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
+/// problem and seed give the same designs whatever the number of threads.
+Result solve(const PathProblem& problem, const Run& run);
+
+template <>
+std::span<const Named<Timing>> names<Timing>();
+template <>
+std::span<const Named<CrankReference>> names<CrankReference>();
+template <>
+std::span<const Named<CrankSense>> names<CrankSense>();
+template <>
+std::span<const Named<PointOrder>> names<PointOrder>();
+template <>
+std::span<const Named<CurvePlace>> names<CurvePlace>();
+template <>
+std::span<const Named<PathMethod>> names<PathMethod>();
+
+}  // namespace cognate::problems
