@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "problems/linkage/result.hpp"
+
 namespace cognate::problems {
 
 Deadline::Deadline(const Run& run)

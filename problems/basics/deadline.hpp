@@ -4,9 +4,9 @@
 #include <atomic>
 #include <chrono>
 
-#include "problems/linkage/result.hpp"
-
 namespace cognate::problems {
+
+struct Run;
 
 /// Stops a run from outside: the user's interrupt or the end of its time.
 class Deadline {

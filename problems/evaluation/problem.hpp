@@ -8,7 +8,7 @@
 
 #include "analysis/mechanism/forces.hpp"
 #include "analysis/mechanism/mechanism.hpp"
-#include "problems/mechanism/load_sense.hpp"
+#include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
 namespace cognate::problems {
@@ -20,18 +20,6 @@ struct DriveSweep {
   double end = 0;
   int steps = 360;
   DriveRate rate;
-};
-
-/// `[[load]]`.
-struct LoadRule {
-  Attached<double> at;
-  Vec2d force{};
-  double torque = 0;
-  LoadSense sense = LoadSense::always;
-  /// Drive angles between which it acts, counter-clockwise from first to second; empty: all.
-  std::optional<std::pair<double, double>> between;
-  /// The part of the body's stroke in which it acts, as fractions 0…1 of the stroke; empty: all.
-  std::optional<std::pair<double, double>> within_stroke;
 };
 
 /// `[output]`: what is wanted; what is not is not computed.

@@ -10,8 +10,8 @@
 
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/function/generator.hpp"
-#include "problems/linkage/mechanism_metrics.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "problems/linkage/linkage_limits.hpp"
+#include "problems/basics/range.hpp"
 
 namespace cognate::problems::reading {
 

@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 

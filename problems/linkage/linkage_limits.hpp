@@ -10,22 +10,11 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/basics/range.hpp"
 #include "problems/linkage/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
 namespace cognate::problems {
-
-/// A closed interval; a side that is not limited is infinite.
-struct Range {
-  double min = 0;
-  double max = 0;
-};
-
-/// An axis-parallel rectangle.
-struct Box {
-  Vec2d min;
-  Vec2d max;
-};
 
 /// Dimensions that `[mechanism]` fixes. What is empty is found.
 struct Given {

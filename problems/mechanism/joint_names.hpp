@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/mechanism/joints.hpp"
-#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
 
 namespace cognate::problems {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/table_reader.hpp"
 

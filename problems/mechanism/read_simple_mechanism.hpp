@@ -1,7 +1,7 @@
 /// @file `[mechanism]` of the types whose dimensions tell everything.
 #pragma once
 
-#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
 #include "problems/mechanism/named_parts.hpp"
 #include "problems/toml/table_reader.hpp"
 

@@ -1,7 +1,7 @@
 /// @file What the bodies and points of the simple mechanisms are called.
 #pragma once
 
-#include "problems/evaluation/problem.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
 #include "problems/mechanism/named_parts.hpp"
 
 namespace cognate::problems {

@@ -10,7 +10,7 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 
 namespace cognate::problems {
 namespace {

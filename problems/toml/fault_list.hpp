@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/read.hpp"
+#include "problems/toml/fault.hpp"
 
 namespace cognate::problems::reading {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "problems/basics/names.hpp"
-#include "problems/linkage/linkage_limits.hpp"
+#include "problems/basics/range.hpp"
 #include "problems/toml/document.hpp"
 #include "problems/toml/fault_list.hpp"
 #include "problems/toml/number_rules.hpp"

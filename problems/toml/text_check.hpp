@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "problems/read.hpp"
+#include "problems/toml/fault.hpp"
 
 namespace cognate::problems::reading {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 

@@ -1,7 +1,7 @@
 // Metrics of mechanisms that are no four-bars, against closed forms of their dimensions; a four-bar
 // stands in as a chain for the oracle of defects.
 
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

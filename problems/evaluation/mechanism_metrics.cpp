@@ -1,4 +1,4 @@
-#include "problems/linkage/mechanism_metrics.hpp"
+#include "problems/evaluation/mechanism_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
