@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/mechanism/forces.hpp"
 #include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/table_reader.hpp"
