@@ -49,7 +49,7 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
   std::vector<FunctionFound> kept;
   for (const FunctionFound& found : all) {
     const auto known = std::ranges::find_if(kept, [&](const FunctionFound& other) {
-      return is_same(other.generator, found.generator, tolerance);
+      return other.problem == found.problem && is_same(other.generator, found.generator, tolerance);
     });
     if (known == kept.end()) {
       kept.push_back(found);
@@ -62,16 +62,33 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
   all = std::move(kept);
 }
 
+bool FunctionRefiner::confine(FunctionFound& found) const {
+  if (found.problem != &confined_.plain()) return false;
+  found.problem = &confined_.of(found.generator.links);
+  if (found.problem == &confined_.plain()) return false;
+  found.valid = false;
+  return true;
+}
+
 void FunctionRefiner::refine(FunctionFound& found, const FunctionSamples& wanted,
                              synthesis::Objective objective, synthesis::Backend backend,
                              int iterations) const {
+  confine(found);
+  refine_once(found, wanted, objective, backend, iterations);
+  if (confine(found)) refine_once(found, wanted, objective, backend, iterations);
+}
+
+void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& wanted,
+                                  synthesis::Objective objective, synthesis::Backend backend,
+                                  int iterations) const {
+  const Solve& asked = confined_.plain().solve;
   const FunctionModel model(
-      *found.problem, wanted, found.generator.assembly, objective, found.limited,
+      *found.problem, wanted, found.generator.assembly, objective,
       backend == synthesis::Backend::ceres ? Closing::unguarded : Closing::guarded);
   if (!synthesis::can_solve(backend, model)) return;
   const synthesis::Solution solution = solve_by_loss(
-      backend, model, asked_.loss, asked_.loss_scale, 1, model.variables_of(found.generator),
-      {.tolerance = asked_.tolerance.value_or(kDefaultTolerance),
+      backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
+      {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
        .max_iterations = iterations,
        .time_limit = deadline_.remaining(),
        .interrupted = deadline_.flag(),

@@ -51,7 +51,7 @@ class Search {
         wanted_(wanted),
         run_(run),
         deadline_(deadline),
-        refiner_(confined_.plain().solve, run, deadline),
+        refiner_(confined_, run, deadline),
         backend_(finisher_of(problem)),
         work_(work) {}
 
@@ -91,8 +91,7 @@ void Search::keep_best(std::size_t reserve) {
 
 /// Puts the objective and the violated limits in place of what was known of another objective.
 void Search::reassess(FunctionFound& found, Objective objective) const {
-  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective,
-                            found.limited);
+  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective);
   const std::vector<double> x = model.variables_of(found.generator);
   std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
   found.generator = model.generator(x);

@@ -20,7 +20,7 @@ using synthesis::Solution;
 
 /// Iterations spent on every start, on the best ones, and on the best of these over all poses of a
 /// long list or by a back end of the user's choice.
-constexpr int kExploringIterations = 60;
+constexpr int kExploringIterations = 200;
 constexpr int kDeepeningIterations = 1000;
 constexpr int kFinishingIterations = 200;
 /// How many explored starts are deepened, and how many of those finished, beyond twice the designs
@@ -28,9 +28,12 @@ constexpr int kFinishingIterations = 200;
 constexpr std::size_t kDeepened = 24, kFinished = 2;
 /// How often a minimum is put in order, each time with fewer stations.
 constexpr int kOrderingRounds = 6;
+/// How often stations of a minimum are parted.
+constexpr int kPartingRounds = 20;
 constexpr double kFeasibility = 1e-9;
-/// Starts of a round, and the fewest and most of a search where the file does not say.
-constexpr int kRound = 100, kFewestStarts = 200, kMostStarts = 800;
+/// Starts of a round, and the fewest (also with limits) and most of a search where the file does
+/// not say.
+constexpr int kRound = 100, kFewestStarts = 200, kFewestLimited = 400, kMostStarts = 800;
 /// The best minimum counts as well known once so many starts have come to it.
 constexpr int kEnoughHits = 5;
 /// Explored minima closer than this, and refined ones, are the same up to what an unfinished
@@ -78,6 +81,7 @@ bool worse(const Found& refined, const Found& before) {
 bool close(const MotionMinimum& a, const MotionMinimum& b, double tolerance) {
   if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
   if (a.form.sides != b.form.sides || a.form.stations != b.form.stations) return false;
+  if (a.form.ends != b.form.ends) return false;
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
     const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
     if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
@@ -135,6 +139,51 @@ MotionProblem only(const MotionProblem& problem, const std::vector<std::size_t>&
   return some;
 }
 
+/// `problem` without one kind of its limits each, and without all of them if they are several.
+std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
+  const auto drop_class = [](MotionProblem& p) {
+    return std::exchange(p.constraints.required_class, std::nullopt).has_value();
+  };
+  const auto drop_transmission = [](MotionProblem& p) {
+    return std::exchange(p.constraints.transmission_angle, std::nullopt).has_value();
+  };
+  const auto drop_places = [](MotionProblem& p) {
+    const auto& [pivot_a, pivot_d] = std::tie(p.bounds.pivot_a, p.bounds.pivot_d);
+    const bool any = pivot_a || pivot_d || p.constraints.pivot_region || p.moving_bounds[0] ||
+                     p.moving_bounds[1];
+    p.bounds.pivot_a = p.bounds.pivot_d = p.constraints.pivot_region = std::nullopt;
+    p.moving_bounds = {};
+    return any;
+  };
+  const auto drop_lengths = [](MotionProblem& p) {
+    Bounds& bounds = p.bounds;
+    const bool any = bounds.crank || bounds.coupler || bounds.rocker || bounds.frame ||
+                     p.constraints.link_ratio_max;
+    bounds.crank = bounds.coupler = bounds.rocker = bounds.frame = std::nullopt;
+    p.constraints.link_ratio_max = std::nullopt;
+    return any;
+  };
+  std::vector<MotionProblem> relaxed;
+  MotionProblem free = problem;
+  const auto relax = [&](const auto& drop) {
+    MotionProblem without = problem;
+    if (drop(without)) relaxed.push_back(std::move(without));
+    drop(free);
+  };
+  relax(drop_class);
+  relax(drop_transmission);
+  relax(drop_places);
+  relax(drop_lengths);
+  if (relaxed.size() > 1) relaxed.push_back(std::move(free));
+  return relaxed;
+}
+
+MotionMinimum begun(const MotionProblem& problem, const MotionStart& start) {
+  MotionMinimum minimum{form_of(problem, start.pair), start.origin, {}};
+  minimum.solution.x = MotionModel(problem, minimum.form).variables_of(start.pair);
+  return minimum;
+}
+
 /// The stages of a search; each works on `all_` in place.
 class MotionSearch {
  public:
@@ -143,6 +192,7 @@ class MotionSearch {
       : whole_(scaled),
         kept_poses_(in_even_steps(scaled.poses.size())),
         coarse_(only(scaled, kept_poses_)),
+        relaxed_(relaxations(coarse_)),
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
@@ -162,11 +212,15 @@ class MotionSearch {
             .seed = run_.seed};
   }
 
+  Found explored(const MotionProblem& problem, MotionMinimum from);
   Found explored(const MotionStart& start);
+  Found explored(const MotionStart& start, int index);
   void fit(const MotionProblem& problem, Backend backend, const synthesis::Options& options,
            MotionMinimum& minimum);
   void put_in_order(const MotionProblem& problem, Backend backend,
                     const synthesis::Options& options, Found& found);
+  void part_stations(const MotionProblem& problem, Backend backend,
+                     const synthesis::Options& options, Found& found);
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count, int most);
   void add(std::vector<Found> fresh);
@@ -181,6 +235,7 @@ class MotionSearch {
   const MotionProblem& whole_;
   std::vector<std::size_t> kept_poses_;
   MotionProblem coarse_;
+  std::vector<MotionProblem> relaxed_;  ///< of coarse_
   double tolerance_;
   const Run& run_;
   const Deadline& deadline_;
@@ -191,16 +246,35 @@ class MotionSearch {
   std::atomic<std::uint64_t> positions_{0}, gradients_{0}, iterations_{0};
 };
 
-Found MotionSearch::explored(const MotionStart& start) {
-  Found found{{form_of(coarse_, start.pair), start.origin, {}}, false};
-  found.minimum.solution.x = MotionModel(coarse_, found.minimum.form).variables_of(start.pair);
+Found MotionSearch::explored(const MotionProblem& problem, MotionMinimum from) {
+  Found found{std::move(from), false};
   const auto exploring = options(kExploringIterations, 1e-10);
-  fit(coarse_, Backend::gauss_newton, exploring, found.minimum);
+  fit(problem, Backend::gauss_newton, exploring, found.minimum);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
   if (!found.valid) return found;
-  found.violation = design_violation(coarse_, found.minimum);
-  put_in_order(coarse_, Backend::gauss_newton, exploring, found);
+  found.violation = design_violation(problem, found.minimum);
+  put_in_order(problem, Backend::gauss_newton, exploring, found);
   return found;
+}
+
+Found MotionSearch::explored(const MotionStart& start) {
+  return explored(coarse_, begun(coarse_, start));
+}
+
+/// Every second start is explored with some limits dropped, each time others, and from there with
+/// all of them: all limits together lead most starts to poor minima at their borders.
+Found MotionSearch::explored(const MotionStart& start, int index) {
+  if (relaxed_.empty() || index % 2 == 0) return explored(start);
+  const MotionProblem& relaxed = relaxed_[static_cast<std::size_t>(index / 2) % relaxed_.size()];
+  Found there = explored(relaxed, begun(relaxed, start));
+  if (!there.valid) return explored(start);
+  MotionMinimum& minimum = there.minimum;
+  const MotionModel without(relaxed, minimum.form);
+  minimum.form.confined_to = form_of(coarse_, without.pair(minimum.solution.x)).confined_to;
+  minimum.solution.x =
+      MotionModel(coarse_, minimum.form)
+          .with_angles(minimum.solution.x, without.station_angles(minimum.solution.x));
+  return explored(coarse_, std::move(minimum));
 }
 
 /// From the minimum's point; counts the work.
@@ -233,6 +307,26 @@ void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
   }
 }
 
+/// A minimum in order whose poses share crank angles that they no longer need to share: once
+/// pooled, they are parted again as long as that lowers the error.
+void MotionSearch::part_stations(const MotionProblem& problem, Backend backend,
+                                 const synthesis::Options& options, Found& found) {
+  for (int round = 0; round < kPartingRounds && found.violation == 0; ++round) {
+    if (deadline_.reached()) return;
+    auto next = parted(problem, {found.minimum.form, found.minimum.solution.x});
+    if (!next) return;
+    Found apart = found;
+    apart.minimum.form = std::move(next->form);
+    apart.minimum.solution.x = std::move(next->x);
+    fit(problem, backend, options, apart.minimum);
+    if (apart.minimum.solution.stop == synthesis::Stop::no_value) return;
+    apart.violation = design_violation(problem, apart.minimum);
+    put_in_order(problem, backend, options, apart);
+    if (apart.violation > 0 || !better(apart.minimum, found.minimum)) return;
+    found = std::move(apart);
+  }
+}
+
 void MotionSearch::lower_best(const Found& found) {
   if (!found.valid || found.violation > 0) return;
   const double objective = found.minimum.solution.objective;
@@ -246,13 +340,14 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
   const int most = starts.value_or(kMostStarts);
   std::optional<MotionStarts> source;
   if (most > 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
+  const int fewest = relaxed_.empty() ? kFewestStarts : kFewestLimited;
   int done = 0;
   while (done < most && !deadline_.reached()) {
     const int count = std::min(kRound, most - done);
     add_round(*source, done, count, most);
     done += count;
     const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
-    if (!starts && done >= kFewestStarts && enough) break;
+    if (!starts && done >= fewest && enough) break;
   }
   thoroughness_.starts = done;
 }
@@ -277,7 +372,7 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count, i
     const auto start = starts.start(first + index);
     if (!start) return;
     Found& found = fresh[static_cast<std::size_t>(index)];
-    found = explored(*start);
+    found = explored(*start, first + index);
     ++done;
     lower_best(found);
     if (thread == 0 && run_.progress) run_.progress(0.8 * (first + done) / most, best_);
@@ -327,6 +422,7 @@ void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve
     if (refined.minimum.solution.stop != synthesis::Stop::no_value) {
       refined.violation = design_violation(problem, refined.minimum);
       put_in_order(problem, backend, refining, refined);
+      part_stations(problem, backend, refining, refined);
       if (!worse(refined, found)) found = std::move(refined);
     }
     lower_best(found);

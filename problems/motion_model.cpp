@@ -113,8 +113,8 @@ bool MotionModel::limits_driven_range() const {
   const Constraints& constraints = problem_.constraints;
   const bool turns = form_.confined_to == RequiredClass::crank_rocker ||
                      form_.confined_to == RequiredClass::double_crank;
-  return form_.second == DyadKind::rr && constraints.no_order_defect &&
-         constraints.transmission_angle && !turns;
+  return form_.second == DyadKind::rr && constraints.transmission_angle && !turns &&
+         (constraints.no_order_defect || constraints.no_circuit_defect);
 }
 
 /// The angles at both ends are global variables where limits refer to them.
@@ -122,7 +122,8 @@ void MotionModel::list_stations() {
   std::size_t count = 0;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j)
     count = std::max(count, station_of(j) + 1);
-  const std::size_t first = station_of(0), last = station_of(problem_.poses.size() - 1);
+  const auto [first, last] =
+      form_.ends.value_or(std::pair(station_of(0), station_of(problem_.poses.size() - 1)));
   const bool has_ends = !form_.stations.empty() && first != last && limits_driven_range();
   if (has_ends) driven_range_ = DrivenRange(problem_.constraints, {0, 0});
   std::vector<int> local(count, -1);
@@ -144,6 +145,20 @@ std::vector<double> MotionModel::station_angles(std::span<const double> x) const
   std::vector<double> angles;
   for (const std::size_t variable : variable_of_station_) angles.push_back(x[variable]);
   return angles;
+}
+
+std::vector<double> MotionModel::angle_slopes(std::span<const double> x) const {
+  const auto rows = static_cast<std::size_t>(residual_count());
+  const auto n = static_cast<std::size_t>(global_count());
+  std::vector<double> r(rows), jacobian(rows * n), local(rows);
+  if (!residuals(x, r, jacobian, local)) return {};
+  std::vector<double> slopes(problem_.poses.size(), 0.0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t variable = variable_of_station_[station_of(row / 3)];
+    const double slope = variable < n ? jacobian[row * n + variable] : local[row];
+    slopes[row / 3] += 2 * r[row] * slope;
+  }
+  return slopes;
 }
 
 std::vector<double> MotionModel::with_angles(std::span<const double> x,

@@ -65,11 +65,7 @@ FunctionGenerator generator(const FunctionFitState& state) {
 }
 
 FunctionModel model_of(const FunctionProblem& problem, const FunctionSamples& samples) {
-  return {problem,
-          samples,
-          good.assembly,
-          synthesis::Objective::sum_of_squares,
-          LimitedMotion::sweep,
+  return {problem, samples, good.assembly, synthesis::Objective::sum_of_squares,
           Closing::unguarded};
 }
 
@@ -102,8 +98,7 @@ TEST(FunctionFit, EndsAtMinimaThatCeresFinds) {
 TEST(FunctionFit, KeepsTransmissionWithinItsLimits) {
   const FunctionProblem problem = parsed("[constraints]\ntransmission_angle_deg = [50, 130]\n");
   const FunctionSamples samples = function_samples(problem);
-  const FunctionModel model(problem, samples, good.assembly, synthesis::Objective::sum_of_squares,
-                            LimitedMotion::sweep);
+  const FunctionModel model(problem, samples, good.assembly, synthesis::Objective::sum_of_squares);
   const auto from = near_good(1);
   const auto state = fitted(model, from, {.most_iterations = 2000, .tolerance = 1e-15}).front();
   const auto x = model.variables_of(generator(state));
