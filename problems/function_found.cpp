@@ -12,6 +12,8 @@ namespace cognate::problems {
 namespace {
 
 constexpr double kDefaultTolerance = 1e-13;
+/// Relative difference of objectives that says nothing of two minima not yet refined to the end.
+constexpr double kSameObjective = 0.01;
 
 bool is_same(const FunctionGenerator& a, const FunctionGenerator& b, double tolerance) {
   const auto near = [&](double x, double y) { return std::abs(std::log(x / y)) < tolerance; };
@@ -60,6 +62,21 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
       known->origin = found.origin;  // exact leads there too
   }
   all = std::move(kept);
+}
+
+std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted) {
+  std::ptrdiff_t once = 0;
+  for (std::size_t i = 0; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility;) {
+    const double most = sorted[i].objective * (1 + kSameObjective);
+    int hits = 0;
+    for (; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility &&
+           sorted[i].objective <= most;
+         ++i) {
+      hits += sorted[i].hits;
+    }
+    once += hits == 1;
+  }
+  return once;
 }
 
 bool FunctionRefiner::confine(FunctionFound& found) const {

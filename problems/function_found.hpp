@@ -1,6 +1,7 @@
 /// @file Minima of a function search on their way: their order, their merging, their refinement.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -49,6 +50,11 @@ bool is_better(const FunctionFound& a, const FunctionFound& b);
 /// Drops those without a value, sorts, and merges those confined to the same class that are closer
 /// than `tolerance` in the logarithms of lengths and in angles.
 void sort_and_merge(std::vector<FunctionFound>& all, double tolerance);
+
+/// How many groups of feasible minima, each within a hundredth of its least objective, one start
+/// alone has come to. `sorted`: by `is_better`. Refinements that end early stop at places of their
+/// own near one minimum.
+std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted);
 
 /// Refines minima of one problem. What it is made of must outlive it.
 ///

@@ -174,8 +174,7 @@ void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness&
   if (done == 0 || all_.empty()) return;
   thoroughness.starts = static_cast<int>(done);
   thoroughness.best_hits = all_.front().hits;
-  const auto seen_once = std::ranges::count(all_, 1, &FunctionFound::hits);
-  thoroughness.unseen = chance_of_unseen(seen_once, thoroughness.starts);
+  thoroughness.unseen = chance_of_unseen(groups_seen_once(all_), thoroughness.starts);
 }
 
 void Search::finish_minimax() {
