@@ -200,6 +200,21 @@ std::optional<double> stroke(const SliderCrank& mechanism) {
   return d.unit * (4 * d.crank * d.coupler / (*outer + *inner));
 }
 
+std::optional<double> stroke(const SliderCrank& mechanism, const CrankRange& range) {
+  const auto from = displacement(mechanism, range.from), to = displacement(mechanism, range.to);
+  if (!from || !to) return std::nullopt;
+  double least = std::min(*from, *to), greatest = std::max(*from, *to);
+  for (const auto& limit : {outer_limit(mechanism), inner_limit(mechanism)}) {
+    if (!limit) continue;
+    const double ahead = std::remainder(limit->crank_angle - range.from, 2 * kPi);
+    const double along = ahead < 0 ? ahead + 2 * kPi : ahead;
+    if (along > range.to - range.from) continue;
+    least = std::min(least, limit->displacement);
+    greatest = std::max(greatest, limit->displacement);
+  }
+  return greatest - least;
+}
+
 std::optional<double> time_ratio(const SliderCrank& mechanism) {
   const SliderCrankDimensions d = normalised(mechanism);
   if (!crank_rotates(mechanism) || d.crank >= d.coupler) return std::nullopt;

@@ -74,6 +74,11 @@ std::optional<SliderPosition> inner_limit(const SliderCrank& mechanism);
 /// l₂)² − e²). Empty where the mechanism cannot be assembled.
 std::optional<double> stroke(const SliderCrank& mechanism);
 
+/// How far the slider goes in the assembly given while the crank turns over `range` alone, which
+/// must lie in one of `crank_ranges` (or may be any of a crank that turns fully): between its ends
+/// and the limits inside. Empty where an end does not close.
+std::optional<double> stroke(const SliderCrank& mechanism, const CrankRange& range);
+
 /// The time ratio K ≥ 1 = (π + δ)/(π − δ) of a crank that turns fully, δ the angle between the
 /// crank's two limit directions; 1 without offset. Empty where the crank does not turn fully and
 /// where it has no inner limit.

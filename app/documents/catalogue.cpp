@@ -82,7 +82,9 @@ constexpr Metric kMetrics[] = {
     {"circuit_stroke", "length", "distance through which it slides on the whole circuit"},
     {"pressure_angle_max_deg", "deg", "greatest pressure angle of sliders and bars, unsigned"},
     {"swing_deg", "deg", "angle through which the output swings (quick returns)"},
-    {"stroke", "length", "distance through which the output slides (quick returns)"},
+    {"stroke", "length",
+     "distance through which the output slides (quick returns: over the full turn; functions by a "
+     "slider-crank: over their motion)"},
     {"pressure_angle_deg", "deg", "greatest pressure angle of the slider (quick returns)"},
     {"crank_pivot_arc", "",
      "near or far: the circle on which the crank pivot lies (quick returns)"},

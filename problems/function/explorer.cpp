@@ -34,7 +34,7 @@ class Explorer {
         kept_(kept),
         run_(run),
         deadline_(deadline),
-        refiner_(confined.plain().solve, run, deadline),
+        refiner_(confined, run, deadline),
         work_(work) {}
 
   ExploredFunctions take(SearchThoroughness& thoroughness) {
@@ -90,11 +90,7 @@ class Explorer {
   }
 
   FunctionFound placed(const FunctionGenerator& generator, StartOrigin origin) const {
-    const bool turns = crank_rotates(generator.links);
-    return {.generator = generator,
-            .origin = origin,
-            .problem = &confined_.of(generator.links),
-            .limited = turns ? LimitedMotion::full_turn : LimitedMotion::sweep};
+    return {.generator = generator, .origin = origin, .problem = &confined_.of(generator.links)};
   }
 
   void add(std::vector<FunctionFound> fresh, Range shares) {
@@ -116,14 +112,12 @@ class Explorer {
                           kIterations, shares);
       return;
     }
-    const auto key = [](const FunctionFound& found) {
-      return std::pair(found.problem, found.limited);
-    };
-    std::ranges::stable_sort(all, {}, key);
+    std::ranges::stable_sort(all, {}, &FunctionFound::problem);
     const std::vector<FunctionFound> starts = all;
     for (auto first = all.begin(); first != all.end();) {
-      const auto last = std::find_if(
-          first, all.end(), [&](const FunctionFound& found) { return key(found) != key(*first); });
+      const auto last = std::find_if(first, all.end(), [&](const FunctionFound& found) {
+        return found.problem != first->problem;
+      });
       fit_in_lanes({first, last});
       first = last;
     }
@@ -133,7 +127,7 @@ class Explorer {
   void fit_in_lanes(std::span<FunctionFound> all) const {
     const FunctionFound& any = all.front();
     const FunctionModel model(*any.problem, wanted_, any.generator.assembly,
-                              Objective::sum_of_squares, any.limited);
+                              Objective::sum_of_squares);
     std::vector<synthesis::FunctionFitState> states;
     for (const FunctionFound& found : all) {
       const auto& [links, assembly, input_start, output_start] = found.generator;
@@ -162,24 +156,37 @@ class Explorer {
     found.iterations += static_cast<std::uint64_t>(state.iterations);
   }
 
-  /// The lanes stop at the border of what closes; constraints lead along it.
+  /// The lanes stop at the border of what closes; constraints lead along it. They keep no start to
+  /// another class than it began with: one whose crank turns fully in the end goes on in its own.
   void follow_border(const std::vector<FunctionFound>& starts,
                      std::vector<FunctionFound>& all) const {
     parallel_for(static_cast<int>(all.size()), run_.threads, [&](int i, int) {
-      if (deadline_.reached() || !(all[i].valid && is_nearly_folded(all[i].generator))) return;
+      if (deadline_.reached() || !all[i].valid) return;
+      if (refiner_.confine(all[i])) {
+        refiner_.refine(all[i], wanted_, Objective::sum_of_squares, Backend::gauss_newton,
+                        kIterations);
+        penalise(all[i]);
+        return;
+      }
+      if (!is_nearly_folded(all[i].generator)) return;
       FunctionFound along = starts[i];
       refiner_.refine(along, wanted_, Objective::sum_of_squares, Backend::gauss_newton,
                       kIterations);
       if (!along.valid) return;
-      const double missing = kPenalty * along.violation;
-      along.objective += missing * missing;
-      along.violation = 0;
+      penalise(along);
       if (all[i].objective < along.objective) return;
       along.evaluations += all[i].evaluations;
       along.gradients += all[i].gradients;
       along.iterations += all[i].iterations;
       all[i] = along;
     });
+  }
+
+  /// Counts what is violated among the errors, as the lanes do.
+  static void penalise(FunctionFound& found) {
+    const double missing = kPenalty * found.violation;
+    found.objective += missing * missing;
+    found.violation = 0;
   }
 
   /// Whether coupler and rocker are within half a degree of one line at a sample.

@@ -12,6 +12,8 @@ namespace cognate::problems {
 namespace {
 
 constexpr double kDefaultTolerance = 1e-13;
+/// Relative difference of objectives that says nothing of two minima not yet refined to the end.
+constexpr double kSameObjective = 0.01;
 
 bool is_same(const FunctionGenerator& a, const FunctionGenerator& b, double tolerance) {
   const auto near = [&](double x, double y) { return std::abs(std::log(x / y)) < tolerance; };
@@ -49,7 +51,7 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
   std::vector<FunctionFound> kept;
   for (const FunctionFound& found : all) {
     const auto known = std::ranges::find_if(kept, [&](const FunctionFound& other) {
-      return is_same(other.generator, found.generator, tolerance);
+      return other.problem == found.problem && is_same(other.generator, found.generator, tolerance);
     });
     if (known == kept.end()) {
       kept.push_back(found);
@@ -62,16 +64,48 @@ void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
   all = std::move(kept);
 }
 
+std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted) {
+  std::ptrdiff_t once = 0;
+  for (std::size_t i = 0; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility;) {
+    const double most = sorted[i].objective * (1 + kSameObjective);
+    int hits = 0;
+    for (; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility &&
+           sorted[i].objective <= most;
+         ++i) {
+      hits += sorted[i].hits;
+    }
+    once += hits == 1;
+  }
+  return once;
+}
+
+bool FunctionRefiner::confine(FunctionFound& found) const {
+  if (found.problem != &confined_.plain()) return false;
+  found.problem = &confined_.of(found.generator.links);
+  if (found.problem == &confined_.plain()) return false;
+  found.valid = false;
+  return true;
+}
+
 void FunctionRefiner::refine(FunctionFound& found, const FunctionSamples& wanted,
                              synthesis::Objective objective, synthesis::Backend backend,
                              int iterations) const {
+  confine(found);
+  refine_once(found, wanted, objective, backend, iterations);
+  if (confine(found)) refine_once(found, wanted, objective, backend, iterations);
+}
+
+void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& wanted,
+                                  synthesis::Objective objective, synthesis::Backend backend,
+                                  int iterations) const {
+  const Solve& asked = confined_.plain().solve;
   const FunctionModel model(
-      *found.problem, wanted, found.generator.assembly, objective, found.limited,
+      *found.problem, wanted, found.generator.assembly, objective,
       backend == synthesis::Backend::ceres ? Closing::unguarded : Closing::guarded);
   if (!synthesis::can_solve(backend, model)) return;
   const synthesis::Solution solution = solve_by_loss(
-      backend, model, asked_.loss, asked_.loss_scale, 1, model.variables_of(found.generator),
-      {.tolerance = asked_.tolerance.value_or(kDefaultTolerance),
+      backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
+      {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
        .max_iterations = iterations,
        .time_limit = deadline_.remaining(),
        .interrupted = deadline_.flag(),

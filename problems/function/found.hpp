@@ -1,6 +1,7 @@
 /// @file Minima of a function search on their way: their order, their merging, their refinement.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,7 +36,6 @@ struct FunctionFound {
   FunctionGenerator generator;
   StartOrigin origin = StartOrigin::search;
   const FunctionProblem* problem = nullptr;
-  LimitedMotion limited = LimitedMotion::sweep;
   double objective = 0;
   double violation = 0;
   bool valid = false;
@@ -47,15 +47,28 @@ struct FunctionFound {
 /// Feasible ones first, then by objective or violation.
 bool is_better(const FunctionFound& a, const FunctionFound& b);
 
-/// Drops those without a value, sorts, and merges those that are closer than `tolerance` in the
-/// logarithms of lengths and in angles.
+/// Drops those without a value, sorts, and merges those confined to the same class that are closer
+/// than `tolerance` in the logarithms of lengths and in angles.
 void sort_and_merge(std::vector<FunctionFound>& all, double tolerance);
 
+/// How many groups of feasible minima, each within a hundredth of its least objective, one start
+/// alone has come to. `sorted`: by `is_better`. Refinements that end early stop at places of their
+/// own near one minimum.
+std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted);
+
 /// Refines minima of one problem. What it is made of must outlive it.
+///
+/// A minimum whose crank turns fully, though it was confined to no class, is confined to the class
+/// that it has reached, so that its transmission angle is limited over the full turn, as the check
+/// of the design has it.
 class FunctionRefiner {
  public:
-  FunctionRefiner(const Solve& asked, const Run& run, const Deadline& deadline)
-      : asked_(asked), run_(run), deadline_(deadline) {}
+  FunctionRefiner(const ConfinedFunctions& confined, const Run& run, const Deadline& deadline)
+      : confined_(confined), run_(run), deadline_(deadline) {}
+
+  /// Gives `found` the class that it has reached, and drops what was known of it; false if it has
+  /// one already, or needs none.
+  bool confine(FunctionFound& found) const;
 
   /// Goes on from where `found` stands, by the loss that the problem asks for; keeps the result
   /// unless it is worse by the same objective.
@@ -68,7 +81,11 @@ class FunctionRefiner {
                   Range shares) const;
 
  private:
-  const Solve& asked_;
+  void refine_once(FunctionFound& found, const FunctionSamples& wanted,
+                   synthesis::Objective objective, synthesis::Backend backend,
+                   int iterations) const;
+
+  const ConfinedFunctions& confined_;
   const Run& run_;
   const Deadline& deadline_;
 };

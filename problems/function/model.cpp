@@ -35,13 +35,11 @@ double typical_length(const std::array<Range, 4>& ranges) {
 }  // namespace
 
 FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSamples& wanted,
-                             Assembly assembly, synthesis::Objective objective,
-                             LimitedMotion limited, Closing closing)
+                             Assembly assembly, synthesis::Objective objective, Closing closing)
     : problem_(problem),
       wanted_(wanted),
       assembly_(assembly),
       objective_(objective),
-      limited_(limited),
       linkage_constraints_(problem.constraints, typical_length(length_ranges(problem))),
       turn_limits_(problem.constraints, Accelerated::rocker) {
   list_variables();
@@ -54,7 +52,6 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
   limits_sweep_ = limits_transmission || guards_closing;
   transmission_ = limits_transmission ? *problem.constraints.transmission_angle
                                       : Range{kClosingMargin, kPi - kClosingMargin};
-  if (!limits_transmission) limited_ = LimitedMotion::sweep;
   for (const auto& pair : wanted.samples) half_input_.push_back(unit_vector(0.5 * pair.input));
 }
 
@@ -187,19 +184,16 @@ void FunctionModel::sweep_constraints(const FunctionGenerator& g, std::span<doub
   FunctionGenerator placed = g;
   L input_slope, output_slope;
   set_start(placed, input_slope, output_slope);
-  const bool full_turn = limited_ == LimitedMotion::full_turn;
   const auto& [l1, l2, l3, l4] = g.links;
   for (int i = 0; i < 2; ++i) {
     const double sense = i == 0 ? 1 : -1;  // the least μ goes with the greatest cosine of θ
     const double limit = std::cos(i == 0 ? transmission_.min : transmission_.max);
-    const double theta = full_turn
-                             ? (i == 0 ? 0 : kPi)
-                             : extreme_crank_angle(wanted_.sweep, placed.input_start, sense).angle;
+    const double theta = extreme_crank_angle(wanted_.sweep, placed.input_start, sense).angle;
     const double c = std::cos(theta), s = std::sin(theta);
     const double diagonal = l1 * l1 + l4 * l4 - 2 * l1 * l4 * c;
     const double cosine = (l2 * l2 + l3 * l3 - diagonal) / (2 * l2 * l3);
     values[i] = sense * (limit - cosine);
-    const double by_angle = full_turn ? 0 : -l1 * l4 * s / (l2 * l3);
+    const double by_angle = -l1 * l4 * s / (l2 * l3);
     const std::array plain{(l4 * c - l1) / (l2 * l3), 1 / l3 - cosine / l2, 1 / l2 - cosine / l3,
                            (l1 * c - l4) / (l2 * l3)};
     for (int k = 0; k < 4; ++k) {

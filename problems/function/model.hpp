@@ -16,9 +16,6 @@
 
 namespace cognate::problems {
 
-/// Over which motion the transmission angle is limited.
-enum class LimitedMotion { sweep, full_turn };
-
 /// Whether a constraint keeps the linkage closing over the whole sweep: then a solver can move
 /// along the border of what closes, where many a best design lies, instead of stopping at it, and
 /// no gap between samples goes unseen. `unguarded` is for solvers that take no constraints.
@@ -29,14 +26,16 @@ enum class Closing { guarded, unguarded };
 /// Dimensions, those that the file fixes left out of the variables: the logarithms of crank,
 /// coupler, rocker and frame, then input and output start angle. With a start at a dead centre the
 /// start angles follow from the lengths.
+///
+/// The transmission angle is limited over the sweep, or over the full turn where the problem
+/// demands a class whose crank turns fully: see ConfinedFunctions.
 class FunctionModel final : public synthesis::Model {
  public:
   static constexpr int kDimensions = 6;
 
   /// Keeps references to `problem` and `wanted`.
   FunctionModel(const FunctionProblem& problem, const FunctionSamples& wanted, Assembly assembly,
-                synthesis::Objective objective, LimitedMotion limited,
-                Closing closing = Closing::guarded);
+                synthesis::Objective objective, Closing closing = Closing::guarded);
 
   std::span<const synthesis::Variable> variables() const override { return variables_; }
   int residual_count() const override { return static_cast<int>(wanted_.samples.size()); }
@@ -80,7 +79,6 @@ class FunctionModel final : public synthesis::Model {
   const FunctionSamples& wanted_;
   Assembly assembly_;
   synthesis::Objective objective_;
-  LimitedMotion limited_;
   bool limits_sweep_ = false;
   Range transmission_;  ///< limits over the sweep: those of the file, else closure
   LinkageConstraints linkage_constraints_;

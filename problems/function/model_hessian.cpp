@@ -36,10 +36,7 @@ void FunctionModel::add_sweep_curvature(const FunctionGenerator& g, std::span<co
   const auto& [l1, l2, l3, l4] = g.links;
   for (int i = 0; i < 2; ++i) {
     const double sense = i == 0 ? 1 : -1;
-    ExtremeCrankAngle extreme{i == 0 ? 0 : kPi, false};
-    if (limited_ == LimitedMotion::sweep) {
-      extreme = extreme_crank_angle(wanted_.sweep, g.input_start, sense);
-    }
+    const auto extreme = extreme_crank_angle(wanted_.sweep, g.input_start, sense);
     const double c = std::cos(extreme.angle), s = std::sin(extreme.angle);
     const double d2 = l1 * l1 + l4 * l4 - 2 * l1 * l4 * c;
     const double cosine = (l2 * l2 + l3 * l3 - d2) / (2 * l2 * l3);

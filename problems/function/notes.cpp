@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/function/jumps.hpp"
+#include "problems/function/scatter.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -50,6 +52,22 @@ std::optional<double> dead_input(const Design& design, const Range& sweep) {
   return std::nullopt;
 }
 
+/// On a table or list of pairs that scatters.
+std::optional<std::string> scatter_note(const FunctionProblem& problem) {
+  const auto* function = std::get_if<FunctionOfX>(&problem.target);
+  const auto share = function ? scatter_share(function->table)
+                              : scatter_share(std::get<AnglePairs>(problem.target));
+  if (!share) return std::nullopt;
+  const std::string scatter = fmt::format(
+      "The target scatters about a smooth curve by {:.2g} % of its range, as measured values do",
+      100 * *share);
+  if (problem.objective == FunctionObjective::least_squares) {
+    return scatter + ": errors of that size are its own, and the design follows the curve.";
+  }
+  return scatter +
+         ": objective = \"least-squares\" averages it, this objective follows single values.";
+}
+
 }  // namespace
 
 void note_motions(const FunctionProblem& problem, const FunctionSamples& wanted, Result& result) {
@@ -62,6 +80,7 @@ void note_motions(const FunctionProblem& problem, const FunctionSamples& wanted,
         "other assembly.",
         i + 1, degrees(*input)));
   }
+  if (const auto note = scatter_note(problem)) result.notes.push_back(*note);
   const auto* function = std::get_if<FunctionOfX>(&problem.target);
   if (!function || function->text.empty()) return;
   const auto jumps = reading::find_jumps(function->y, function->domain, kIntervals);

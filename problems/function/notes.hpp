@@ -9,7 +9,8 @@
 namespace cognate::problems {
 
 /// Adds sentences on the designs of `result`, in the order in which they stand there, that pass or
-/// reach a dead point or a change point, and on a function that jumps within its domain.
+/// reach a dead point or a change point, on a function that jumps within its domain, and on pairs
+/// that scatter.
 void note_motions(const FunctionProblem& problem, const FunctionSamples& wanted, Result& result);
 
 }  // namespace cognate::problems

@@ -33,7 +33,9 @@ class Climb {
       sizes.push_back(size_);
       if (std::isinf(size_)) return true;
     }
-    return sizes.size() > kLastSteps && grew(sizes[sizes.size() - 1 - kLastSteps]);
+    if (sizes.size() > kLastSteps && grew(size_, sizes[sizes.size() - 1 - kLastSteps])) return true;
+    // Where the maximum is an end next to the pole, |y| does not grow from there but towards it.
+    return grew(size_beside(least), size_beside(std::ldexp(least, kLastSteps)));
   }
 
  private:
@@ -42,8 +44,17 @@ class Climb {
     return std::isnan(value) ? 0 : value;
   }
 
-  bool grew(double before) const {
-    return size_ > 0 && size_ >= before * std::pow(kGrowth, static_cast<double>(kLastSteps));
+  static bool grew(double size, double before) {
+    return size > 0 && size >= before * std::pow(kGrowth, static_cast<double>(kLastSteps));
+  }
+
+  /// The greater size at a distance from the maximum, within the domain.
+  double size_beside(double distance) const {
+    double greatest = 0;
+    for (const double x : {x_ - distance, x_ + distance}) {
+      if (x >= domain_.min && x <= domain_.max) greatest = std::max(greatest, size(x));
+    }
+    return greatest;
   }
 
   void move(double left, double right) {

@@ -51,7 +51,7 @@ class Search {
         wanted_(wanted),
         run_(run),
         deadline_(deadline),
-        refiner_(confined_.plain().solve, run, deadline),
+        refiner_(confined_, run, deadline),
         backend_(finisher_of(problem)),
         work_(work) {}
 
@@ -91,8 +91,7 @@ void Search::keep_best(std::size_t reserve) {
 
 /// Puts the objective and the violated limits in place of what was known of another objective.
 void Search::reassess(FunctionFound& found, Objective objective) const {
-  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective,
-                            found.limited);
+  const FunctionModel model(*found.problem, wanted_, found.generator.assembly, objective);
   const std::vector<double> x = model.variables_of(found.generator);
   std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
   found.generator = model.generator(x);
@@ -175,8 +174,7 @@ void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness&
   if (done == 0 || all_.empty()) return;
   thoroughness.starts = static_cast<int>(done);
   thoroughness.best_hits = all_.front().hits;
-  const auto seen_once = std::ranges::count(all_, 1, &FunctionFound::hits);
-  thoroughness.unseen = chance_of_unseen(seen_once, thoroughness.starts);
+  thoroughness.unseen = chance_of_unseen(groups_seen_once(all_), thoroughness.starts);
 }
 
 void Search::finish_minimax() {

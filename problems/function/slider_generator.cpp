@@ -100,7 +100,9 @@ Metrics slider_metrics(const SliderGenerator& generator, const Range& sweep,
   metrics.input_start = in_one_turn(generator.input_start);
   metrics.facts.push_back({"class", std::string(name(mobility_class(mechanism)))});
   metrics.facts.push_back({"output_start", generator.output_start});
-  if (const auto length = stroke(mechanism)) metrics.facts.push_back({"stroke", *length});
+  const auto driven = range ? stroke(mechanism, *range) : std::nullopt;
+  if (driven) metrics.facts.push_back({"stroke", *driven});
+  if (const auto all = stroke(mechanism)) metrics.facts.push_back({"circuit_stroke", *all});
   return metrics;
 }
 

@@ -37,7 +37,8 @@ std::vector<Assembly> sides_of(const SliderGenerator& generator,
 
 /// What the analysis kernel says of a generator that moves over `sweep` (input increments), with
 /// the points on `sides`. The transmission angle is that between coupler and the normal of the
-/// slide, π/2 less the pressure angle.
+/// slide, π/2 less the pressure angle; the stroke is that of the motion, beside that of the whole
+/// circuit.
 Metrics slider_metrics(const SliderGenerator& generator, const Range& sweep,
                        const std::vector<Assembly>& sides);
 

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/guidance/found.hpp"
 #include "problems/guidance/order.hpp"
+#include "problems/guidance/relaxations.hpp"
 #include "problems/guidance/starts.hpp"
 
 namespace cognate::problems {
@@ -20,7 +22,7 @@ using synthesis::Solution;
 
 /// Iterations spent on every start, on the best ones, and on the best of these over all poses of a
 /// long list or by a back end of the user's choice.
-constexpr int kExploringIterations = 60;
+constexpr int kExploringIterations = 200;
 constexpr int kDeepeningIterations = 1000;
 constexpr int kFinishingIterations = 200;
 /// How many explored starts are deepened, and how many of those finished, beyond twice the designs
@@ -28,9 +30,11 @@ constexpr int kFinishingIterations = 200;
 constexpr std::size_t kDeepened = 24, kFinished = 2;
 /// How often a minimum is put in order, each time with fewer stations.
 constexpr int kOrderingRounds = 6;
-constexpr double kFeasibility = 1e-9;
-/// Starts of a round, and the fewest and most of a search where the file does not say.
-constexpr int kRound = 100, kFewestStarts = 200, kMostStarts = 800;
+/// How often stations of a minimum are parted.
+constexpr int kPartingRounds = 20;
+/// Starts of a round, and the fewest (also with limits) and most of a search where the file does
+/// not say.
+constexpr int kRound = 100, kFewestStarts = 200, kFewestLimited = 400, kMostStarts = 800;
 /// The best minimum counts as well known once so many starts have come to it.
 constexpr int kEnoughHits = 5;
 /// Explored minima closer than this, and refined ones, are the same up to what an unfinished
@@ -38,85 +42,6 @@ constexpr int kEnoughHits = 5;
 constexpr double kSameFit = 1e-4, kSameMinimum = 1e-6;
 /// Starts are explored over at most so many poses.
 constexpr std::size_t kMostPoses = 40;
-
-struct Found {
-  MotionMinimum minimum;
-  bool valid = false;
-  int hits = 1;          ///< how many starts have come here
-  double violation = 0;  ///< of the file's constraints by the finished design, defects included
-};
-
-/// How far the design of a minimum violates what the file demands, by whichever dyad may drive.
-double design_violation(const MotionProblem& problem, const MotionMinimum& minimum) {
-  const MotionModel model(problem, minimum.form);
-  const auto reached = model.reached(minimum.solution.x);
-  if (reached.empty()) return std::numeric_limits<double>::infinity();
-  const DyadPair pair = model.pair(minimum.solution.x);
-  double least = std::numeric_limits<double>::infinity();
-  if (const auto judged = judge(problem, pair, reached)) least = judged->violation;
-  if (least > 0 && pair.second.kind == synthesis::DyadKind::rr && roles_are_alike(problem)) {
-    const auto judged = judge(problem, {pair.second, pair.first}, reached);
-    if (judged) least = std::min(least, judged->violation);
-  }
-  return least;
-}
-
-bool better(const MotionMinimum& a, const MotionMinimum& b) {
-  const bool a_feasible = a.solution.violation <= kFeasibility;
-  const bool b_feasible = b.solution.violation <= kFeasibility;
-  if (a_feasible != b_feasible) return a_feasible;
-  if (!a_feasible) return a.solution.violation < b.solution.violation;
-  return a.solution.objective < b.solution.objective;
-}
-
-/// Whether a refinement has ended with less than it began with: a sound design is not given up.
-bool worse(const Found& refined, const Found& before) {
-  const bool sound = refined.violation == 0, was_sound = before.violation == 0;
-  return sound != was_sound ? was_sound : better(before.minimum, refined.minimum);
-}
-
-bool close(const MotionMinimum& a, const MotionMinimum& b, double tolerance) {
-  if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
-  if (a.form.sides != b.form.sides || a.form.stations != b.form.stations) return false;
-  for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
-    const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
-    if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
-  }
-  return true;
-}
-
-/// Sound designs first, then by the solver's measure.
-void sort_and_merge(std::vector<Found>& all, double tolerance) {
-  std::erase_if(all, [](const Found& found) { return !found.valid; });
-  std::ranges::stable_sort(all, [](const Found& a, const Found& b) {
-    const bool a_sound = a.violation == 0, b_sound = b.violation == 0;
-    return a_sound != b_sound ? a_sound : better(a.minimum, b.minimum);
-  });
-  std::vector<Found> distinct;
-  for (Found& found : all) {
-    const auto known = std::ranges::find_if(distinct, [&](const Found& other) {
-      return close(other.minimum, found.minimum, tolerance);
-    });
-    if (known == distinct.end()) {
-      distinct.push_back(std::move(found));
-    } else {
-      known->hits += found.hits;
-    }
-  }
-  all = std::move(distinct);
-}
-
-/// The best `most`: at least a third of them places for those that are not sound, which further
-/// refinement may mend.
-void keep_best(std::vector<Found>& all, std::size_t most) {
-  if (all.size() <= most) return;
-  const auto sound = static_cast<std::size_t>(std::ranges::count(all, 0.0, &Found::violation));
-  const std::size_t unsound =
-      std::max(std::min(most / 3, all.size() - sound), most - std::min(most, sound));
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(most - unsound);
-  all.erase(begin, all.begin() + static_cast<std::ptrdiff_t>(sound));
-  all.resize(most);
-}
 
 /// The numbers of the poses that are looked at first: even steps, first and last among them.
 std::vector<std::size_t> in_even_steps(std::size_t count) {
@@ -143,6 +68,7 @@ class MotionSearch {
       : whole_(scaled),
         kept_poses_(in_even_steps(scaled.poses.size())),
         coarse_(only(scaled, kept_poses_)),
+        relaxed_(relaxations(coarse_)),
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
@@ -155,52 +81,76 @@ class MotionSearch {
  private:
   synthesis::Options options(int iterations, double tolerance) const {
     return {.tolerance = tolerance,
-            .feasibility = kFeasibility,
+            .feasibility = kMotionFeasibility,
             .max_iterations = iterations,
             .time_limit = deadline_.remaining(),
             .interrupted = deadline_.flag(),
             .seed = run_.seed};
   }
 
-  Found explored(const MotionStart& start);
+  MotionFound explored(const MotionProblem& problem, MotionMinimum from);
+  MotionFound explored(const MotionStart& start);
+  MotionFound explored(const MotionStart& start, int index);
   void fit(const MotionProblem& problem, Backend backend, const synthesis::Options& options,
            MotionMinimum& minimum);
   void put_in_order(const MotionProblem& problem, Backend backend,
-                    const synthesis::Options& options, Found& found);
+                    const synthesis::Options& options, MotionFound& found);
+  void part_stations(const MotionProblem& problem, Backend backend,
+                     const synthesis::Options& options, MotionFound& found);
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count, int most);
-  void add(std::vector<Found> fresh);
+  void add(std::vector<MotionFound> fresh);
   std::size_t kept(std::size_t reserve) const {
     return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   }
-  void carry_over(Found& found) const;
+  void carry_over(MotionFound& found) const;
   void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
                    int iterations, double share);
-  void lower_best(const Found& found);
+  void lower_best(const MotionFound& found);
 
   const MotionProblem& whole_;
   std::vector<std::size_t> kept_poses_;
   MotionProblem coarse_;
+  std::vector<MotionProblem> relaxed_;  ///< of coarse_
   double tolerance_;
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
   SearchThoroughness thoroughness_;
-  std::vector<Found> all_;
+  std::vector<MotionFound> all_;
   std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
   std::atomic<std::uint64_t> positions_{0}, gradients_{0}, iterations_{0};
 };
 
-Found MotionSearch::explored(const MotionStart& start) {
-  Found found{{form_of(coarse_, start.pair), start.origin, {}}, false};
-  found.minimum.solution.x = MotionModel(coarse_, found.minimum.form).variables_of(start.pair);
+MotionFound MotionSearch::explored(const MotionProblem& problem, MotionMinimum from) {
+  MotionFound found{std::move(from), false};
   const auto exploring = options(kExploringIterations, 1e-10);
-  fit(coarse_, Backend::gauss_newton, exploring, found.minimum);
+  fit(problem, Backend::gauss_newton, exploring, found.minimum);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
   if (!found.valid) return found;
-  found.violation = design_violation(coarse_, found.minimum);
-  put_in_order(coarse_, Backend::gauss_newton, exploring, found);
+  found.violation = design_violation(problem, found.minimum);
+  put_in_order(problem, Backend::gauss_newton, exploring, found);
   return found;
+}
+
+MotionFound MotionSearch::explored(const MotionStart& start) {
+  return explored(coarse_, begun(coarse_, start));
+}
+
+/// Every second start is explored with some limits dropped, each time others, and from there with
+/// all of them: all limits together lead most starts to poor minima at their borders.
+MotionFound MotionSearch::explored(const MotionStart& start, int index) {
+  if (relaxed_.empty() || index % 2 == 0) return explored(start);
+  const MotionProblem& relaxed = relaxed_[static_cast<std::size_t>(index / 2) % relaxed_.size()];
+  MotionFound there = explored(relaxed, begun(relaxed, start));
+  if (!there.valid) return explored(start);
+  MotionMinimum& minimum = there.minimum;
+  const MotionModel without(relaxed, minimum.form);
+  minimum.form.confined_to = form_of(coarse_, without.pair(minimum.solution.x)).confined_to;
+  minimum.solution.x =
+      MotionModel(coarse_, minimum.form)
+          .with_angles(minimum.solution.x, without.station_angles(minimum.solution.x));
+  return explored(coarse_, std::move(minimum));
 }
 
 /// From the minimum's point; counts the work.
@@ -216,10 +166,10 @@ void MotionSearch::fit(const MotionProblem& problem, Backend backend,
 /// A minimum whose poses are out of order, or on two circuits, is fitted again with crank angles
 /// that are not: neighbours that noise has exchanged share one, until no two are exchanged.
 void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
-                                const synthesis::Options& options, Found& found) {
+                                const synthesis::Options& options, MotionFound& found) {
   const Constraints& constraints = problem.constraints;
   if (!constraints.no_order_defect && !constraints.no_circuit_defect) return;
-  Found ordered = found;
+  MotionFound ordered = found;
   for (int round = 0; round < kOrderingRounds && ordered.violation > 0; ++round) {
     if (deadline_.reached()) return;
     auto next = in_order(problem, {ordered.minimum.form, ordered.minimum.solution.x});
@@ -233,7 +183,27 @@ void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
   }
 }
 
-void MotionSearch::lower_best(const Found& found) {
+/// A minimum in order whose poses share crank angles that they no longer need to share: once
+/// pooled, they are parted again as long as that lowers the error.
+void MotionSearch::part_stations(const MotionProblem& problem, Backend backend,
+                                 const synthesis::Options& options, MotionFound& found) {
+  for (int round = 0; round < kPartingRounds && found.violation == 0; ++round) {
+    if (deadline_.reached()) return;
+    auto next = parted(problem, {found.minimum.form, found.minimum.solution.x});
+    if (!next) return;
+    MotionFound apart = found;
+    apart.minimum.form = std::move(next->form);
+    apart.minimum.solution.x = std::move(next->x);
+    fit(problem, backend, options, apart.minimum);
+    if (apart.minimum.solution.stop == synthesis::Stop::no_value) return;
+    apart.violation = design_violation(problem, apart.minimum);
+    put_in_order(problem, backend, options, apart);
+    if (apart.violation > 0 || !is_better(apart.minimum, found.minimum)) return;
+    found = std::move(apart);
+  }
+}
+
+void MotionSearch::lower_best(const MotionFound& found) {
   if (!found.valid || found.violation > 0) return;
   const double objective = found.minimum.solution.objective;
   double known = best_;
@@ -246,19 +216,20 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
   const int most = starts.value_or(kMostStarts);
   std::optional<MotionStarts> source;
   if (most > 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
+  const int fewest = relaxed_.empty() ? kFewestStarts : kFewestLimited;
   int done = 0;
   while (done < most && !deadline_.reached()) {
     const int count = std::min(kRound, most - done);
     add_round(*source, done, count, most);
     done += count;
     const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
-    if (!starts && done >= kFewestStarts && enough) break;
+    if (!starts && done >= fewest && enough) break;
   }
   thoroughness_.starts = done;
 }
 
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
-  std::vector<Found> fresh(known.size());
+  std::vector<MotionFound> fresh(known.size());
   parallel_for(static_cast<int>(known.size()), run_.threads, [&](int index, int) {
     if (deadline_.reached()) return;
     const auto i = static_cast<std::size_t>(index);
@@ -270,14 +241,14 @@ void MotionSearch::add_known(const std::vector<DyadPair>& known) {
 }
 
 void MotionSearch::add_round(const MotionStarts& starts, int first, int count, int most) {
-  std::vector<Found> fresh(static_cast<std::size_t>(count));
+  std::vector<MotionFound> fresh(static_cast<std::size_t>(count));
   std::atomic<int> done{0};
   parallel_for(count, run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
     const auto start = starts.start(first + index);
     if (!start) return;
-    Found& found = fresh[static_cast<std::size_t>(index)];
-    found = explored(*start);
+    MotionFound& found = fresh[static_cast<std::size_t>(index)];
+    found = explored(*start, first + index);
     ++done;
     lower_best(found);
     if (thread == 0 && run_.progress) run_.progress(0.8 * (first + done) / most, best_);
@@ -286,14 +257,14 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count, i
   add(std::move(fresh));
 }
 
-void MotionSearch::add(std::vector<Found> fresh) {
+void MotionSearch::add(std::vector<MotionFound> fresh) {
   std::ranges::move(fresh, std::back_inserter(all_));
   sort_and_merge(all_, kSameFit);
   keep_best(all_, kept(kDeepened));
 }
 
 /// From the kept poses to all: the same dyads, their sides looked at anew.
-void MotionSearch::carry_over(Found& found) const {
+void MotionSearch::carry_over(MotionFound& found) const {
   const DyadPair pair = MotionModel(coarse_, found.minimum.form).pair(found.minimum.solution.x);
   MotionForm form = form_of(whole_, pair);
   form.confined_to = found.minimum.form.confined_to;
@@ -320,14 +291,15 @@ void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve
   keep_best(all_, kept(reserve));
   parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
     if (deadline_.reached()) return;
-    Found& found = all_[static_cast<std::size_t>(index)];
+    MotionFound& found = all_[static_cast<std::size_t>(index)];
     const auto refining = options(iterations, tolerance_);
-    Found refined = found;
+    MotionFound refined = found;
     fit(problem, backend, refining, refined.minimum);
     if (refined.minimum.solution.stop != synthesis::Stop::no_value) {
       refined.violation = design_violation(problem, refined.minimum);
       put_in_order(problem, backend, refining, refined);
-      if (!worse(refined, found)) found = std::move(refined);
+      part_stations(problem, backend, refining, refined);
+      if (!is_worse(refined, found)) found = std::move(refined);
     }
     lower_best(found);
     if (thread == 0 && run_.progress) run_.progress(share, best_);
@@ -340,7 +312,7 @@ void MotionSearch::finish(Backend backend) {
   refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, 0.85);
   if (kept_poses_.size() < whole_.poses.size()) {
     keep_best(all_, kept(kFinished));
-    for (Found& found : all_) carry_over(found);
+    for (MotionFound& found : all_) carry_over(found);
     refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, 0.9);
   }
   if (backend != Backend::gauss_newton) {
@@ -349,18 +321,18 @@ void MotionSearch::finish(Backend backend) {
 }
 
 MotionSearchResult MotionSearch::take() {
-  std::erase_if(all_, [](const Found& found) {
+  std::erase_if(all_, [](const MotionFound& found) {
     return !std::isfinite(found.minimum.solution.objective);  // does not close at every pose
   });
   work_.positions += positions_;
   work_.gradients += gradients_;
   work_.solver_iterations += iterations_;
   const auto seen_once = std::ranges::count_if(
-      all_, [](const Found& found) { return found.hits == 1 && found.violation == 0; });
+      all_, [](const MotionFound& found) { return found.hits == 1 && found.violation == 0; });
   thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
   thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
   MotionSearchResult result{{}, thoroughness_};
-  for (Found& found : all_) result.minima.push_back(std::move(found.minimum));
+  for (MotionFound& found : all_) result.minima.push_back(std::move(found.minimum));
   return result;
 }
 

@@ -8,46 +8,20 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
+#include "problems/guidance/dimensions.hpp"
 
 namespace cognate::problems {
 namespace {
 
+using namespace motion_dimensions;
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 using synthesis::Pose;
-
-/// Links without a bound of the file are at most so many units long; beyond, a link is a slide.
-constexpr double kLongestLink = 1000;
-constexpr double kShortestLink = 1e-6;
-
-/// Where the dimensions of the two dyads begin; a point is two of them.
-constexpr int kMoving1 = 0, kFixed1 = 2, kLength1 = 4, kSecond = 5;
-constexpr int kMoving2 = kSecond, kFixed2 = kSecond + 2, kLength2 = kSecond + 4;
 
 SecondDyad second_of(const std::array<double, MotionModel::dimensions>& v) {
   SecondDyad second;
   std::copy_n(v.begin() + kSecond, second.size(), second.begin());
   return second;
-}
-
-template <std::size_t Count>
-Vec2d point(const std::array<double, Count>& v, int dimension) {
-  const auto at = static_cast<std::size_t>(dimension);
-  return {v[at], v[at + 1]};
-}
-
-/// What both allow; `b` where they exclude each other, which the checks of the design then tell.
-Range intersect(const Range& a, const std::optional<Range>& b) {
-  if (!b) return a;
-  const Range both{std::max(a.min, b->min), std::min(a.max, b->max)};
-  return both.min <= both.max ? both : *b;
-}
-
-std::optional<Box> intersect(const std::optional<Box>& a, const std::optional<Box>& b) {
-  if (!a || !b) return a ? a : b;
-  const Range x = intersect({a->min.x, a->max.x}, Range{b->min.x, b->max.x});
-  const Range y = intersect({a->min.y, a->max.y}, Range{b->min.y, b->max.y});
-  return Box{{x.min, y.min}, {x.max, y.max}};
 }
 
 }  // namespace
@@ -103,8 +77,8 @@ bool MotionModel::limits_driven_range() const {
   const Constraints& constraints = problem_.constraints;
   const bool turns = form_.confined_to == RequiredClass::crank_rocker ||
                      form_.confined_to == RequiredClass::double_crank;
-  return form_.second == DyadKind::rr && constraints.no_order_defect &&
-         constraints.transmission_angle && !turns;
+  return form_.second == DyadKind::rr && constraints.transmission_angle && !turns &&
+         (constraints.no_order_defect || constraints.no_circuit_defect);
 }
 
 /// The angles at both ends are global variables where limits refer to them.
@@ -112,7 +86,8 @@ void MotionModel::list_stations() {
   std::size_t count = 0;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j)
     count = std::max(count, station_of(j) + 1);
-  const std::size_t first = station_of(0), last = station_of(problem_.poses.size() - 1);
+  const auto [first, last] =
+      form_.ends.value_or(std::pair(station_of(0), station_of(problem_.poses.size() - 1)));
   const bool has_ends = !form_.stations.empty() && first != last && limits_driven_range();
   if (has_ends) driven_range_ = DrivenRange(problem_.constraints, {0, 0});
   std::vector<int> local(count, -1);
@@ -136,6 +111,20 @@ std::vector<double> MotionModel::station_angles(std::span<const double> x) const
   return angles;
 }
 
+std::vector<double> MotionModel::angle_slopes(std::span<const double> x) const {
+  const auto rows = static_cast<std::size_t>(residual_count());
+  const auto n = static_cast<std::size_t>(global_count());
+  std::vector<double> r(rows), jacobian(rows * n), local(rows);
+  if (!residuals(x, r, jacobian, local)) return {};
+  std::vector<double> slopes(problem_.poses.size(), 0.0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t variable = variable_of_station_[station_of(row / 3)];
+    const double slope = variable < n ? jacobian[row * n + variable] : local[row];
+    slopes[row / 3] += 2 * r[row] * slope;
+  }
+  return slopes;
+}
+
 std::vector<double> MotionModel::with_angles(std::span<const double> x,
                                              std::span<const double> station_angles) const {
   std::vector<double> with(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(free_.size()));
@@ -144,72 +133,6 @@ std::vector<double> MotionModel::with_angles(std::span<const double> x,
     with[variable_of_station_[k]] = station_angles[k];
   }
   return with;
-}
-
-void MotionModel::add_variable(int dimension, std::optional<double> given, Range range,
-                               const char* name) {
-  if (given) {
-    fixed_[static_cast<std::size_t>(dimension)] = *given;
-    return;
-  }
-  free_.push_back(dimension);
-  variables_.push_back({name, range.min, range.max, 1});
-}
-
-void MotionModel::add_point(int dimension, const std::optional<Vec2d>& given,
-                            const std::optional<Box>& box, const char* name) {
-  const Box limits = box.value_or(Box{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}});
-  std::optional<double> x, y;
-  if (given) {
-    x = given->x;
-    y = given->y;
-  }
-  add_variable(dimension, x, {limits.min.x, limits.max.x}, name);
-  add_variable(dimension + 1, y, {limits.min.y, limits.max.y}, name);
-}
-
-void MotionModel::list_variables() {
-  const Bounds& bounds = problem_.bounds;
-  const auto& region = problem_.constraints.pivot_region;
-  const auto fixed = [&](DyadRole role) {
-    return given_pivot(problem_, problem_.fixed_pivots, role);
-  };
-  const auto moving = [&](DyadRole role) {
-    return given_pivot(problem_, problem_.moving_pivots, role);
-  };
-  constexpr DyadRole kFirst = DyadRole::first, kOther = DyadRole::second;
-  const Range length{kShortestLink, kLongestLink}, anywhere{-kInfinity, kInfinity};
-  add_point(kMoving1, moving(kFirst), problem_.moving_bounds[0], "moving pivot of crank");
-  add_point(kFixed1, fixed(kFirst), intersect(bounds.pivot_a, region), "fixed pivot of crank");
-  add_variable(kLength1, problem_.crank, intersect(length, bounds.crank), "crank");
-  const auto d = intersect(bounds.pivot_d, region);
-  if (form_.second != DyadKind::rp) {
-    add_point(kMoving2, moving(kOther), problem_.moving_bounds[1], "second moving pivot");
-  } else {
-    add_point(kSecond, fixed(kOther), d, "second fixed pivot");
-  }
-  if (form_.second == DyadKind::rr) {
-    add_point(kFixed2, fixed(kOther), d, "second fixed pivot");
-    add_variable(kLength2, problem_.rocker, intersect(length, bounds.rocker), "rocker");
-  } else {
-    add_variable(kFixed2, std::nullopt, anywhere, "angle of the normal");
-    add_variable(kFixed2 + 1, std::nullopt, anywhere, "distance of the line");
-    add_variable(kLength2, 0, anywhere, "");
-  }
-}
-
-/// Limits of coupler and frame, which are distances of points.
-void MotionModel::list_distance_limits() {
-  const auto add = [&](int from, int to, const std::optional<Range>& range) {
-    if (!range) return;
-    if (range->min > 0) distance_limits_.push_back({from, to, 1, range->min});
-    if (std::isfinite(range->max)) distance_limits_.push_back({from, to, -1, range->max});
-  };
-  const bool is_block = form_.second == DyadKind::rp;
-  if (!is_block) add(kMoving1, kMoving2, problem_.bounds.coupler);
-  if (form_.second != DyadKind::pr) {
-    add(kFixed1, is_block ? kSecond : kFixed2, problem_.bounds.frame);
-  }
 }
 
 MotionModel::Full MotionModel::full(std::span<const double> x) const {
@@ -275,130 +198,6 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
     });
   }
   return true;
-}
-
-int MotionModel::constraint_count() const {
-  return linkage_constraints_.count() + static_cast<int>(distance_limits_.size()) +
-         turn_limits_.count() + driven_range_.count();
-}
-
-void MotionModel::constraints(std::span<const double> x, std::span<double> c,
-                              std::span<double> jacobian) const {
-  const Full v = full(x);
-  const auto n = static_cast<std::size_t>(global_count());
-  std::ranges::fill(jacobian, 0.0);
-  const auto links = static_cast<std::size_t>(linkage_constraints_.count());
-  const auto between = [&](int from, int to) {
-    const Vec2d way = point(v, to) - point(v, from);
-    const double distance = std::max(norm(way), std::numeric_limits<double>::min());
-    return std::pair{distance, (1 / distance) * way};
-  };
-  const auto add_distance = [](Full& slopes, int from, int to, const Vec2d& along) {
-    slopes[static_cast<std::size_t>(to)] += along.x;
-    slopes[static_cast<std::size_t>(to) + 1] += along.y;
-    slopes[static_cast<std::size_t>(from)] -= along.x;
-    slopes[static_cast<std::size_t>(from) + 1] -= along.y;
-  };
-  const auto set = [&](std::size_t row, const Full& slopes) {
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
-    }
-  };
-  if (links > 0) {
-    const auto [coupler, along_coupler] = between(kMoving1, kMoving2);
-    const auto [frame, along_frame] = between(kFixed1, kFixed2);
-    std::vector<Lengths<double>> gradient(jacobian.empty() ? 0 : links);
-    linkage_constraints_.evaluate({v[kLength1], coupler, v[kLength2], frame}, c, gradient);
-    for (std::size_t k = 0; k < gradient.size(); ++k) {
-      Full slopes{};
-      slopes[kLength1] = gradient[k].crank;
-      slopes[kLength2] = gradient[k].rocker;
-      add_distance(slopes, kMoving1, kMoving2, gradient[k].coupler * along_coupler);
-      add_distance(slopes, kFixed1, kFixed2, gradient[k].frame * along_frame);
-      set(k, slopes);
-    }
-  }
-  for (std::size_t k = 0; k < distance_limits_.size(); ++k) {
-    const DistanceLimit& limit = distance_limits_[k];
-    const auto [distance, along] = between(limit.from, limit.to);
-    c[links + k] = limit.sign * (distance - limit.limit);
-    if (jacobian.empty()) continue;
-    Full slopes{};
-    add_distance(slopes, limit.from, limit.to, limit.sign * along);
-    set(links + k, slopes);
-  }
-  const std::size_t before_turn = links + distance_limits_.size();
-  const auto rest = [&](std::size_t row) {
-    return jacobian.empty() ? jacobian : jacobian.subspan(row * n);
-  };
-  limit_turn(v, c.subspan(before_turn), rest(before_turn));
-  const std::size_t before_range = before_turn + static_cast<std::size_t>(turn_limits_.count());
-  limit_driven_range(x, v, c.subspan(before_range), rest(before_range));
-}
-
-/// The rows of the limits between the ends of the motion.
-void MotionModel::limit_driven_range(std::span<const double> x, const Full& v, std::span<double> c,
-                                     std::span<double> jacobian) const {
-  if (driven_range_.count() == 0) return;
-  const Vec2d coupler = point(v, kMoving2) - point(v, kMoving1);
-  const Vec2d frame = point(v, kFixed2) - point(v, kFixed1);
-  constexpr double kLeast = std::numeric_limits<double>::min();
-  const double length = std::max(norm(coupler), kLeast), apart = std::max(norm(frame), kLeast);
-  const std::size_t first = free_.size(), last = first + 1;
-  const bool forward = x[first] <= x[last];
-  const std::size_t from = forward ? first : last, to = forward ? last : first;
-  const double direction = angle_of(frame);
-  std::array<WaySlopes, DrivenRange::kLimits> all{};
-  driven_range_.evaluate({v[kLength1], length, v[kLength2], apart},
-                         {x[from] - direction, x[to] - direction}, c,
-                         jacobian.empty() ? std::span<WaySlopes>{} : all);
-  if (jacobian.empty()) return;
-  const auto n = static_cast<std::size_t>(global_count());
-  for (std::size_t row = 0; row < all.size(); ++row) {
-    const auto& [by_crank, by_length, by_rocker, by_apart, by_from, by_to] = all[row];
-    const Vec2d by_coupler = (by_length / length) * coupler;
-    const Vec2d by_frame =
-        (by_apart / apart) * frame - ((by_from + by_to) / (apart * apart)) * perp(frame);
-    const Full slopes{-by_coupler.x, -by_coupler.y, -by_frame.x, -by_frame.y, by_crank,
-                      by_coupler.x,  by_coupler.y,  by_frame.x,  by_frame.y,  by_rocker};
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
-    }
-    jacobian[row * n + from] = by_from;
-    jacobian[row * n + to] = by_to;
-  }
-}
-
-/// The rows of the limits over the turn. The coupler point is the body's origin.
-void MotionModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
-  if (turn_limits_.count() == 0) return;
-  const Vec2d moving = point(v, kMoving1), fixed = point(v, kFixed1);
-  const Vec2d coupler = point(v, kMoving2) - moving, frame = point(v, kFixed2) - fixed;
-  constexpr double kLeast = std::numeric_limits<double>::min();
-  const double length = std::max(norm(coupler), kLeast), apart = std::max(norm(frame), kLeast);
-  const Vec2d along = (1 / length) * coupler, turn = (1 / apart) * frame;
-  const Vec2d origin = -(conj(along) * moving);
-  // Im(K E) is (B − D) × (C − B).
-  const Assembly assembly = form_.sides.front() < 0 ? Assembly::open : Assembly::crossed;
-  std::vector<LimitSlopes> all(jacobian.empty() ? 0
-                                                : static_cast<std::size_t>(turn_limits_.count()));
-  turn_limits_.evaluate(
-      {{v[kLength1], length, v[kLength2], apart}, origin, fixed, angle_of(frame), assembly}, c,
-      all);
-  for (std::size_t row = 0; row < all.size(); ++row) {
-    const auto& [crank, by_length, rocker, by_apart, by_u, by_v, by_x, by_y, by_angle] = all[row];
-    // By the coupler's direction in the body, and by that of the frame.
-    const double by_turning = by_u * origin.y - by_v * origin.x;
-    const Vec2d by_coupler = by_length * along + (by_turning / length) * perp(along);
-    const Vec2d by_frame = by_apart * turn + (by_angle / apart) * perp(turn);
-    const Vec2d by_moving = -(along * Vec2d{by_u, by_v}) - by_coupler;
-    const Full slopes{by_moving.x,  by_moving.y,  by_x - by_frame.x, by_y - by_frame.y, crank,
-                      by_coupler.x, by_coupler.y, by_frame.x,        by_frame.y,        rocker};
-    const auto n = static_cast<std::size_t>(global_count());
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      jacobian[row * n + i] = slopes[static_cast<std::size_t>(free_[i])];
-    }
-  }
 }
 
 MotionModel::Full MotionModel::dimensions_of(const DyadPair& pair) const {

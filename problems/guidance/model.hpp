@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "problems/guidance/design.hpp"
@@ -25,6 +26,9 @@ struct MotionForm {
   /// For each pose the station, from 0, at whose crank angle it is met: poses that noise has put
   /// out of order share one. Empty: each has its own.
   std::vector<int> stations;
+  /// Stations between which the crank is driven where limits refer to that; empty: those of the
+  /// first and of the last pose.
+  std::optional<std::pair<std::size_t, std::size_t>> ends;
 };
 
 /// The form of the mechanism of two dyads, the first a link, as it stands nearest to the poses. All
@@ -37,9 +41,9 @@ MotionForm form_of(const MotionProblem& problem, const DyadPair& pair);
 /// pivot and length of the first dyad, a driven link; of the second likewise, or for a slider its
 /// point of the body, the angle of the slide line's normal and the line's distance from the origin,
 /// or for a block its fixed pivot and the same of the body's line. The crank's angle at each
-/// station of the form, from the x axis, is a local variable. Where stations are in order, the
+/// station of the form, from the x axis, is a local variable. Where stations are placed, the
 /// transmission angle is limited and the crank is of no class that turns it fully, those of the
-/// first and of the last pose are global ones: the limits hold between them.
+/// form's ends are global ones: the limits hold between them.
 ///
 /// The crank holds the body's first pivot at B; the second dyad turns the body about it by E =
 /// e^{iψ} until its own condition F(B, E) = 0 holds: with m from the first to the second moving
@@ -79,6 +83,10 @@ class MotionModel final : public synthesis::Model {
   }
 
   std::size_t station_count() const { return variable_of_station_.size(); }
+
+  /// Of each pose the derivative of its squared error by the crank angle of its station; empty
+  /// where the mechanism does not close at some pose.
+  std::vector<double> angle_slopes(std::span<const double> x) const;
 
   /// The crank angles of the stations, and `x` with others.
   std::vector<double> station_angles(std::span<const double> x) const;

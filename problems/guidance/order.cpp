@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -20,6 +22,8 @@ constexpr int kSpread = 48;
 constexpr std::size_t kMostAngles = 600, kFewestAngles = 60, kMostErrors = 3'000'000;
 /// Of a crank that turns fully: how many angles are tried for the first station.
 constexpr std::size_t kBeginnings = 8;
+/// Of the sum of all slopes of a station: less is what an unfinished refinement leaves.
+constexpr double kLeastMultiplier = 1e-6;
 
 /// A crank angle and how far each station is then from its poses.
 struct Level {
@@ -69,12 +73,24 @@ class Ordering {
       for (const double angle : angles_) along.push_back(in_one_turn(angle - arc.from));
       const double greatest = *std::ranges::max_element(along);
       if (greatest > arc.to - arc.from) return false;
-      if (!problem_.constraints.no_order_defect) return true;
+      if (!problem_.constraints.no_order_defect) return has_extreme_ends(along);
       if (!is_whole(arc)) {
         return std::ranges::is_sorted(along) || std::ranges::is_sorted(along, std::greater{});
       }
       return turns_once(along, 1) || turns_once(along, -1);
     });
+  }
+
+  /// Whether the ends of the form, if the motion needs any, are the stations furthest apart.
+  bool has_extreme_ends(const std::vector<double>& along) const {
+    if (!model_.limits_driven_range()) return true;
+    return motion_.form.ends == extremes(along);
+  }
+
+  static std::pair<std::size_t, std::size_t> extremes(const std::vector<double>& along) {
+    const auto [least, greatest] = std::ranges::minmax_element(along);
+    return {static_cast<std::size_t>(least - along.begin()),
+            static_cast<std::size_t>(greatest - along.begin())};
   }
 
   static bool turns_once(const std::vector<double>& along, double sense) {
@@ -206,6 +222,7 @@ class Ordering {
     for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
       ordered.form.stations.push_back(merged[model_.station_of(j)]);
     }
+    if (!pools && model_.limits_driven_range()) ordered.form.ends = extremes(angles);
     ordered.x = MotionModel(problem_, ordered.form).with_angles(motion_.x, angles);
     return ordered;
   }
@@ -219,7 +236,94 @@ class Ordering {
   Assignment best_;
 };
 
+/// Parts stations of a motion in order.
+class Parting {
+ public:
+  Parting(const MotionProblem& problem, const OrderedMotion& motion)
+      : motion_(motion),
+        model_(problem, motion.form),
+        angles_(model_.station_angles(motion.x)),
+        slopes_(model_.angle_slopes(motion.x)),
+        problem_(problem) {}
+
+  std::optional<OrderedMotion> part() {
+    if (slopes_.empty() || model_.station_count() < 2) return std::nullopt;
+    const auto poses = in_blocks();
+    const double sense = turns_forward() ? 1 : -1;
+    std::vector<int> stations(poses.size());
+    std::vector<double> angles;
+    for (std::size_t from = 0; from < poses.size();) {
+      std::size_t to = from;
+      while (to < poses.size() && station(poses[to]) == station(poses[from])) ++to;
+      const std::size_t cut = cut_of({poses.data() + from, to - from}, sense);
+      for (std::size_t i = from; i < to; ++i) {
+        if (i == from || i == from + cut) angles.push_back(angles_[station(poses[i])]);
+        stations[poses[i]] = static_cast<int>(angles.size()) - 1;
+      }
+      from = to;
+    }
+    if (angles.size() == model_.station_count()) return std::nullopt;
+    OrderedMotion parted{motion_.form, {}};
+    parted.form.stations = std::move(stations);
+    parted.x = MotionModel(problem_, parted.form).with_angles(motion_.x, angles);
+    return parted;
+  }
+
+ private:
+  std::size_t station(std::size_t pose) const { return model_.station_of(pose); }
+
+  /// The poses from the first of a station on, so that those of a station are neighbours: once
+  /// round, the last poses may share the station of the first.
+  std::vector<std::size_t> in_blocks() const {
+    std::vector<std::size_t> poses(slopes_.size());
+    std::iota(poses.begin(), poses.end(), std::size_t{0});
+    if (station(0) != station(poses.size() - 1)) return poses;
+    auto first = poses.end() - 1;
+    while (station(*(first - 1)) == station(0)) --first;
+    std::ranges::rotate(poses, first);
+    return poses;
+  }
+
+  bool turns_forward() const {
+    double way = 0;
+    for (std::size_t i = 1; i < angles_.size(); ++i)
+      way += in_one_turn(angles_[i] - angles_[i - 1]);
+    return way <= kTurn;
+  }
+
+  /// Before which pose of a block it is to be parted; 0: nowhere. The ends of the motion may be
+  /// held by limits, so that of their slopes only those of the other poses are counted.
+  std::size_t cut_of(std::span<const std::size_t> block, double sense) const {
+    double all = 0, sum = 0, size = 0;
+    for (const std::size_t pose : block) {
+      all += slopes_[pose];
+      size += std::abs(slopes_[pose]);
+    }
+    const bool holds_first = block.front() == 0;
+    double greatest = kLeastMultiplier * size;
+    std::size_t cut = 0;
+    for (std::size_t i = 0; i + 1 < block.size(); ++i) {
+      sum += slopes_[block[i]];
+      const double multiplier = sense * (holds_first ? sum - all : sum);
+      if (multiplier <= greatest) continue;
+      greatest = multiplier;
+      cut = i + 1;
+    }
+    return cut;
+  }
+
+  const OrderedMotion& motion_;
+  MotionModel model_;
+  std::vector<double> angles_, slopes_;
+  const MotionProblem& problem_;
+};
+
 }  // namespace
+
+std::optional<OrderedMotion> parted(const MotionProblem& scaled, const OrderedMotion& motion) {
+  if (motion.form.stations.empty() || !scaled.constraints.no_order_defect) return std::nullopt;
+  return Parting(scaled, motion).part();
+}
 
 std::optional<OrderedMotion> in_order(const MotionProblem& scaled, const OrderedMotion& motion) {
   return Ordering(scaled, motion).find();

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "analysis/linkage/closure.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion_within.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
@@ -26,6 +28,13 @@ class ErrorCurve {
  public:
   ErrorCurve(const RespacingTask& task, const GeneratingFourBar& linkage)
       : task_(task), linkage_(linkage), closure_(linkage.links) {}
+
+  /// Whether the crank can make the whole motion, between samples too.
+  bool closes() const {
+    const auto [from, to] = std::minmax(task_.from, task_.to);
+    const double start = linkage_.input_start;
+    return motion_within(crank_ranges(linkage_.links), {start + from, start + to}).has_value();
+  }
 
   /// Output obtained minus wanted, in [−π, π]; not a number where the linkage does not close.
   double at(double input) const {
@@ -90,11 +99,12 @@ Peak refined(const ErrorCurve& curve, double low, double high) {
 /// The highest point of each stretch in which the error keeps its sign, in the order of the inputs;
 /// empty where the linkage does not close.
 std::vector<Peak> peaks_of(const RespacingTask& task, const ErrorCurve& curve) {
+  if (!curve.closes()) return {};
   std::array<Peak, kSamples + 1> samples;
   for (int i = 0; i <= kSamples; ++i) {
     const double input = i == kSamples ? task.to : task.from + (task.to - task.from) * i / kSamples;
     samples[i] = {input, curve.at(input)};
-    if (!std::isfinite(samples[i].error)) return {};
+    if (!std::isfinite(samples[i].error)) return {};  // an end beyond a dead point by rounding
   }
   std::vector<int> tops;
   for (int i = 0; i <= kSamples; ++i) {

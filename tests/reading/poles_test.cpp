@@ -31,6 +31,29 @@ TEST(Poles, OfEveryOrderAreFoundWhereTheyAre) {
   EXPECT_NEAR(find_pole(tangent, {1, 2}, kIntervals).value_or(0), kRightAngle, 1e-9);
 }
 
+TEST(Poles, AtEitherEndOfTheDomainAreFound) {
+  int found = 0;
+  for (const double order : {0.5, 1.0, 2.0, 3.0}) {
+    for (const auto& [from, to] : {std::pair{0.0, 1.0}, {1.0, 2.0}, {-3.0, -0.7}, {0.1, 10.0}}) {
+      for (const double at : {from, to}) {
+        // At the end itself the value is infinite, or, by rounding, only very great.
+        for (const double beyond : {0.0, 1e-17}) {
+          const double side = at == from ? -1 : 1;
+          const double pole = at + side * beyond;
+          const auto y = [=](double x) { return std::pow(std::abs(x - pole), -order) - 3; };
+          const auto seen = find_pole(y, {from, to}, kIntervals);
+          ASSERT_TRUE(seen) << order << " at " << at;
+          EXPECT_NEAR(*seen, at, 1e-12);
+          ++found;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(found, 64);
+  const auto tangent = [](double x) { return std::tan(x); };
+  EXPECT_TRUE(find_pole(tangent, {0, std::numbers::pi / 2}, kIntervals));
+}
+
 TEST(Poles, AreNotWhatContinuousFunctionsHave) {
   const std::vector<std::pair<std::string, std::function<double(double)>>> functions = {
       {"step", [](double x) { return std::tanh(1e4 * (x - 0.3)); }},

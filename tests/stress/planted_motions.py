@@ -1,17 +1,34 @@
 """Bodies guided by planted four-bars, their poses disturbed: what the program finds.
 
-Run as: planted_motions.py PROGRAM [--count N] [--seed S] [--seeds K] [--noise SHARE...]
+Run as: planted_motions.py PROGRAM [--count N] [--seed S] [--seeds K] [--noise SHARE...] [--unordered]
 
 The planted linkage meets every limit at its own crank angles, in order; the squares of the noise are
-its error. A design worse than that, or none, is missed.
+its error. A design worse than that, or none, is missed. Unordered poses are shuffled, and the file
+allows any order.
 """
 
 import argparse
 import cmath
+import json
 import math
 import sys
 
 import planting
+
+
+def shuffled(rng, noise, limited, wanted):
+    """A problem of `plant` whose poses may be met in any order."""
+    text, planted, scale = plant(rng, noise, limited, wanted)
+    lines = text.split("\n")
+    at = next(i for i, line in enumerate(lines) if line.startswith("poses = "))
+    rows = json.loads(lines[at].removeprefix("poses = "))
+    rng.shuffle(rows)
+    lines[at] = f"poses = {rows}"
+    if "[constraints]" in lines:
+        lines.insert(lines.index("[constraints]") + 1, "no_order_defect = false")
+    else:
+        lines += ["[constraints]", "no_order_defect = false", ""]
+    return "\n".join(lines), planted, scale
 
 
 def plant(rng, noise, limited, wanted):
@@ -38,8 +55,11 @@ def plant(rng, noise, limited, wanted):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     planting.add_arguments(parser, 20)
+    parser.add_argument("--unordered", action="store_true", help="poses in any order")
     arguments = parser.parse_args()
-    sys.exit(planting.run(arguments, "motion", plant))
+    unordered = arguments.unordered
+    kind = "unordered motion" if unordered else "motion"
+    sys.exit(planting.run(arguments, kind, shuffled if unordered else plant))
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "problems/function/designs.hpp"
+#include "problems/function/found.hpp"
 #include "problems/function/model.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
@@ -29,22 +30,22 @@ double error_of(const problems::Design& design, FunctionObjective objective) {
 
 struct Function {
   FunctionProblem problem;
+  problems::ConfinedFunctions confined;
   problems::FunctionSamples wanted;
   std::vector<problems::FunctionStartPoint> ready;  ///< screened starts not yet given out
 
   explicit Function(const FunctionProblem& own)
-      : problem(own), wanted(problems::function_samples(own)) {
+      : problem(own), confined(own), wanted(problems::function_samples(own)) {
     // The largest error is one over the whole domain.
     if (problem.objective == FunctionObjective::minimax) wanted.samples = wanted.range;
   }
 
-  std::shared_ptr<const FunctionModel> model(Assembly assembly, bool full_turn) const {
+  /// Of a problem of `confined`.
+  std::shared_ptr<const FunctionModel> model(Assembly assembly, const FunctionProblem& own) const {
     const auto objective = problem.objective == FunctionObjective::minimax
                                ? synthesis::Objective::max_abs
                                : synthesis::Objective::sum_of_squares;
-    return std::make_shared<FunctionModel>(
-        problem, wanted, assembly, objective,
-        full_turn ? problems::LimitedMotion::full_turn : problems::LimitedMotion::sweep);
+    return std::make_shared<FunctionModel>(own, wanted, assembly, objective);
   }
 };
 
@@ -62,10 +63,11 @@ std::optional<Attempt> draw(const std::shared_ptr<Function>& function, Starts ho
     if (ready.empty()) return std::nullopt;
     const auto generator = ready.back().generator;
     ready.pop_back();
-    model = function->model(generator.assembly, crank_rotates(generator.links));
+    model = function->model(generator.assembly, function->confined.of(generator.links));
     x = model->variables_of(generator);
   } else {
-    model = function->model(random() % 2 == 0 ? Assembly::open : Assembly::crossed, false);
+    model =
+        function->model(random() % 2 == 0 ? Assembly::open : Assembly::crossed, function->problem);
     x = random_point(*model, kReach, random);
     if (!x) return std::nullopt;
   }

@@ -192,6 +192,39 @@ TEST(SliderCrank, StrokesOfTheOtherClasses) {
   EXPECT_DOUBLE_EQ(*stroke(with(1, 1, 0)), 2);
 }
 
+/// Against samples of s = l₁ cos θ ± √(l₂² − (l₁ sin θ − e)²), over parts of what the crank can do.
+TEST(SliderCrank, StrokeOverAPartOfTheMotionIsThatOfItsSamples) {
+  std::mt19937_64 random(46);
+  std::uniform_real_distribution<double> share(0, 1);
+  int turning = 0, other = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const SliderCrank m = random_mechanism(random);
+    const double side = m.assembly == Assembly::open ? 1 : -1;
+    for (const CrankRange& all : crank_ranges(m)) {
+      const double a = share(random), b = share(random), way = all.to - all.from;
+      const double shift = 2 * pi * std::floor(3 * share(random) - 1);
+      const CrankRange range{all.from + std::min(a, b) * way + shift,
+                             all.from + std::max(a, b) * way + shift};
+      double least = 1e9, greatest = -1e9;
+      for (int k = 0; k <= 4000; ++k) {
+        const double angle = range.from + (range.to - range.from) * k / 4000;
+        const double across = m.crank * std::sin(angle) - m.offset;
+        const double s = m.crank * std::cos(angle) +
+                         side * std::sqrt(std::max(0.0, m.coupler * m.coupler - across * across));
+        least = std::min(least, s);
+        greatest = std::max(greatest, s);
+      }
+      const auto found = stroke(m, range);
+      ASSERT_TRUE(found) << PrintToString(m);
+      EXPECT_GE(*found, greatest - least - 1e-9 * m.crank) << PrintToString(m);
+      EXPECT_LE(*found, greatest - least + 1e-4 * m.crank) << PrintToString(m);
+      (crank_rotates(m) ? turning : other) += 1;
+    }
+  }
+  EXPECT_GT(turning, 300);
+  EXPECT_GT(other, 300);
+}
+
 TEST(SliderCrank, PressureAnglesAreTheExtremesOfTheSamples) {
   std::mt19937_64 random(45);
   std::uniform_real_distribution<double> unit(0, 1);

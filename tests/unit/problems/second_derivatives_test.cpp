@@ -114,16 +114,14 @@ TEST(SecondDerivatives, OfFunctions) {
   for (const double start : {0.6, -0.5, 2.4}) {  // within, across and before the frame's line
     generator.input_start = start;
     generator.output_start = 1.2;
-    for (const auto limited : {LimitedMotion::sweep, LimitedMotion::full_turn}) {
-      for (const bool classed : {false, true}) {
-        problem.constraints.transmission_angle = Range{0.4, 2.6};
-        problem.constraints.required_class.reset();
-        if (classed) problem.constraints.required_class = RequiredClass::crank_rocker;
-        problem.constraints.link_ratio_max = 5;
-        const FunctionModel model(problem, wanted, generator.assembly,
-                                  synthesis::Objective::sum_of_squares, limited);
-        expect_right_hessian(model, model.variables_of(generator));
-      }
+    for (const bool classed : {false, true}) {
+      problem.constraints.transmission_angle = Range{0.4, 2.6};
+      problem.constraints.required_class.reset();
+      if (classed) problem.constraints.required_class = RequiredClass::crank_rocker;
+      problem.constraints.link_ratio_max = 5;
+      const FunctionModel model(problem, wanted, generator.assembly,
+                                synthesis::Objective::sum_of_squares);
+      expect_right_hessian(model, model.variables_of(generator));
     }
   }
 }
@@ -158,8 +156,7 @@ TEST(SecondDerivatives, AreNotThereWithAStartAtADeadCentre) {
   FunctionProblem problem;
   problem.start = FunctionStart::outer_dead_centre;
   const FunctionSamples wanted;
-  const FunctionModel model(problem, wanted, Assembly::open, synthesis::Objective::sum_of_squares,
-                            LimitedMotion::sweep);
+  const FunctionModel model(problem, wanted, Assembly::open, synthesis::Objective::sum_of_squares);
   EXPECT_FALSE(model.has_hessian());
 }
 

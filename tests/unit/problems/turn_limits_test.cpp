@@ -128,7 +128,7 @@ TEST(TurnLimits, SlopesOfAFunctionModel) {
   for (int trial = 0; trial < 20; ++trial) {
     const FourBar linkage = random_linkage(random);
     const FunctionModel model(problem, samples, linkage.assembly,
-                              synthesis::Objective::sum_of_squares, LimitedMotion::full_turn);
+                              synthesis::Objective::sum_of_squares);
     EXPECT_FALSE(model.has_hessian());
     expect_slopes(model, model.variables_of({lengths(linkage), linkage.assembly, 0.3, 1.2}));
   }

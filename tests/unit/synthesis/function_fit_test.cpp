@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "problems/function/found.hpp"
 #include "problems/function/model.hpp"
 #include "problems/read.hpp"
 #include "synthesis/optimise/solver.hpp"
@@ -65,11 +66,7 @@ FunctionGenerator generator(const FunctionFitState& state) {
 }
 
 FunctionModel model_of(const FunctionProblem& problem, const FunctionSamples& samples) {
-  return {problem,
-          samples,
-          good.assembly,
-          synthesis::Objective::sum_of_squares,
-          LimitedMotion::sweep,
+  return {problem, samples, good.assembly, synthesis::Objective::sum_of_squares,
           Closing::unguarded};
 }
 
@@ -102,8 +99,7 @@ TEST(FunctionFit, EndsAtMinimaThatCeresFinds) {
 TEST(FunctionFit, KeepsTransmissionWithinItsLimits) {
   const FunctionProblem problem = parsed("[constraints]\ntransmission_angle_deg = [50, 130]\n");
   const FunctionSamples samples = function_samples(problem);
-  const FunctionModel model(problem, samples, good.assembly, synthesis::Objective::sum_of_squares,
-                            LimitedMotion::sweep);
+  const FunctionModel model(problem, samples, good.assembly, synthesis::Objective::sum_of_squares);
   const auto from = near_good(1);
   const auto state = fitted(model, from, {.most_iterations = 2000, .tolerance = 1e-15}).front();
   const auto x = model.variables_of(generator(state));
@@ -235,6 +231,26 @@ TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
     }
   }
   EXPECT_GT(closing, 50);
+}
+
+/// Minima within a hundredth of the best of their group are one, and only feasible ones count.
+TEST(FunctionFit, GroupsOfMinimaSeenOnceAreCountedByTheirObjectives) {
+  const auto found = [](double objective, int hits, double violation) {
+    FunctionFound one;
+    one.objective = objective;
+    one.hits = hits;
+    one.violation = violation;
+    return one;
+  };
+  EXPECT_EQ(groups_seen_once({}), 0);
+  EXPECT_EQ(groups_seen_once({found(1, 1, 0)}), 1);
+  // 1 to 1.009: three starts; 1.02: one; 1.5 and 1.51: two; the last are not feasible.
+  EXPECT_EQ(groups_seen_once({found(1, 1, 0), found(1.004, 1, 0), found(1.009, 1, 0),
+                              found(1.02, 1, 0), found(1.5, 1, 1e-10), found(1.51, 1, 0),
+                              found(0.5, 1, 1e-3), found(0.7, 1, 1e-2)}),
+            1);
+  // Minima of another objective, to which no start has come.
+  EXPECT_EQ(groups_seen_once({found(1, 0, 0), found(1.001, 1, 0), found(2, 0, 0)}), 1);
 }
 
 }  // namespace

@@ -159,6 +159,16 @@ TEST(Respacing, OneStartAngleGiven) {
   EXPECT_GT(level, 0);
 }
 
+/// The links do not reach over 3e-4 of a radian about the frame's line, between two samples of the
+/// exchange.
+TEST(Respacing, SeesAGapBetweenSamples) {
+  const GeneratingFourBar gap{{1, 2.5, 1.5 - 1e-7, 2}, Assembly::open, -30.1 * degree, 0};
+  const GeneratingFourBar none{{1, 2.5, 1.5 + 1e-7, 2}, Assembly::open, -30.1 * degree, 0};
+  EXPECT_EQ(equal_peaks(task_of(kLog10, false, false), gap).outcome, RespacingOutcome::not_closing);
+  EXPECT_NE(equal_peaks(task_of(kLog10, false, false), none).outcome,
+            RespacingOutcome::not_closing);
+}
+
 TEST(Respacing, Refusals) {
   const GeneratingFourBar rigid{{1, 1, 1, 10}};
   EXPECT_EQ(equal_peaks(task_of(kLog10, false, false), rigid).outcome,

@@ -1,0 +1,43 @@
+/// @file Minima of a motion search on their way: their order and their merging.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "problems/guidance/fit.hpp"
+#include "problems/guidance/starts.hpp"
+
+namespace cognate::problems {
+
+/// Violations of a model's constraints up to this count as none.
+inline constexpr double kMotionFeasibility = 1e-9;
+
+/// A start, or what has been made of it.
+struct MotionFound {
+  MotionMinimum minimum;
+  bool valid = false;
+  int hits = 1;          ///< how many starts have come here
+  double violation = 0;  ///< of the file's constraints by the finished design, defects included
+};
+
+/// The point of a start, not yet refined.
+MotionMinimum begun(const MotionProblem& problem, const MotionStart& start);
+
+/// How far the design of a minimum violates what the file demands, by whichever dyad may drive.
+double design_violation(const MotionProblem& problem, const MotionMinimum& minimum);
+
+/// Feasible ones first, then by objective or violation.
+bool is_better(const MotionMinimum& a, const MotionMinimum& b);
+
+/// Whether a refinement has ended with less than it began with: a sound design is not given up.
+bool is_worse(const MotionFound& refined, const MotionFound& before);
+
+/// Drops those without a value, sorts (sound designs first, then by the solver's measure) and
+/// merges those of one form closer than `tolerance`.
+void sort_and_merge(std::vector<MotionFound>& all, double tolerance);
+
+/// The best `most`: at least a third of them places for those that are not sound, which further
+/// refinement may mend.
+void keep_best(std::vector<MotionFound>& all, std::size_t most);
+
+}  // namespace cognate::problems
