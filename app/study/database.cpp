@@ -191,18 +191,6 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
   });
 }
 
-/// Finds damage of the file as a database, and tables that are not there.
-void StudyDatabase::check_whole() {
-  const auto found = connection_.text("PRAGMA quick_check(1)");
-  if (found != "ok") throw SqliteError(SQLITE_CORRUPT, found);
-  for (const char* table : {"study", "runs", "blocks", "front", "best"}) {
-    const auto count = fmt::format("SELECT count(*) FROM sqlite_master WHERE name = '{}'", table);
-    if (connection_.integer(count) == 0) {
-      throw SqliteError(SQLITE_CORRUPT, fmt::format("it has no table {}", table));
-    }
-  }
-}
-
 void StudyDatabase::create(const problems::Study& study, const Identity& identity) {
   connection_.execute("BEGIN IMMEDIATE");
   connection_.execute(study_schema(study));
@@ -234,33 +222,6 @@ void StudyDatabase::load_counts() {
   for (auto* field : fields(counts_)) *field = sums.integer(column++);
   if (connection_.integer("SELECT count(*) FROM runs") != counts_.kept) {
     throw SqliteError(SQLITE_CORRUPT, "its rows are not those of its blocks");
-  }
-}
-
-void StudyDatabase::check_blocks() {
-  // Those of a list in order that begin before the end of the one before, or leave the study.
-  auto wrong = connection_.prepare(
-      "SELECT 1 FROM (SELECT first, count, lag(first + count, 1, 0) OVER (ORDER BY first) AS free"
-      " FROM blocks) WHERE first < free OR count < 1 OR count > ?1 OR first > ?1 - count");
-  wrong.bind(1, designs_);
-  if (wrong.step()) throw SqliteError(SQLITE_CORRUPT, "its blocks overlap, or are of no design");
-}
-
-void StudyDatabase::load_front() {
-  auto rows = connection_.prepare("SELECT * FROM runs WHERE id IN (SELECT id FROM front)");
-  std::vector<std::int64_t> left;
-  while (rows.step()) {
-    StudyFront::Point point{.id = rows.integer(0)};
-    for (const auto& [column, sign] : objectives_) {
-      point.objectives.push_back(sign * rows.real(static_cast<int>(column) + 1));
-    }
-    if (!front_.add(point, left) || !left.empty()) {
-      throw SqliteError(SQLITE_CORRUPT, "its front has rows that others surpass");
-    }
-  }
-  const auto stored = connection_.integer("SELECT count(*) FROM front");
-  if (stored != static_cast<std::int64_t>(front_.points().size())) {
-    throw SqliteError(SQLITE_CORRUPT, "its front has rows that are not there");
   }
 }
 

@@ -193,7 +193,9 @@ class CommandLine(unittest.TestCase):
         self.assertIn("6 points", done.stdout)
 
     def test_check_says_what_the_problem_is(self):
-        for file in LIBRARY.rglob("*.toml"):
+        files = list(LIBRARY.rglob("*.toml"))
+        self.assertGreater(len(files), 100)
+        for file in files:
             with self.subTest(file):
                 done = run("check", file)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -251,6 +253,7 @@ class CommandLine(unittest.TestCase):
         common |= {"solve." + option["name"] for option in document["solve_options"]}
         links = {f"{table}.{link}" for table in ("mechanism", "bounds")
                  for link in ("crank", "coupler", "rocker", "frame")}
+        seen = 0
         for file in LIBRARY.rglob("*.toml"):
             read = tomllib.loads(file.read_text())
             if read["kind"] not in problems:
@@ -261,6 +264,8 @@ class CommandLine(unittest.TestCase):
                 for key in read.get(table, {}):
                     with self.subTest(file=file.name, key=key):
                         self.assertIn(f"{table}.{key}", listed)
+                        seen += 1
+        self.assertGreater(seen, 300)
 
     def test_output_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:

@@ -97,13 +97,16 @@ class Links(unittest.TestCase):
 
     def test_each_page_is_in_the_index(self):
         index = text_of(ROOT / "docs" / "README.md")
+        self.assertGreater(len(pages()), 15)
         for page in (ROOT / "docs").glob("*.md"):
             if page.name != "README.md":
                 self.assertIn(f"({page.name})", index)
 
     def test_each_picture_is_shown(self):
         shown = "".join(text_of(page) for page in pages())
-        for picture in (ROOT / "docs" / "pictures").iterdir():
+        pictures = list((ROOT / "docs" / "pictures").iterdir())
+        self.assertGreater(len(pictures), 5)
+        for picture in pictures:
             self.assertIn(f"pictures/{picture.name}", shown)
 
 
@@ -112,7 +115,9 @@ class Keys(unittest.TestCase):
         self.catalogue = json.loads(run(ROOT, "list", "--json").stdout)
 
     def expect(self, page, names):
-        """Every name stands in code on the page; `a, b` are two, `target.a` is a."""
+        """Every name stands in code on the page; `a, b` are two, `target.a` is a. How many were
+        looked for."""
+        count = 0
         text = text_of(ROOT / "docs" / f"{page}.md")
         code = "\n".join(re.findall(r"```.*?```|`[^`\n]+`", text, re.DOTALL))
         for listed in names:
@@ -120,19 +125,23 @@ class Keys(unittest.TestCase):
                 continue
             for name in re.split(r", ", listed):
                 key = name.rpartition(".")[2].strip("[]")
+                count += 1
                 with self.subTest(page=page, key=name):
                     found = re.search(rf"(?<![\w-]){re.escape(key)}(?![\w-])", code)
                     self.assertTrue(found, "is on no such page, or not in code")
+        return count
 
     def test_keys_of_each_kind_are_on_its_page(self):
-        for kind in self.catalogue["synthesis_problems"]:
-            self.expect(PAGE_OF_KIND[kind["name"]], [key["name"] for key in kind["keys"]])
+        counts = [self.expect(PAGE_OF_KIND[kind["name"]], [key["name"] for key in kind["keys"]])
+                  for kind in self.catalogue["synthesis_problems"]]
+        self.assertGreater(min(counts), 0)
+        self.assertGreater(sum(counts), 50)
 
     def test_keys_of_tables_are_on_their_pages(self):
         for part, its_pages in PAGES_OF_TABLES.items():
-            for table in self.catalogue[part]:
-                for page in its_pages:
-                    self.expect(page, [key["name"] for key in table["keys"]])
+            count = sum(self.expect(page, [key["name"] for key in table["keys"]])
+                        for table in self.catalogue[part] for page in its_pages)
+            self.assertGreater(count, 0, part)
 
     def test_options_of_solve_and_names(self):
         names = lambda part: [entry["name"] for entry in self.catalogue[part]]
@@ -150,6 +159,7 @@ class Examples(unittest.TestCase):
 
     def test_each_file_runs(self):
         seen = set()
+        ran = 0
         for page in pages():
             text = text_of(page)
             told = {content for _, content in SAVED_AS.findall(text)}
@@ -167,7 +177,9 @@ class Examples(unittest.TestCase):
                     file.write_text(placed, encoding="utf-8")
                     done = run(self.folder, command_for(content), file.name, "--quiet")
                     self.assertEqual(done.returncode, 0, done.stderr)
+                    ran += 1
         self.assertGreaterEqual(len(seen), 10)
+        self.assertGreaterEqual(ran, 10)
 
     def test_the_guide_from_end_to_end(self):
         text = text_of(ROOT / "docs" / "guide.md")

@@ -184,6 +184,7 @@ class Solve(unittest.TestCase):
         facts = {name for fact in listed["facts"] for name in spelled_out(fact["key"])}
         of_gears = {name for part in ("gear_metrics", "gear_pair_metrics")
                     for metric in listed[part] for name in spelled_out(metric["key"])}
+        solved = 0
         for file in sorted(LIBRARY.rglob("*.toml")):
             if file.parent.name in ("analysis", "gear", "machine", "study") or (SANITIZED and file.stem in SLOW):
                 continue
@@ -202,6 +203,8 @@ class Solve(unittest.TestCase):
                         keys = {re.sub(r"^(pinion|wheel|worm)\.", "", key) for key in keys} - of_gears
                         keys.discard("transmission_angle_deg")  # null of a worm
                     self.assertLessEqual(keys, metrics)
+                    solved += 1
+        self.assertGreater(solved, 100)
 
     def test_certifies_what_the_file_asks_for(self):
         text = (LIBRARY / "path/semicircle.toml").read_text() + "[solve]\ncertify = true\n"

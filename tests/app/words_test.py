@@ -190,12 +190,16 @@ class Words(unittest.TestCase):
             file.stem: json.loads(file.read_text(encoding="utf-8"), object_pairs_hook=whole)
             for file in (page / "words").glob("*.json")}
         self.words = self.languages["en"]["words"]
+        self.assertGreaterEqual(self.languages.keys(), {"en", "zh"})
+        self.assertGreater(len(self.words), 200)
         self.scripts = {file.relative_to(page): file.read_text(encoding="utf-8")
                         for file in page.rglob("*.js")}
         self.markup = {}
         for file in page.rglob("*.html"):
             self.markup[file.relative_to(page)] = parser = Markup()
             parser.feed(file.read_text(encoding="utf-8"))
+        self.assertGreater(len(self.scripts), 10)
+        self.assertGreater(len(self.markup), 3)
 
     def test_languages_have_the_same_texts(self):
         for language, texts in self.languages.items():
@@ -218,8 +222,10 @@ class Words(unittest.TestCase):
 
     def test_each_key_is_there_and_each_text_is_used(self):
         used = {key for page in self.markup.values() for key in page.keys}
+        said = 0
         for name, script in self.scripts.items():
             for key in self.keys_said(script):
+                said += 1
                 if "." in key and "${}" in key:
                     self.assertTrue(put_together(key), f"{name}: list what `{key}` stands for")
                 elif "." in key:
@@ -227,6 +233,7 @@ class Words(unittest.TestCase):
             # Also keys that a table of the script holds, or that a function is given.
             for literal in literals(script):
                 used |= ({literal.text} & set(self.words)) | put_together(literal.text)
+        self.assertGreater(said, 100)
         self.assertEqual(sorted(used - set(self.words)), [], "not among the words")
         self.assertEqual(sorted(set(self.words) - used), [], "not used")
 
@@ -262,6 +269,8 @@ class ChineseOfResults(unittest.TestCase):
         file = ROOT / "app/report/page/words/zh.json"
         texts = json.loads(file.read_text(encoding="utf-8"), object_pairs_hook=whole)
         self.terms, self.sentences = texts["terms"], texts["sentences"]
+        self.assertGreater(len(self.terms), 100)
+        self.assertGreater(len(self.sentences), 100)
 
     def test_terms_are_translated(self):
         for term, text in self.terms.items():

@@ -83,4 +83,15 @@ export const inkOf = (page) => page.locator("#plots canvas").evaluateAll((canvas
   return ink;
 }));
 
+/// Whether the pages are built with the library of plots; without it there is none to look at.
+export const hasCurves = process.env.HAS_CURVES !== "0";
+export const withoutPlots = !hasCurves && "built without plots";
+
+/// That there are plots, where they can be, and something is drawn in each.
+export const assertInked = async (page, least = 500) => {
+  const inks = await inkOf(page);
+  assert.equal(inks.length > 0, hasCurves, `${inks.length} plots`);
+  for (const ink of inks) assert.ok(ink > least, `${ink} pixels of ink`);
+};
+
 export const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);

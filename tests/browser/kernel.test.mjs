@@ -48,6 +48,7 @@ test("positions are the program's", () => {
 });
 
 test("the motion drawn is the program's", () => {
+  assert.ok(cases.length > 100, `${cases.length} cases`);
   for (const [i, c] of cases.entries()) {
     kernel.take(c.mechanism);
     const { crank_deg: cranks, rocker_deg: rockers } = kernel.motion(c.cranks, 31);

@@ -4,9 +4,8 @@ import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { distance, launch, visit as visitReport } from "./browser.mjs";
+import { distance, launch, visit as visitReport, withoutPlots } from "./browser.mjs";
 
-const hasCurves = process.env.HAS_CURVES !== "0";
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
@@ -203,7 +202,7 @@ test("the magnifier shows the errors of the result at a scale that is told", () 
   assert.match(await lens.locator("p").textContent(), /^Target 3: /);
 }));
 
-test("plots share a cursor that shows values and the place", { skip: !hasCurves }, () => visit("library-crank-rocker", async (page) => {
+test("plots share a cursor that shows values and the place", { skip: withoutPlots }, () => visit("library-crank-rocker", async (page) => {
   const plot = page.locator("#plots .u-over").nth(1);
   await plot.scrollIntoViewIfNeeded();
   const area = await plot.boundingBox();
@@ -219,7 +218,7 @@ test("plots share a cursor that shows values and the place", { skip: !hasCurves 
   assert.ok(distance(hint, await circleAt(page, '.layer-pins [data-name="P"]')) < 1.5);
 }));
 
-test("a plot turns into a table and back", { skip: !hasCurves }, () => visit("library-crank-rocker", async (page) => {
+test("a plot turns into a table and back", { skip: withoutPlots }, () => visit("library-crank-rocker", async (page) => {
   const plot = page.locator("#plots .plot").first();
   await plot.locator(".as-table").click();
   const rows = await plot.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => Number(cell.textContent.replace("−", "-")))));

@@ -1,9 +1,8 @@
 // The report page as a reader meets it: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { LOOKS, assertFits, distance, goesToAndFro, inkOf, launch, moves, visit as visitReport } from "./browser.mjs";
+import { LOOKS, assertFits, assertInked, distance, goesToAndFro, hasCurves, launch, moves, visit as visitReport, withoutPlots } from "./browser.mjs";
 
-const hasCurves = process.env.HAS_CURVES !== "0";
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
@@ -22,7 +21,7 @@ for (const { size, scheme } of LOOKS) {
       if (name === "nothing") return;
       const page_ = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
       assert.equal(page_ === "rgb(245, 246, 248)", scheme === "light");
-      if (hasCurves) for (const ink of await inkOf(page)) assert.ok(ink > 500);
+      await assertInked(page);
     }));
   }
 }
@@ -44,7 +43,7 @@ test("who asks for less motion finds it at rest", () => visit("ellipse", still, 
   assert.deepEqual(await pin(page), start);
 }));
 
-test("slider, arrow keys, crank pin and curves turn the crank", () => visit("ellipse", still, async (page) => {
+test("slider, arrow keys and crank pin turn the crank", () => visit("ellipse", still, async (page) => {
   const crank = async () => Number.parseFloat(await page.locator("#crank-value").textContent());
   const slider = await page.locator("#crank").boundingBox();
   await page.mouse.move(slider.x + 5, slider.y + slider.height / 2);
@@ -64,13 +63,16 @@ test("slider, arrow keys, crank pin and curves turn the crank", () => visit("ell
   await page.mouse.up();
   assert.ok(distance(b, await pin(page)) > 5);
   assert.ok(Math.abs(await crank() - turned) > 20);
+}));
 
-  if (!hasCurves) return;
+test("a click on a curve turns the crank, in all curves", { skip: withoutPlots }, () => visit("ellipse", still, async (page) => {
+  const crank = async () => Number.parseFloat(await page.locator("#crank-value").textContent());
   await page.locator("#curves").scrollIntoViewIfNeeded();
   const plot = await page.locator(".plot .u-over").last().boundingBox();
   await page.mouse.click(plot.x + plot.width / 4, plot.y + plot.height / 2);
   assert.ok(Math.abs(await crank() - 90) < 2);
   const cursors = await page.locator(".u-cursor-x").evaluateAll((lines) => lines.map((l) => new DOMMatrix(getComputedStyle(l).transform).m41 / l.parentElement.clientWidth));
+  assert.ok(cursors.length > 0);
   for (const share of cursors) assert.ok(Math.abs(share - 0.25) < 0.01);
 }));
 

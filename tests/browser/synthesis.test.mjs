@@ -3,9 +3,8 @@ import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { LOOKS, assertFits, distance, inkOf, launch, visit as visitReport } from "./browser.mjs";
+import { LOOKS, assertFits, assertInked, distance, hasCurves, launch, visit as visitReport, withoutPlots } from "./browser.mjs";
 
-const hasCurves = process.env.HAS_CURVES !== "0";
 const still = { motion: "reduce" };
 let browser;
 before(async () => { browser = await launch(); });
@@ -28,7 +27,7 @@ for (const { size, scheme } of LOOKS) {
         await choose(page, i);
         await assertFits(page);
         assert.doesNotMatch(await page.locator("#picture").innerHTML(), /NaN|undefined/);
-        if (hasCurves) for (const ink of await inkOf(page)) assert.ok(ink > 300);
+        await assertInked(page, 300);
       }
     }));
   }
@@ -96,10 +95,9 @@ test("what the synthesis tells of itself is shown", () => visit("motion", still,
   assert.equal(await fact(page, "qualities", "Class"), "crank turns fully");
 }));
 
-test("a family is plotted, and chooses designs", () => visit("quick-return", still, async (page) => {
+test("a family is plotted, and chooses designs", { skip: withoutPlots }, () => visit("quick-return", still, async (page) => {
   assert.equal(await page.locator("#families-title").textContent(), "Family: crank pivot on its circle");
   assert.match(await page.locator("#designs").textContent(), /mirror image of 1/);
-  if (!hasCurves) return;
   assert.deepEqual(await page.locator("#families-plots h3").allTextContents(), ["Transmission least, °", "Crank", "Frame"]);
   const plot = page.locator("#families-plots .u-over").first();
   await plot.scrollIntoViewIfNeeded();

@@ -1,14 +1,13 @@
 #include "synthesis/exact/nine_point/number_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <string>
 #include <system_error>
+
+#include "synthesis/whole_file.hpp"
 
 namespace cognate::synthesis::nine_point {
 namespace {
@@ -67,23 +66,12 @@ bool write_numbers(const std::filesystem::path& file, const FileKey& key,
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   const Header header = header_of(key, numbers);
-  // A name of its own for each process and call, so that none renames what another is still
-  // writing.
-  static std::atomic<unsigned> calls{0};
-  std::filesystem::path draft = file;
-  draft += "." + std::to_string(getpid()) + "." + std::to_string(++calls);
-  {
-    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(&header), sizeof header);
-    out.write(reinterpret_cast<const char*>(numbers.data()),
-              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
-    out.close();
-    if (!out) error = std::make_error_code(std::errc::io_error);
+  std::string bytes(sizeof header + numbers.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), &header, sizeof header);
+  if (!numbers.empty()) {
+    std::memcpy(bytes.data() + sizeof header, numbers.data(), numbers.size() * sizeof(double));
   }
-  if (!error) std::filesystem::rename(draft, file, error);
-  const bool written = !error;
-  if (!written) std::filesystem::remove(draft, error);
-  return written;
+  return write_whole_file(file, bytes) == 0;
 }
 
 }  // namespace cognate::synthesis::nine_point

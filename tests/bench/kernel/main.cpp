@@ -3,11 +3,12 @@
 /// more than positions costs; then what a second thread brings.
 #include <fmt/core.h>
 
-#include <cstdlib>
+#include <charconv>
 #include <fstream>
 #include <memory>
 #include <random>
 #include <string_view>
+#include <system_error>
 
 #include "analysis/batch/four_bar_batch.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -254,10 +255,12 @@ std::string processor() {
 
 int main(int argc, char** argv) {
   using namespace cognate::bench;
-  const int rounds = argc > 1 ? std::atoi(argv[1]) : 200;
-  if (argc > 2 || rounds < 1) {
+  const std::string_view given = argc > 1 ? argv[1] : "200";
+  int rounds = 0;
+  const auto read = std::from_chars(given.data(), given.data() + given.size(), rounds);
+  if (argc > 2 || read.ec != std::errc() || read.ptr != given.data() + given.size() || rounds < 1) {
     fmt::print("Usage: kernel_bench [ROUNDS]; a whole number from 1 on, 200 by default\n");
-    return argc == 2 && std::string_view(argv[1]) == "--help" ? 0 : 2;
+    return argc == 2 && given == "--help" ? 0 : 2;
   }
   fmt::print("{}, {}, least of {} rounds\n\n", processor(), COGNATE_COMPILER, rounds);
   fmt::print("Nanoseconds for one position (coupler point with validity):\n\n");

@@ -68,9 +68,9 @@ Quad curvature_of(const QuadBody& body, const Vec2d& at) {
 }
 
 /// Calls `check` for turning bodies of random mechanisms, with poles neither far off nor nearly
-/// fixed, which would blow up what is compared.
+/// fixed, which would blow up what is compared; at least 150.
 template <class Check>
-int at_random_bodies(unsigned seed, Check check) {
+void at_random_bodies(unsigned seed, Check check) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> length(0.3, 1.3), angle(-3, 3);
   int checked = 0;
@@ -94,11 +94,11 @@ int at_random_bodies(unsigned seed, Check check) {
     check(Sample{mechanism, body, at, state, *found});
     ++checked;
   }
-  return checked;
+  EXPECT_GT(checked, 150);
 }
 
 TEST(Pole, StandsStillAndMovesAsDifferencesSay) {
-  const int checked = at_random_bodies(71, [](const Sample& s) {
+  at_random_bodies(71, [](const Sample& s) {
     const auto still = point_motion(s.motion, in_body(s.motion, s.pole.at));
     EXPECT_LT(norm(still[1]), 1e-13);
     const auto [first, second] = derivatives([&](const Quad& h) { return pole_of(s.near(h)); });
@@ -107,7 +107,6 @@ TEST(Pole, StandsStillAndMovesAsDifferencesSay) {
     const Vec2d expected = (turn * turn) * (s.pole.second + s.pole.spin * s.pole.rate);
     EXPECT_LT(norm(expected - second), 1e-9 * (1 + norm(second)));
   });
-  EXPECT_GT(checked, 150);
 }
 
 TEST(Pole, CentrodesRollOnEachOther) {
@@ -135,7 +134,8 @@ TEST(Pole, CentrodesRollOnEachOther) {
 }
 
 TEST(PathCurvature, VanishesOnTheInflectionCircle) {
-  at_random_bodies(73, [](const Sample& s) {
+  int points = 0;
+  at_random_bodies(73, [&](const Sample& s) {
     const Circle circle = inflection_circle(s.pole);
     for (const double angle : {0.3, 1.7, 2.9, 4.4}) {
       const Vec2d point = circle.centre + circle.radius * unit_vector(angle);
@@ -144,15 +144,18 @@ TEST(PathCurvature, VanishesOnTheInflectionCircle) {
       const double bend =
           static_cast<double>(curvature_of(s.near(Quad(0)), in_body(s.motion, point)));
       EXPECT_NEAR(bend * r, 0, 1e-11 / r);
+      ++points;
     }
     const Vec2d at_top = inflection_pole(s.pole);
     EXPECT_NEAR(norm(at_top - circle.centre), circle.radius, 1e-13);
     EXPECT_NEAR(norm(at_top - s.pole.at), 2 * circle.radius, 1e-13);
   });
+  EXPECT_GT(points, 450);
 }
 
 TEST(PathCurvature, IsThatOfEulerAndSavary) {
   std::mt19937_64 random(74);
+  int points = 0;
   at_random_bodies(74, [&](const Sample& s) {
     const Vec2d point = test::random_point(random) + s.pole.at;
     const Vec2d local = in_body(s.motion, point);
@@ -160,6 +163,7 @@ TEST(PathCurvature, IsThatOfEulerAndSavary) {
     const double bend = static_cast<double>(curvature_of(s.near(Quad(0)), local));
     const double r = norm(point - s.pole.at);
     if (r < 0.1 || std::abs(bend) < 0.05 || std::abs(bend) > 20) return;
+    ++points;
     EXPECT_NEAR(*curvature(path), bend, 1e-11 * (1 + 1 / (r * r)));
     const auto centre = conjugate_centre(s.pole, point);
     ASSERT_TRUE(centre);
@@ -177,6 +181,7 @@ TEST(PathCurvature, IsThatOfEulerAndSavary) {
     const double rate = static_cast<double>(change / (2 * h)) / norm(path[1]);
     EXPECT_NEAR(*curvature_rate(path), rate, 1e-10 * (1 + std::pow(r, -4)) * (1 + std::abs(rate)));
   });
+  EXPECT_GT(points, 100);
 }
 
 TEST(PathCurvature, OfFarPointsIsCentredOnTheReturnCircle) {
@@ -218,7 +223,7 @@ TEST(PathCurvature, BressesCirclesMeetInTheAccelerationPole) {
 }
 
 TEST(StationaryCurvature, HoldsOnTheCirclingPointCurve) {
-  int points = 0;
+  int points = 0, centres_near = 0;
   at_random_bodies(77, [&](const Sample& s) {
     const auto cubic = circling_points(s.pole);
     ASSERT_TRUE(cubic);
@@ -236,11 +241,13 @@ TEST(StationaryCurvature, HoldsOnTheCirclingPointCurve) {
                   1e-10 * (1 + size) * std::abs(s.pole.turn) / std::pow(std::min(1.0, r), 4));
       const auto centre = conjugate_centre(s.pole, point);
       if (!centre || norm(*centre - s.pole.at) > 5) continue;
+      ++centres_near;
       EXPECT_NEAR(centres.value(*centre), 0, 1e-9 * (1 + norm(*centre)) / (r * r));
     }
     EXPECT_LE(sample(*cubic, 7, 0.5).size(), sample(*cubic, 7, 3).size());
   });
   EXPECT_GT(points, 500);
+  EXPECT_GT(centres_near, points / 4);
 }
 
 TEST(StationaryCurvature, BallsPointMovesStraightLongest) {

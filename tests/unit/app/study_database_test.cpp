@@ -204,22 +204,6 @@ TEST(StudyDatabase, RefusesWhatIsNoStudyFile) {
   EXPECT_NE(refusal(folder / "folder.db", study, kOrigin), "");
 }
 
-TEST(StudyDatabase, RefusesADamagedFile) {
-  const TestFolder folder;
-  const auto file = folder / "a.study.db";
-  const auto study = sample_study(20'000);
-  {
-    StudyDatabase database(file, study, kOrigin);
-    database.store(sample_block(0, 20'000));
-    database.commit();
-  }
-  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
-  bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file) / 2));
-  bytes << std::string(8192, '\xA5');
-  bytes.close();
-  EXPECT_NE(refusal(file, study, kOrigin).find("is damaged"), std::string::npos);
-}
-
 TEST(StudyDatabase, SaysWhenItsFileIsGone) {
   const TestFolder folder;
   const auto study = sample_study(100);

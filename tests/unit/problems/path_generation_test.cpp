@@ -186,16 +186,20 @@ TEST(PathGeneration, KeepsTheTransmissionAngleWithoutAClass) {
   const Result result = solve(problem, {});
   ASSERT_EQ(result.status, Status::solved);
   EXPECT_GE(result.designs[0].error.sum_of_squares, free_error);
+  int closed = 0;
   for (int step = 0; step < 360; ++step) {
     const auto pose = Motion(four_bar(result.designs[0])).at(step * kPi / 180);
     if (!pose) continue;
+    ++closed;
     EXPECT_GT(pose->transmission_angle, 0.9 - 1e-9);
     EXPECT_LT(pose->transmission_angle, 2.2 + 1e-9);
   }
+  EXPECT_GT(closed, 180);
 }
 
 TEST(PathGeneration, KeepsCrankAnglesWhereSomePointsAreTimed) {
   const auto crank_angles = angles(11, 0.3, 5.4);
+  int timed_points = 0;
   for (const auto reference :
        {CrankReference::first, CrankReference::frame, CrankReference::global}) {
     PathProblem problem = timed(crank_angles, reference);
@@ -217,8 +221,10 @@ TEST(PathGeneration, KeepsCrankAnglesWhereSomePointsAreTimed) {
     for (const int j : {2, 3, 9}) {
       const double off = best.crank_angles[j] - zero - problem.crank_angles[j];
       EXPECT_NEAR(std::remainder(off, kTurn), 0, 1e-9) << "point " << j;
+      ++timed_points;
     }
   }
+  EXPECT_EQ(timed_points, 6);
 }
 
 TEST(PathGeneration, EveryDesignKeepsCrankAnglesCountedFromTheXAxis) {

@@ -144,6 +144,7 @@ TEST(PathBound, DirectionsOfABoxHoldThoseOfEachPoint) {
       }
     }
   }
+  EXPECT_GT(checked, repeats(4000));
   EXPECT_GT(told, checked / 4);  // else the test would say nothing
 }
 
@@ -279,6 +280,7 @@ TEST(PathBound, NoDesignOfABoxIsBetterThanItsBound) {
 
 TEST(PathBound, PlantedDesignKeepsItsBoxes) {
   Random random(3);
+  int planted = 0, split = 0;
   for (int i = 0; i < repeats(600); ++i) {
     const ProportionBox whole = random.box();
     const Point at = random.in(whole);
@@ -296,6 +298,7 @@ TEST(PathBound, PlantedDesignKeepsItsBoxes) {
       if (closes) path.points[j] = t + s * std::polar(1.0, angle) + q * direction->coupler;
     }
     if (!closes) continue;
+    ++planted;
     const double lengths[4] = {crank, crank * double(links->coupler / links->crank),
                                crank * double(links->rocker / links->crank),
                                crank * double(links->frame / links->crank)};
@@ -310,11 +313,14 @@ TEST(PathBound, PlantedDesignKeepsItsBoxes) {
       const BoxBound found = bound(box, 1e-12);
       ASSERT_LT(found.least, 1e-12) << i;
       if (found.split < 0) break;
+      ++split;
       const auto [first, second] = halves(box, found.split);
       box = first.side[found.split].high >= at[found.split] ? first : second;
       if (box.side[found.split].radius() < 1e-9) break;
     }
   }
+  EXPECT_GT(planted, repeats(600) / 4);
+  EXPECT_GT(split, 10 * planted);
 }
 
 TEST(PathBound, LeastOfAQuadraticOverTheBox) {

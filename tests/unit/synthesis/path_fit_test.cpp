@@ -168,9 +168,11 @@ TEST(PathFit, CostsLimitsAsPenalties) {
     const double cost = penalised(x);
     EXPECT_NEAR(states[i].cost, cost, 1e-9 * cost);
     EXPECT_GT(cost, objective(model, x)) << "no limit is active: the test shows nothing";
+    int inside = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
       const auto& variable = model.variables()[k];
       if (x[k] - variable.lower < 1e-4 || variable.upper - x[k] < 1e-4) continue;
+      ++inside;
       const double h = 1e-6;
       auto left = x, right = x;
       left[k] -= h;
@@ -180,7 +182,9 @@ TEST(PathFit, CostsLimitsAsPenalties) {
       EXPECT_LT(slope * slope / (bend + 1e-12), 1e-4 * cost)
           << "start " << i << ", " << variable.name;
     }
+    EXPECT_GE(inside, static_cast<int>(x.size()) - 2) << "start " << i;
   }
+  EXPECT_EQ(states.size(), 12u);
 }
 
 TEST(PathFit, StartsWithinItsBounds) {

@@ -1,0 +1,58 @@
+/// What a study file is put to when it is opened; each throws a SqliteError (SQLITE_CORRUPT).
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+
+#include "app/study/database.hpp"
+
+namespace cognate::app {
+
+/// Finds damage of the file as a database, and tables that are not there.
+void StudyDatabase::check_whole() {
+  const auto found = connection_.text("PRAGMA quick_check(1)");
+  if (found != "ok") throw SqliteError(SQLITE_CORRUPT, found);
+  for (const char* table : {"study", "runs", "blocks", "front", "best"}) {
+    const auto count = fmt::format("SELECT count(*) FROM sqlite_master WHERE name = '{}'", table);
+    if (connection_.integer(count) == 0) {
+      throw SqliteError(SQLITE_CORRUPT, fmt::format("it has no table {}", table));
+    }
+  }
+}
+
+void StudyDatabase::check_blocks() {
+  // Those of a list in order that begin before the end of the one before, or leave the study.
+  auto wrong = connection_.prepare(
+      "SELECT 1 FROM (SELECT first, count, lag(first + count, 1, 0) OVER (ORDER BY first) AS free"
+      " FROM blocks) WHERE first < free OR count < 1 OR count > ?1 OR first > ?1 - count");
+  wrong.bind(1, designs_);
+  if (wrong.step()) throw SqliteError(SQLITE_CORRUPT, "its blocks overlap, or are of no design");
+}
+
+void StudyDatabase::load_front() {
+  if (objectives_.empty()) return;
+  // From the rows, which their checksums vouch for: nothing vouches for the stored one.
+  auto rows = connection_.prepare("SELECT * FROM runs WHERE status = 'solved'");
+  std::vector<std::int64_t> left;
+  StudyFront::Point point{.objectives = std::vector<double>(objectives_.size())};
+  while (rows.step()) {
+    bool has_all = true;
+    for (std::size_t i = 0; i < objectives_.size() && has_all; ++i) {
+      const auto& [column, sign] = objectives_[i];
+      const int place = static_cast<int>(column) + 1;
+      has_all = !rows.is_null(place);
+      if (has_all) point.objectives[i] = sign * rows.real(place);
+    }
+    point.id = rows.integer(0);
+    if (has_all) front_.add(point, left);
+  }
+  std::vector<std::int64_t> ids;
+  for (const auto& member : front_.points()) ids.push_back(member.id);
+  std::ranges::sort(ids);
+  std::vector<std::int64_t> stored;
+  auto front = connection_.prepare("SELECT id FROM front ORDER BY id");
+  while (front.step()) stored.push_back(front.integer(0));
+  if (ids != stored) throw SqliteError(SQLITE_CORRUPT, "its front is not that of its rows");
+}
+
+}  // namespace cognate::app
