@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -75,7 +76,8 @@ class PathSearch {
   void explore();
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
                    int iterations, const Range& shares);
-  void finish(synthesis::Backend backend);
+  void finish(synthesis::Backend backend, const std::vector<PathMinimum>& in_order);
+  void add_in_order(const std::vector<PathMinimum>& minima);
   void polish_best();
   PathSearchResult take();
 
@@ -93,6 +95,7 @@ class PathSearch {
   const Deadline& deadline_;
   Work& work_;
   SearchThoroughness thoroughness_;
+  int independent_ = 0;  ///< see `ExploredPaths`
   std::vector<PathFound> all_;
   std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
 };
@@ -108,8 +111,11 @@ void PathSearch::lower_best(const PathFound& found) {
 void PathSearch::explore() {
   Run run = run_;
   for (Design& design : run.known) design.crank_angles = thinning_.kept(design.crank_angles);
-  all_ = explore_paths(thinning_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_,
-                       work_, thoroughness_);
+  ExploredPaths explored = explore_paths(
+      thinning_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_, work_);
+  thoroughness_.starts = explored.starts;
+  independent_ = explored.independent;
+  all_ = std::move(explored.minima);
   for (const PathFound& found : all_) lower_best(found);
 }
 
@@ -128,8 +134,9 @@ void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
   sort_and_merge(all_, is_better, kSameMinimum);
 }
 
-/// Brings the best to convergence at all points, by `backend` in the end.
-void PathSearch::finish(synthesis::Backend backend) {
+/// Brings the best to convergence at all points, and those `in_order` with them, by `backend` in
+/// the end.
+void PathSearch::finish(synthesis::Backend backend, const std::vector<PathMinimum>& in_order) {
   constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
   refine_best(thinning_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
   if (!thinning_.is_whole()) {
@@ -137,10 +144,33 @@ void PathSearch::finish(synthesis::Backend backend) {
     for (PathFound& found : all_) carry_over(thinning_, whole_, found);
     refine_best(whole_, kFinished, gauss_newton, kFinishingIterations, {0.8, 0.9});
   }
+  add_in_order(in_order);
   if (backend != gauss_newton) {
     refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
   }
   polish_best();
+}
+
+/// Adds minima of the same problem with its points in order, each at the places nearest to the
+/// points in any order and refined there: none gets worse.
+void PathSearch::add_in_order(const std::vector<PathMinimum>& minima) {
+  std::vector<PathFound> added;
+  for (const PathMinimum& minimum : minima) {
+    if (added.size() == kept(kFinished)) break;
+    PathFound found{.minimum = minimum, .valid = true, .fitted = true, .hits = 0};
+    found.cost = minimum.solution.objective;
+    PathFound nearest = found;
+    if (whole_.solve.loss == synthesis::Loss::none) place_in_order(whole_, nearest);
+    added.push_back(is_better(found, nearest) ? std::move(found) : std::move(nearest));
+  }
+  parallel_for(static_cast<int>(added.size()), run_.threads, [&](int index, int) {
+    if (deadline_.reached()) return;
+    refine(whole_, added[index], synthesis::Backend::gauss_newton,
+           options(deadline_, kFinishingIterations, tolerance_, run_.seed));
+  });
+  count_work(added, whole_.points.size(), work_);
+  std::ranges::move(added, std::back_inserter(all_));
+  sort_and_merge(all_, is_better, kSameMinimum);
 }
 
 /// The last digits of the best, where they are met nearly.
@@ -157,9 +187,9 @@ void PathSearch::polish_best() {
 PathSearchResult PathSearch::take() {
   thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
   const auto seen_once = std::ranges::count_if(all_, [](const PathFound& found) {
-    return found.hits == 1 && found.minimum.solution.violation <= kPathFeasibility;
+    return found.hits <= 1 && found.minimum.solution.violation <= kPathFeasibility;
   });
-  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
+  thoroughness_.unseen = chance_of_unseen(seen_once, independent_);
   PathSearchResult result{{}, thoroughness_};
   for (PathFound& found : all_) result.minima.push_back(std::move(found.minimum));
   return result;
@@ -176,9 +206,22 @@ PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum) {
 PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
                               double tolerance, const Run& run, const Deadline& deadline,
                               Work& work) {
-  PathSearch search(scaled, tolerance, run, deadline, work);
+  std::vector<PathMinimum> in_order;
+  Run last = run;
+  if (scaled.order == PointOrder::any && scaled.timing != Timing::prescribed) {
+    // What can be met in order can be met in any order, and often best so.
+    PathProblem cyclic = scaled;
+    cyclic.order = PointOrder::cyclic;
+    Run first = run;
+    if (run.progress) {
+      first.progress = [&](double share, double best) { run.progress(0.5 * share, best); };
+      last.progress = [&](double share, double best) { run.progress(0.5 + 0.5 * share, best); };
+    }
+    in_order = search_paths(cyclic, backend, tolerance, first, deadline, work).minima;
+  }
+  PathSearch search(scaled, tolerance, last, deadline, work);
   search.explore();
-  search.finish(backend);
+  search.finish(backend, in_order);
   return search.take();
 }
 
