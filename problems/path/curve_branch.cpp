@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "analysis/numbers/constants.hpp"
 
@@ -71,9 +73,10 @@ CurveBranch::Jet CurveBranch::jet(const Travel& travel, double at) const {
           (slope * slope) * second + travel.second(at) * first, true};
 }
 
-std::vector<CurveSample> CurveBranch::samples(const Travel& travel, double from, double to) const {
+void CurveBranch::sample(const Travel& travel, double from, double to,
+                         std::vector<CurveSample>& all, std::vector<CurveSample>& spare) const {
   const int steps = std::max(12, static_cast<int>(std::ceil(kSamples * (to - from) / kTurn)));
-  std::vector<CurveSample> all;
+  all.clear();
   const auto add = [&](double at, std::vector<CurveSample>& list) {
     const auto there = point(travel.angle(at));
     if (there) list.push_back({at, *there});
@@ -86,17 +89,16 @@ std::vector<CurveSample> CurveBranch::samples(const Travel& travel, double from,
       length += std::sqrt(squared_norm(all[k + 1].point - all[k].point));
     }
     const double longest = kLongestChord * length;
-    std::vector<CurveSample> finer;
+    spare.clear();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      finer.push_back(all[k]);
+      spare.push_back(all[k]);
       if (k + 1 == all.size()) break;
       if (squared_norm(all[k + 1].point - all[k].point) <= longest * longest) continue;
-      add(all[k].at + 0.5 * (all[k + 1].at - all[k].at), finer);
+      add(all[k].at + 0.5 * (all[k + 1].at - all[k].at), spare);
     }
-    if (finer.size() == all.size()) break;
-    all = std::move(finer);
+    if (spare.size() == all.size()) break;
+    std::swap(all, spare);
   }
-  return all;
 }
 
 double CurveBranch::nearest(const Travel& travel, const Vec2d& target, double start, double from,

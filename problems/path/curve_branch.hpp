@@ -52,9 +52,11 @@ class CurveBranch {
   /// How far the coupler point is from `target`; infinite where the linkage does not close.
   double distance(double crank_angle, const Vec2d& target) const;
 
-  /// Points from `from` to `to` along the motion, ends included, close enough that no chord is
-  /// longer than some sixtieth of the curve, as far as a few halvings of the steps reach.
-  std::vector<CurveSample> samples(const Travel& travel, double from, double to) const;
+  /// Fills `all` with points from `from` to `to` along the motion, ends included, close enough that
+  /// no chord is longer than some sixtieth of the curve, as far as a few halvings of the steps
+  /// reach. `spare` is overwritten.
+  void sample(const Travel& travel, double from, double to, std::vector<CurveSample>& all,
+              std::vector<CurveSample>& spare) const;
 
   /// The place along the motion, within [from, to], to which descent from `start` leads of the
   /// distance from `target`; to rounding.

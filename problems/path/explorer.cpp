@@ -8,6 +8,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/exact_starts.hpp"
+#include "problems/path/lane_fits.hpp"
 #include "problems/path/order.hpp"
 #include "problems/path/starts.hpp"
 #include "problems/path/straying.hpp"
@@ -37,7 +38,16 @@ constexpr double kDeepeningTolerance = 1e-13;
 /// Starts of a round, and the fewest and most of a search where the file does not say. The best
 /// minimum of the library's problems attracts one start in forty or more: 250 starts miss it from
 /// one seed in a hundred or so, 500 from none.
-constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 1000;
+constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 6000;
+/// The most where every start is fitted by itself under all limits, or the points have been met in
+/// order before, and times how many points otherwise: what a search may cost.
+constexpr int kMostLimitedStarts = 1000, kMostStartsTimesPoints = 120'000;
+/// A search goes on until it has drawn so many times the starts after which its best was found.
+constexpr int kPatience = 3;
+/// A best that is better than the one before it by less, of its own cost, is the same.
+constexpr double kBetterBy = 1e-3;
+/// About how many of the best timings starts are drawn, once there are any.
+constexpr std::size_t kKnownTimings = 12;
 /// Fits that end with costs equal to their last six digits or so are this far apart.
 constexpr double kSameFit = 1e-4;
 
@@ -51,65 +61,6 @@ std::mt19937_64 generator(std::uint64_t seed, int start) {
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                          static_cast<std::uint32_t>(start)};
   return std::mt19937_64(sequence);
-}
-
-/// A start, before it is fitted.
-PathFound placed(const PathProblem& problem, const PathStart& start) {
-  PathFound found;
-  const auto confined_to = confining_class(problem.constraints, lengths(start.linkage));
-  found.minimum = {start.linkage.assembly, start.clockwise, confined_to, {}};
-  found.minimum.solution.x =
-      model_of(problem, found.minimum).variables_of(start.linkage, start.crank_angles);
-  found.valid = true;
-  return found;
-}
-
-/// The point where a fit in lanes has ended, as `model` sees it.
-void take_over(const PathModel& model, const synthesis::PathFitState& state, PathFound& found) {
-  if (state.iterations == 0) {  // the time was up before its turn
-    found.valid = found.fitted;
-    return;
-  }
-  found.fitted = true;
-  Solution& solution = found.minimum.solution;
-  solution.x = model.variables_of(state, solution.x);
-  found.cost = state.cost;
-  found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
-  found.gradients += static_cast<std::uint64_t>(state.iterations);
-  found.iterations += static_cast<std::uint64_t>(state.iterations);
-  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
-  found.valid = std::isfinite(state.cost) && model.residuals(solution.x, residuals, {}, {});
-  if (!found.valid) return;
-  solution.objective = 0;
-  for (const double r : residuals) solution.objective += r * r;
-  model.constraints(solution.x, limits, {});
-  solution.violation = 0;
-  for (const double c : limits) solution.violation = std::max(solution.violation, -c);
-}
-
-/// Fits those of `all` that are valid in SIMD lanes; those confined to one class share one problem.
-void fit_in_lanes(const PathProblem& problem, std::span<PathFound> all,
-                  const synthesis::PathFitOptions& options) {
-  std::vector<PathFound*> left;
-  for (PathFound& found : all) {
-    if (found.valid) left.push_back(&found);
-  }
-  while (!left.empty()) {
-    const auto confined_to = left.front()->minimum.confined_to;
-    const auto others = std::stable_partition(
-        left.begin(), left.end(),
-        [&](const PathFound* found) { return found->minimum.confined_to == confined_to; });
-    std::vector<synthesis::PathFitState> states;
-    for (auto it = left.begin(); it != others; ++it) {
-      const PathMinimum& minimum = (*it)->minimum;
-      states.push_back(model_of(problem, minimum).lane_state(minimum.solution.x));
-    }
-    fit_paths(model_of(problem, left.front()->minimum).lane_fit(), states, options);
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      take_over(model_of(problem, left[i]->minimum), states[i], *left[i]);
-    }
-    left.erase(left.begin(), others);
-  }
 }
 
 /// Whether the transmission angle is limited over the range that prescribed timing drives a crank
@@ -145,38 +96,62 @@ class Explorer {
     fit_.stop = [this] { return deadline_.reached(); };
   }
 
-  std::vector<PathFound> take(SearchThoroughness& thoroughness) {
-    const int most = exploration_.starts.value_or(kMostStarts);
+  ExploredPaths take() {
+    const int most = exploration_.starts.value_or(most_starts());
     int done = 0;
     add_known();
     while (done < most && !deadline_.reached()) {
       const int count = std::min(kRound, most - done);
       add_round(done, count, most);
       done += count;
-      if (!exploration_.starts && done >= kFewestStarts && knows_enough()) break;
+      note_best(done);
+      if (!exploration_.starts && done >= kFewestStarts && knows_enough(done)) break;
     }
-    thoroughness.starts = done;
     if (!exploration_.starts) add_exact();
-    return std::move(pool_);
+    return {std::move(pool_), done, independent_};
   }
 
  private:
+  int most_starts() const {
+    if (!knows_lanes_ || problem_.order == PointOrder::any) return kMostLimitedStarts;
+    const int affordable = kMostStartsTimesPoints / static_cast<int>(problem_.points.size());
+    return std::clamp(affordable, kMostLimitedStarts, kMostStarts);
+  }
+
   void add_round(int first, int count, int most) {
     const Run& run = exploration_.run;
     std::vector<PathFound> fresh(static_cast<std::size_t>(count));
     round_ = {explored(first, most), explored(first + count, most)};
+    const std::vector<PathStarts::CrankTiming> known = known_timings();
     parallel_for(count, run.threads, [&](int index, int thread) {
       if (deadline_.reached()) return;
       std::mt19937_64 random = generator(run.seed, first + index);
-      const auto start = source_.draw(random, candidates(first + index));
+      const bool about = !known.empty() && random() % 2 == 0;
+      const auto start = source_.draw(random, candidates(first + index),
+                                      about ? &known[random() % known.size()] : nullptr);
       if (start) fresh[index] = placed(problem_, *start);
+      if (about) fresh[index].hits = 0;  // says nothing of how easily its minimum is found
       if (thread == 0) report(kDrawn * index / count);
     });
     std::uint64_t screened = 0;
     for (int index = 0; index < count; ++index) screened += 2 * candidates(first + index);
     work_.candidates += screened;
     work_.positions += screened * problem_.points.size();
+    independent_ += static_cast<int>(std::ranges::count(fresh, 1, &PathFound::hits));
     add(std::move(fresh));
+  }
+
+  /// Those of the best so far, where the crank angles of all points are free.
+  std::vector<PathStarts::CrankTiming> known_timings() const {
+    std::vector<PathStarts::CrankTiming> known;
+    if (problem_.timing != Timing::free) return known;
+    for (const PathFound& found : pool_) {
+      if (known.size() == kKnownTimings || found.strays) break;
+      const auto& minimum = found.minimum;
+      known.push_back(
+          {model_of(problem_, minimum).crank_angles(minimum.solution.x), minimum.clockwise});
+    }
+    return known;
   }
 
   /// How many designs are screened for a start.
@@ -253,9 +228,34 @@ class Explorer {
     fit_.most_iterations =
         limits_turn(problem_.constraints) ? kLimitedIterations : kDeepenedFitIterations;
     fit_.tolerance = kDeepeningTolerance;
-    fit({pool_.begin(), done}, {kFitted, 1}, true);
+    deepen({pool_.begin(), done});
     for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
     sort_and_merge(pool_, costs_less, kSameFit);
+  }
+
+  /// A fit that has left the order, and is worse once its points are back in it, is taken back and
+  /// done in order.
+  void deepen(std::span<PathFound> some) {
+    if (!assigns_places(problem_)) {
+      fit(some, {kFitted, 1}, true);
+      return;
+    }
+    place_in_order(some);
+    std::vector<PathFound> before(some.begin(), some.end());
+    fit(some, {kFitted, 1}, true);
+    std::vector<std::size_t> lost;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (before[i].valid && !before[i].binds && (!some[i].valid || costs_less(before[i], some[i])))
+        lost.push_back(i);
+    }
+    std::vector<PathFound> again;
+    for (const std::size_t i : lost) {
+      again.push_back(std::move(before[i]));
+      again.back().binds = true;
+    }
+    fit_one_by_one(again, {kFitted, 1});
+    count_work(again, problem_.points.size(), work_);
+    for (std::size_t k = 0; k < lost.size(); ++k) some[lost[k]] = std::move(again[k]);
   }
 
   /// `parts`: of the round, between which progress is told. Points between timed ones are placed
@@ -315,10 +315,16 @@ class Explorer {
     });
   }
 
-  bool knows_enough() const {
+  void note_best(int done) {
+    if (pool_.empty() || !(pool_.front().cost < (1 - kBetterBy) * best_cost_)) return;
+    best_cost_ = pool_.front().cost;
+    best_since_ = done;
+  }
+
+  bool knows_enough(int done) const {
     if (pool_.empty()) return false;
     const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMetExactly;
-    return met || pool_.front().hits >= kEnoughHits;
+    return met || (pool_.front().hits >= kEnoughHits && done >= kPatience * best_since_);
   }
 
   const PathProblem& problem_;
@@ -334,15 +340,17 @@ class Explorer {
   const bool is_limited_ = is_limited(problem_);
   synthesis::PathFitOptions fit_;
   std::vector<PathFound> pool_;
-  Range round_{0, 0};  ///< shares of the whole search at the round's beginning and end
+  double best_cost_ = std::numeric_limits<double>::infinity();
+  int independent_ = 0;  ///< starts drawn without regard to what was found before
+  int best_since_ = 0;   ///< after how many starts the best was found
+  Range round_{0, 0};    ///< shares of the whole search at the round's beginning and end
 };
 
 }  // namespace
 
-std::vector<PathFound> explore_paths(const PathProblem& scaled, const PathExploration& exploration,
-                                     const Deadline& deadline, Work& work,
-                                     SearchThoroughness& thoroughness) {
-  return Explorer(scaled, exploration, deadline, work).take(thoroughness);
+ExploredPaths explore_paths(const PathProblem& scaled, const PathExploration& exploration,
+                            const Deadline& deadline, Work& work) {
+  return Explorer(scaled, exploration, deadline, work).take();
 }
 
 }  // namespace cognate::problems

@@ -16,12 +16,19 @@ struct PathExploration {
   Run run;
 };
 
-/// The best minima that starts lead to, by cost, and how thorough the search was.
+struct ExploredPaths {
+  std::vector<PathFound> minima;  ///< the best, by cost
+  int starts = 0;
+  int independent = 0;  ///< those drawn without regard to what was found before
+};
+
+/// The best minima that starts lead to, and how many starts there were.
 ///
-/// Starts are drawn in rounds. The rule: the best minimum has been come to from several starts, or
-/// the points are met to rounding by as many designs as are kept; at most some thousand starts.
-std::vector<PathFound> explore_paths(const PathProblem& scaled, const PathExploration& exploration,
-                                     const Deadline& deadline, Work& work,
-                                     SearchThoroughness& thoroughness);
+/// Starts are drawn in rounds; from the second round on half of those of points that are not timed
+/// meet them about when the best minima so far do. The rule: the best minimum was found in the
+/// first third of the starts and several independent ones lead to it, or the points are met to
+/// rounding by as many designs as are kept; at most some thousand starts.
+ExploredPaths explore_paths(const PathProblem& scaled, const PathExploration& exploration,
+                            const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

@@ -4,15 +4,12 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/random.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems {
 namespace {
-
-double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * std::uniform_real_distribution<double>()(random);
-}
 
 Box box_of(const std::vector<Vec2d>& points) {
   Box box{points[0], points[0]};

@@ -19,7 +19,19 @@ namespace {
 /// points are then met to a hundred thousandth.
 constexpr double kNearlyMet = 1e-10;
 
+/// Two points of one long valley: their costs agree to so much of themselves, their variables to
+/// this.
+constexpr double kSameCost = 1e-5, kSameValley = 0.03;
+
+/// Whether two points that do not meet the target lie in one valley.
+bool share_valley(const PathMinimum& a, const PathMinimum& b) {
+  const double one = a.solution.objective, other = b.solution.objective;
+  return one > kMetExactly && other > kMetExactly &&
+         std::abs(one - other) <= kSameCost * std::min(one, other);
+}
+
 bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
+  if (share_valley(a, b)) tolerance = kSameValley;
   if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
   if (a.confined_to != b.confined_to) return false;
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
@@ -48,6 +60,35 @@ PathProblem unsound(const PathProblem& problem) {
   PathProblem all = problem;
   all.constraints.no_circuit_defect = all.constraints.no_order_defect = false;
   return all;
+}
+
+/// Linkages whose Grashof excess is below so much of their perimeter are near a change point.
+constexpr double kNearChangePoint = 3e-4;
+
+/// The class that a linkage near a change point has, unless the file demands one.
+std::optional<RequiredClass> side_of_change_point(const PathProblem& problem,
+                                                  const FourBar& linkage) {
+  const auto& required = problem.constraints.required_class;
+  if (required && *required != RequiredClass::grashof) return std::nullopt;
+  const Lengths<double> links = lengths(linkage);
+  const auto [least, greatest] =
+      std::minmax({links.crank, links.coupler, links.rocker, links.frame});
+  const double sum = links.crank + links.coupler + links.rocker + links.frame;
+  if (std::abs(2 * (least + greatest) - sum) > kNearChangePoint * sum) return std::nullopt;
+  switch (mobility_class(links)) {
+    case MobilityClass::crank_rocker:
+      return RequiredClass::crank_rocker;
+    case MobilityClass::double_crank:
+      return RequiredClass::double_crank;
+    case MobilityClass::rocker_crank:
+      return RequiredClass::rocker_crank;
+    case MobilityClass::double_rocker:
+      return RequiredClass::double_rocker;
+    case MobilityClass::triple_rocker:
+      return RequiredClass::triple_rocker;
+    default:
+      return std::nullopt;
+  }
 }
 
 double violation(const PathModel& model, std::span<const double> x) {
@@ -116,11 +157,28 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
     if (!places || keeps_order(problem, model, solution)) return solution;
     found.binds = true;
   }
-  const OrderedPathModel ordered(problem, model, found.minimum.clockwise);
-  synthesis::Solution solution = solve(ordered);
-  auto whole = ordered.whole(solution.x);
-  if (!whole) solution.stop = synthesis::Stop::no_value;
-  solution.x = whole ? std::move(whole->x) : found.minimum.solution.x;
+  const auto in_order = [&](const PathModel& of) {
+    const OrderedPathModel ordered(problem, of, found.minimum.clockwise);
+    synthesis::Solution solution = solve(ordered);
+    auto whole = ordered.whole(solution.x);
+    if (!whole) solution.stop = synthesis::Stop::no_value;
+    solution.x = whole ? std::move(whole->x) : found.minimum.solution.x;
+    return solution;
+  };
+  synthesis::Solution solution = in_order(model);
+  const auto side = side_of_change_point(problem, model.linkage(solution.x));
+  if (!side || found.minimum.confined_to == side) return solution;
+  // The curve ends at the change point: a descent towards it crawls unless it knows of the border.
+  const auto confined_to = std::exchange(found.minimum.confined_to, side);
+  const PathMinimum start = std::exchange(
+      found.minimum,
+      {found.minimum.assembly, found.minimum.clockwise, side, solution, found.minimum.from_exact});
+  synthesis::Solution along = in_order(knows_limits ? model_of(problem, found.minimum) : model);
+  if (along.stop != synthesis::Stop::no_value && along.violation <= kPathFeasibility &&
+      along.objective < solution.objective)
+    return along;
+  found.minimum = start;
+  found.minimum.confined_to = confined_to;
   return solution;
 }
 

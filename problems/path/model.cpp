@@ -330,13 +330,17 @@ FourBar PathModel::linkage(std::span<const double> x) const {
 }
 
 std::vector<double> PathModel::crank_angles(std::span<const double> x) const {
-  const Full v = full(x);
-  std::vector<double> angles;
-  for (std::size_t j = 0; j < problem_.points.size(); ++j) {
-    const double from_frame = is_timed(j) ? increment_[j] + timing_offset(v) : local_angle(x, j);
-    angles.push_back(from_frame + v[angle]);
-  }
+  std::vector<double> angles(problem_.points.size());
+  crank_angles(x, angles);
   return angles;
+}
+
+void PathModel::crank_angles(std::span<const double> x, std::span<double> angles) const {
+  const Full v = full(x);
+  for (std::size_t j = 0; j < angles.size(); ++j) {
+    const double from_frame = is_timed(j) ? increment_[j] + timing_offset(v) : local_angle(x, j);
+    angles[j] = from_frame + v[angle];
+  }
 }
 
 std::vector<double> PathModel::variables_of(const FourBar& linkage,

@@ -75,6 +75,8 @@ class PathModel final : public synthesis::Model {
 
   FourBar linkage(std::span<const double> x) const;
   std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis
+  /// The same into `angles`, whose size is the number of points.
+  void crank_angles(std::span<const double> x, std::span<double> angles) const;
 
  private:
   struct PointCurvature;

@@ -2,7 +2,7 @@
 /// order.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -38,6 +38,22 @@ struct OrderedPlaces {
 /// Whether the crank angles of untimed points of `problem` are kept in order, or on one circuit.
 bool assigns_places(const PathProblem& problem);
 
+struct PathOrderMemory;
+
+/// What finding places needs of memory; it grows to the size of the problem once. One thread uses
+/// it at a time.
+class PathOrderWorkspace {
+ public:
+  PathOrderWorkspace();
+  ~PathOrderWorkspace();
+  PathOrderMemory& operator*() const { return *memory_; }
+
+ private:
+  std::unique_ptr<PathOrderMemory> memory_;
+};
+
+class PathStretches;
+
 /// Finds, for a linkage, the crank angles of the points that are not timed at which the weighted
 /// sum of squared distances is least, where the crank passes all points in their order, in one
 /// sense, once round at most and without leaving the range in which the linkage closes. Points
@@ -50,17 +66,20 @@ class PathOrder {
  public:
   /// `scaled` is copied as far as it is needed.
   explicit PathOrder(const PathProblem& scaled);
+  ~PathOrder();
 
-  /// `crank_angles`: from the x axis, of which those of timed points are used. Empty where the
-  /// linkage does not close at those, or cannot pass them in that order.
-  std::optional<OrderedPlaces> places(const FourBar& linkage, std::span<const double> crank_angles,
-                                      bool clockwise) const;
+  /// `crank_angles`: from the x axis, of which those of timed points are used. The places are in
+  /// `workspace` until its next use; null where the linkage does not close at the timed points, or
+  /// cannot pass them in that order.
+  const OrderedPlaces* places(const FourBar& linkage, std::span<const double> crank_angles,
+                              bool clockwise, PathOrderWorkspace& workspace) const;
 
  private:
   std::vector<Vec2d> points_;
   std::vector<double> weights_;
   std::vector<std::size_t> timed_;  ///< ascending
   bool in_order_;
+  std::unique_ptr<PathStretches> stretches_;
 };
 
 }  // namespace cognate::problems

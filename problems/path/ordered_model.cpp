@@ -16,29 +16,37 @@ OrderedPathModel::OrderedPathModel(const PathProblem& scaled, const PathModel& m
   for (std::size_t j = 0; j < scaled.points.size(); ++j) {
     if (!scaled.is_timed(j)) untimed_.push_back(j);
   }
+  angles_.resize(scaled.points.size());
+}
+
+/// Finds the places, and with them all variables of the path model, which are in `x_`.
+const OrderedPlaces* OrderedPathModel::place(std::span<const double> x) const {
+  x_.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(globals_));
+  x_.resize(globals_ + untimed_.size());
+  model_.crank_angles(x_, angles_);
+  const auto* places = order_.places(model_.linkage(x_), angles_, clockwise_, workspace_);
+  if (!places) return nullptr;
+  for (std::size_t k = 0; k < untimed_.size(); ++k) {
+    x_[globals_ + k] = places->of_point[untimed_[k]].angle;
+  }
+  return places;
 }
 
 std::optional<OrderedPathModel::Whole> OrderedPathModel::whole(std::span<const double> x) const {
-  Whole all{{x.begin(), x.begin() + static_cast<std::ptrdiff_t>(globals_)}, {}};
-  all.x.resize(globals_ + untimed_.size());
-  auto places = order_.places(model_.linkage(all.x), model_.crank_angles(all.x), clockwise_);
+  const OrderedPlaces* places = place(x);
   if (!places) return std::nullopt;
-  all.places = std::move(*places);
-  for (std::size_t k = 0; k < untimed_.size(); ++k) {
-    all.x[globals_ + k] = all.places.of_point[untimed_[k]].angle;
-  }
-  return all;
+  return Whole{x_, *places};
 }
 
 bool OrderedPathModel::residuals(std::span<const double> x, std::span<double> r,
                                  std::span<double> jacobian, std::span<double>) const {
-  const auto all = whole(x);
-  if (!all) return false;
-  if (jacobian.empty()) return model_.residuals(all->x, r, {}, {});
-  std::vector<double> local(r.size());
-  if (!model_.residuals(all->x, r, jacobian, local)) return false;
-  follow(all->places, lengths(model_.linkage(all->x)), local, jacobian);
-  project(all->places, local, jacobian);
+  const OrderedPlaces* places = place(x);
+  if (!places) return false;
+  if (jacobian.empty()) return model_.residuals(x_, r, {}, {});
+  local_.assign(r.size(), 0);
+  if (!model_.residuals(x_, r, jacobian, local_)) return false;
+  follow(*places, lengths(model_.linkage(x_)), local_, jacobian);
+  project(*places, local_, jacobian);
   return true;
 }
 
@@ -84,7 +92,9 @@ void OrderedPathModel::follow(const OrderedPlaces& places, const Lengths<double>
 /// Takes from the rows of each block what lies along its own derivative.
 void OrderedPathModel::project(const OrderedPlaces& places, std::span<const double> local,
                                std::span<double> jacobian) const {
-  std::vector<double> square(places.blocks), along(places.blocks * globals_);
+  std::vector<double>&square = square_, &along = along_;
+  square.assign(places.blocks, 0);
+  along.assign(places.blocks * globals_, 0);
   const auto over_rows = [&](const auto& act) {
     for (const std::size_t j : untimed_) {
       const PlaceInOrder& place = places.of_point[j];

@@ -15,7 +15,8 @@ namespace cognate::problems {
 /// Derivatives are those of the residuals less what the places, were they free to move within their
 /// blocks, would make up for (Kaufman 1975, "A variable projection method for solving separable
 /// nonlinear least squares problems"): Jᵀr is the exact gradient, as the places are optimal, and
-/// JᵀJ that of the Gauss–Newton method in all variables.
+/// JᵀJ that of the Gauss–Newton method in all variables. Evaluations share memory: an object is for
+/// one thread.
 class OrderedPathModel final : public synthesis::Model {
  public:
   /// `scaled` as `model` was made of; `model` must outlive this object.
@@ -43,6 +44,7 @@ class OrderedPathModel final : public synthesis::Model {
 
  private:
   using Slopes = std::array<double, PathModel::dimensions>;
+  const OrderedPlaces* place(std::span<const double> x) const;
   Slopes slopes_of(const PlaceInOrder& place, const Lengths<double>& links) const;
   void follow(const OrderedPlaces& places, const Lengths<double>& links,
               std::span<const double> local, std::span<double> jacobian) const;
@@ -55,6 +57,9 @@ class OrderedPathModel final : public synthesis::Model {
   bool clockwise_;
   bool counted_from_x_;  ///< timed angles are counted from the x axis, not the frame
   std::vector<std::size_t> untimed_;
+  // Memory of evaluations, for one thread at a time.
+  mutable PathOrderWorkspace workspace_;
+  mutable std::vector<double> x_, angles_, local_, square_, along_;
 };
 
 }  // namespace cognate::problems

@@ -25,16 +25,20 @@ class PathStarts {
  public:
   explicit PathStarts(const PathProblem& scaled);
 
-  /// The best of `candidates` random designs, or nothing if none closes at every point.
-  std::optional<PathStart> draw(std::mt19937_64& random, std::size_t candidates) const;
-
- private:
+  /// When the crank passes the points.
   struct CrankTiming {
     std::vector<double> angles;  ///< increments, or angles where the reference is not the first
     bool clockwise = false;
   };
 
+  /// The best of `candidates` random designs, or nothing if none closes at every point. Where no
+  /// point is timed they are met about when they are in `about`, if that is given, else at random.
+  std::optional<PathStart> draw(std::mt19937_64& random, std::size_t candidates,
+                                const CrankTiming* about = nullptr) const;
+
+ private:
   CrankTiming random_timing(std::mt19937_64& random) const;
+  CrankTiming timing_about(std::mt19937_64& random, const CrankTiming& known) const;
   std::vector<std::size_t> random_tour(std::mt19937_64& random) const;
   std::vector<double> random_shares(std::mt19937_64& random,
                                     const std::vector<std::size_t>& tour) const;

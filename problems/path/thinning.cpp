@@ -10,8 +10,6 @@
 namespace cognate::problems {
 namespace {
 
-constexpr std::size_t kMostPoints = 48;
-
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<std::size_t>& kept) {
   if (all.empty()) return {};
@@ -20,29 +18,29 @@ std::vector<T> pick(const std::vector<T>& all, const std::vector<std::size_t>& k
   return picked;
 }
 
-/// At most `kMostPoints` of them, the first and last among these.
-std::vector<std::size_t> in_even_steps(const std::vector<std::size_t>& all) {
-  if (all.size() <= kMostPoints) return all;
+/// At most `most` of them, the first and last among these.
+std::vector<std::size_t> in_even_steps(const std::vector<std::size_t>& all, std::size_t most) {
+  if (all.size() <= most) return all;
   std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < kMostPoints; ++k) {
-    kept.push_back(all[k * (all.size() - 1) / (kMostPoints - 1)]);
+  for (std::size_t k = 0; k < most; ++k) {
+    kept.push_back(all[k * (all.size() - 1) / (most - 1)]);
   }
   return kept;
 }
 
 }  // namespace
 
-PathThinning::PathThinning(const PathProblem& problem)
+PathThinning::PathThinning(const PathProblem& problem, std::size_t most)
     : whole_size_(problem.points.size()), coarse_(problem) {
-  const bool thin = whole_size_ > kMostPoints;
+  const bool thin = whole_size_ > most;
   std::vector<std::size_t> all(whole_size_), timed;
   std::iota(all.begin(), all.end(), std::size_t{0});
-  kept_ = thin ? in_even_steps(all) : all;
+  kept_ = thin ? in_even_steps(all, most) : all;
   if (thin && problem.timing == Timing::mixed) {
     // A point that is timed says more than its neighbours.
     std::ranges::copy_if(all, std::back_inserter(timed),
                          [&](std::size_t j) { return problem.is_timed(j); });
-    std::ranges::copy(in_even_steps(timed), std::back_inserter(kept_));
+    std::ranges::copy(in_even_steps(timed, most), std::back_inserter(kept_));
     std::ranges::sort(kept_);
     kept_.erase(std::unique(kept_.begin(), kept_.end()), kept_.end());
   }

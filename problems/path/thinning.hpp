@@ -8,11 +8,11 @@
 
 namespace cognate::problems {
 
-/// At most a few dozen points of a problem in even steps, the first and last among them, and as
-/// many of the points that alone are timed. A problem with fewer points stays as it is.
+/// At most some points of a problem in even steps, the first and last among them, and as many of
+/// the points that alone are timed. A problem with fewer points stays as it is.
 class PathThinning {
  public:
-  explicit PathThinning(const PathProblem& problem);
+  PathThinning(const PathProblem& problem, std::size_t most);
 
   const PathProblem& coarse() const { return coarse_; }
   bool is_whole() const { return kept_.size() == whole_size_; }

@@ -182,18 +182,23 @@ class Tally:
     def __init__(self, name):
         self.name = name
         self.count = self.found = self.infeasible = self.best = self.runs = 0
-        self.ratios, self.seconds, self.worse = [], [], []
+        self.ratios, self.seconds, self.worse, self.agreeing = [], [], [], []
+        self.errors = []  # of the first run of each problem
+        self.floor_of_exact = 0
 
     def add(self, outcomes, planted, exact_scale, label):
         """`planted`: sum of squares of the planted linkage; `exact_scale`: that of an error of one
         size at each target."""
         floor = self.EXACT**2 * exact_scale
+        self.floor_of_exact = max(self.floor_of_exact, floor)
         self.count += 1
         first = outcomes[0]
         self.infeasible += sum(not outcome.feasible for outcome in outcomes)
         least = min(outcome.found for outcome in outcomes)
-        near = [o for o in outcomes if o.feasible and o.found <= 1.001 * least + floor]
+        near = [o for o in outcomes if o.feasible and o.found <= 1.01**2 * least + floor]
         self.best += len(near)
+        self.agreeing.append(len(near))
+        self.errors.append(first.found)
         self.runs += len(outcomes)
         self.seconds += [outcome.seconds for outcome in outcomes]
         ratio = math.sqrt(max(first.found, floor) / max(planted, floor))
@@ -203,6 +208,11 @@ class Tally:
         else:
             self.worse.append(f"{label} ({first.status}, {ratio:.4g} times the planted error)")
 
+    def agreement(self):
+        """In how many problems so many of the runs reach the best."""
+        counts = sorted(set(self.agreeing), reverse=True)
+        return ", ".join(f"{self.agreeing.count(count)} by {count}" for count in counts)
+
     def line(self):
         ratios, seconds = sorted(self.ratios), sorted(self.seconds)
         finite = [ratio for ratio in ratios if ratio < math.inf]
@@ -210,7 +220,8 @@ class Tally:
         return (f"{self.name}: {self.found} of {self.count} found, "
                 f"{self.infeasible} of {self.runs} runs infeasible, worst ratio {worst}, "
                 f"median {seconds[len(seconds) // 2]:.2f} s, longest {seconds[-1]:.2f} s, "
-                f"{self.best} of {self.runs} runs reach the best")
+                f"{self.best} of {self.runs} runs reach the best to 1 % "
+                f"(problems by seeds: {self.agreement()})")
 
 
 def add_arguments(parser, count):
@@ -227,25 +238,34 @@ def add_arguments(parser, count):
 
 
 def run(arguments, kind, plant):
-    """`plant(rng, noise, limited)`: text of a file, sum of squares of the planted linkage, that of an
-    error of one size at each target. Prints a line for each noise and limits; returns the exit
-    status: 1 if a problem is infeasible or more than allowed are missed."""
+    """`plant(rng, noise, limited, class)`: text of a file, sum of squares of the planted linkage,
+    that of an error of one size at each target. Prints a line for each noise and limits; returns the
+    exit status: 1 if a problem is infeasible or more than allowed are missed."""
+    return run_all(arguments, kind, plant, kind)[0]
+
+
+def run_all(arguments, kind, plant, family):
+    """As `run`, with the tallies. Problems of one `family` have the same linkages."""
     missed = infeasible = count = 0
+    tallies = []
     for noise in arguments.noise:
         for limited in (False, True):
             tally = Tally(f"{kind}, noise {100 * noise:g} %, {'limits' if limited else 'no limits'}")
+            tallies.append(tally)
             for index in range(arguments.count):
-                label = f"{kind}-{arguments.seed}-{noise:g}-{'limited' if limited else 'free'}-{index}"
+                label = f"{family}-{arguments.seed}-{noise:g}-{'limited' if limited else 'free'}-{index}"
                 rng = random.Random(label)
                 text, planted, scale = plant(rng, noise, limited, CLASSES[index % len(CLASSES)])
                 outcomes = [solve(os.path.abspath(arguments.program), text, seed, arguments.threads)
                             for seed in range(1, arguments.seeds + 1)]
                 before = len(tally.worse)
                 tally.add(outcomes, planted, scale, label)
-                if arguments.keep and len(tally.worse) > before:
+                disagree = tally.agreeing[-1] < arguments.seeds
+                if arguments.keep and (len(tally.worse) > before or disagree):
                     arguments.keep.mkdir(parents=True, exist_ok=True)
+                    errors = " ".join(f"{outcome.status} {outcome.found:.6g}" for outcome in outcomes)
                     (arguments.keep / f"{label}.toml").write_text(
-                        f"# planted sum of squares {planted!r}\n" + text)
+                        f"# planted sum of squares {planted!r}; by seeds {errors}\n" + text)
             print(tally.line(), flush=True)
             for worse in tally.worse:
                 print("   ", worse)
@@ -254,5 +274,6 @@ def run(arguments, kind, plant):
             count += tally.count
     print(f"{count} problems, {missed} missed, {infeasible} infeasible")
     if count == 0 or infeasible > 0:
-        return 1
-    return int(arguments.allowed is not None and missed > arguments.allowed * count)
+        return 1, tallies
+    too_many = arguments.allowed is not None and missed > arguments.allowed * count
+    return int(too_many), tallies

@@ -112,8 +112,9 @@ TEST(PathOrder, IsNoWorseThanBruteForceAndInOrder) {
     PathProblem problem;
     problem.points = points_about(linkage, random, 4 + int(random() % 6));
     const bool clockwise = random() % 2;
-    const auto places = PathOrder(problem).places(linkage, {}, clockwise);
-    ASSERT_TRUE(places);
+    PathOrderWorkspace workspace;
+    const auto* places = PathOrder(problem).places(linkage, {}, clockwise, workspace);
+    ASSERT_NE(places, nullptr);
     std::vector<double> angles;
     double cost = 0;
     for (std::size_t j = 0; j < problem.points.size(); ++j) {
@@ -147,8 +148,9 @@ TEST(PathOrder, InAnyOrderEachPointLiesAtTheNearestPlace) {
     problem.order = PointOrder::any;
     problem.points = points_about(linkage, random, 8);
     std::ranges::shuffle(problem.points, random);
-    const auto places = PathOrder(problem).places(linkage, {}, false);
-    ASSERT_TRUE(places);
+    PathOrderWorkspace workspace;
+    const auto* places = PathOrder(problem).places(linkage, {}, false, workspace);
+    ASSERT_NE(places, nullptr);
     double least = 0;
     for (const Vec2d& point : problem.points) {
       double square = std::numeric_limits<double>::infinity();
