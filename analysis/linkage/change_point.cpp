@@ -44,9 +44,9 @@ Lengths<double> equalised(const Lengths<double>& links, ChangePointClass kind) {
   return links;
 }
 
-/// The sign of `value`, or where that is zero of what it becomes.
+/// The sign of `value`, or where that is zero but for rounding of what it becomes.
 double sign_after(double value, double rate) {
-  return std::copysign(1.0, value == 0 ? rate : value);
+  return std::copysign(1.0, std::abs(value) <= kRounding ? rate : value);
 }
 
 }  // namespace

@@ -79,13 +79,10 @@ struct Extremes {
 Extremes extremes(const Lengths<double>& links) {
   const Lengths<double> normal = normalised(links);
   const auto& [l1, l2, l3, l4] = normal;
-  const auto [t1, t2, t3] = sums(normal);
-  const Sums certain = certain_sums(links);
-  const double p_near = t1 * t2, q_far = t3 * compensated_sum(l1, l2, l3, l4);
-  return {crank_meets_d(certain) ? std::max(p_near, 0.0) : p_near,
-          product(compensated_sum(l1, l2, l3, -l4), compensated_sum(l4, -l1, l2, l3)),
+  const auto [t1, t2, t3] = certain_sums(links);
+  return {t1 * t2, product(compensated_sum(l1, l2, l3, -l4), compensated_sum(l4, -l1, l2, l3)),
           product(compensated_sum(l4, l1, -l2, l3), compensated_sum(l4, l1, l2, -l3)),
-          crank_turns_away(certain) ? std::max(q_far, 0.0) : q_far};
+          t3 * compensated_sum(l1, l2, l3, l4)};
 }
 
 /// tan²(μ/2) = p/q at a crank angle from A→D, counted from whichever end of the frame is nearer.
@@ -119,19 +116,17 @@ double half_cosine_fall(double end, double angle) {
   return std::sin(0.5 * (angle - end)) * std::sin(0.5 * (angle + end));
 }
 
+/// p and q each in the form that keeps its digits where it is small.
 FoldedDiagonal diagonal(const Lengths<double>& links, const Extremes& at, double crank_angle) {
   const auto [l1, l2, l3, l4] = normalised(links);
   const auto [least, greatest] = range_ends(links, at);
-  const double whole = 4 * l2 * l3;  // p + q
-  const double by_least = least ? 4 * l1 * l4 * half_cosine_fall(*least, crank_angle) : whole;
-  const double by_greatest =
-      greatest ? -4 * l1 * l4 * half_cosine_fall(*greatest, crank_angle) : whole;
-  if (least && by_least <= by_greatest) return {std::max(by_least, 0.0), whole - by_least};
-  if (greatest) return {whole - by_greatest, std::max(by_greatest, 0.0)};
   const CrankDirection<double> crank = crank_direction(crank_angle);
   const double k = 2 * l1 * l4 * crank.versine;
-  if (crank.side > 0) return {at.p_near + k, at.q_near - k};
-  return {at.p_far - k, at.q_far + k};
+  const bool near = crank.side > 0;
+  Diagonal here{near ? at.p_near + k : at.p_far - k, near ? at.q_near - k : at.q_far + k};
+  if (least) here.p = std::max(4 * l1 * l4 * half_cosine_fall(*least, crank_angle), 0.0);
+  if (greatest) here.q = std::max(-4 * l1 * l4 * half_cosine_fall(*greatest, crank_angle), 0.0);
+  return here;
 }
 
 /// The triangle A–C–D with |A–C| = `a` + `b` > 0, C above A→D: its angle at A, the supplement of

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/linkage/closure.hpp"
 #include "analysis/linkage/reach.hpp"
@@ -206,8 +205,8 @@ std::optional<double> stroke(const SliderCrank& mechanism, const CrankRange& ran
   double least = std::min(*from, *to), greatest = std::max(*from, *to);
   for (const auto& limit : {outer_limit(mechanism), inner_limit(mechanism)}) {
     if (!limit) continue;
-    const double ahead = std::remainder(limit->crank_angle - range.from, 2 * kPi);
-    const double along = ahead < 0 ? ahead + 2 * kPi : ahead;
+    const double ahead = std::remainder(limit->crank_angle - range.from, kTurn);
+    const double along = ahead < 0 ? ahead + kTurn : ahead;
     if (along > range.to - range.from) continue;
     least = std::min(least, limit->displacement);
     greatest = std::max(greatest, limit->displacement);

@@ -14,6 +14,8 @@ namespace {
 
 /// Parts of the scale of the drive: ends of branches closer than this are one.
 constexpr double kSameRange = 1e-6;
+/// Of a whole turn: farther than rounding moves a dead point.
+constexpr double kBefore = 1e-11;
 /// No circuit of a mechanism worth following has more branches.
 constexpr int kMostBranches = 64;
 
@@ -68,10 +70,14 @@ class Circuit {
     set_sides(mechanism_, sides);
     if (reach_ == 0) reach_ = reach(start);
     if (!(reach_ > 0)) return std::nullopt;
-    Branch branch{follow(mechanism_, start, start + sense * reach_, stop_)};
+    // A little before the start, so that the dead point there ends the run, whatever its rounding.
+    const double before = start - sense * kBefore * reach_;
+    Branch branch{follow(mechanism_, before, start + sense * reach_, stop_)};
     if (branch.course.runs.empty() || (stop_ && stop_())) return std::nullopt;
-    CourseRun run =
-        sense > 0 ? std::move(branch.course.runs.front()) : std::move(branch.course.runs.back());
+    const auto distance = [&](const CourseRun& run) {
+      return std::abs((sense > 0 ? run.from : run.to) - start);
+    };
+    CourseRun run = std::move(*std::ranges::min_element(branch.course.runs, {}, distance));
     const double begins = sense > 0 ? run.from : run.to;
     scale_ = branch.course.scale;
     if (std::abs(begins - start) > kSameRange * scale_) return std::nullopt;

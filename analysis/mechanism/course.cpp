@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "analysis/mechanism/course_probe.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -14,6 +16,8 @@ constexpr int kCellsPerTurn = 720;
 /// Parts of the scale of the drive: changes of several dyads closer than this are one; and a start
 /// this close to a change is on it.
 constexpr double kSamePlace = 1e-7;
+/// Of the scale and the drive's coordinate: a dead point is known to this.
+constexpr double kSameEnd = 8 * std::numeric_limits<double>::epsilon();
 /// What rounding makes of a discriminant next to a change of a dyad before, which is known there to
 /// half the digits.
 constexpr double kRoundingAtChange = 1e-7;
@@ -159,15 +163,16 @@ class Follower {
     return result;
   }
 
-  /// Keeps what lies between the ends of the motion.
+  /// Keeps what lies between the ends of the motion. A range that ends there but for rounding ends
+  /// at its own dead point.
   void clip() {
     const double low = std::min(course_.start, course_.end);
     const double high = std::max(course_.start, course_.end);
     const double near = kSamePlace * course_.scale;
     std::vector<CourseRun> kept;
     for (CourseRun& run : course_.runs) {
-      if (run.from < low) run.from_dyad = -1;
-      if (run.to > high) run.to_dyad = -1;
+      if (run.from < low - kSameEnd * (course_.scale + std::abs(low))) run.from_dyad = -1;
+      if (run.to > high + kSameEnd * (course_.scale + std::abs(high))) run.to_dyad = -1;
       run.from = std::max(run.from, low);
       run.to = std::min(run.to, high);
       std::erase_if(run.changes, [&](const Change& change) {

@@ -56,7 +56,7 @@ Closeness CourseProbe::closeness(const CourseRun& run, double drive, int index) 
   const Reach reach = dyad_reach(run, drive, index);
   const Dual& discriminant = closures_[static_cast<std::size_t>(index)].discriminant;
   if (reach.is_sine) return {discriminant.value - kLeastSine * kLeastSine, discriminant.rate, 0};
-  return {discriminant.value, discriminant.rate, discriminant_rounding(dyad(index), reach)};
+  return {discriminant.value, discriminant.rate, discriminant_rounding(mechanism_, index, reach)};
 }
 
 }  // namespace cognate

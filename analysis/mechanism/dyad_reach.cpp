@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/linkage/mobility.hpp"
+
 namespace cognate {
 namespace {
 
@@ -50,19 +52,40 @@ Reach reach_of(const Rpp<double>& dyad, Bodies /*bodies*/) {
   return {std::abs(dyad.slot.y), 0, 1, 1, true};
 }
 
+/// Of the product of p = d² − (l₁ − l₂)² and q = (l₁ + l₂)² − d², over (2 l₁ l₂)², where each
+/// length may be off by the tolerance of the class: rrr_motion.hpp computes them as accurately.
+double four_bar_rounding(const Rrr<double>& dyad, const Crank<double>& crank, const Reach& reach) {
+  const double l1 = dyad.first_length, l2 = dyad.second_length, d = reach.distance;
+  const Attached<double>& pivot = dyad.first.body == 0 ? dyad.first : dyad.second;
+  const double frame = norm(pivot.at - crank.pivot);
+  const double tolerance = kChangePointTolerance * std::max({crank.length, l1, l2, frame});
+  const double p = (d - reach.least) * (d + reach.least), q = (reach.most - d) * (reach.most + d);
+  const double of_p = tolerance * (2 * reach.least + tolerance);
+  const double of_q = tolerance * 2 * reach.most;
+  const double by_lengths = 0.5 / (l1 * l2);
+  return (of_p * std::abs(q) + std::abs(p) * of_q + of_p * of_q) * by_lengths * by_lengths;
+}
+
 }  // namespace
 
 Reach reach(const Dyad<double>& dyad, Bodies bodies) {
   return std::visit([&](const auto& group) { return reach_of(group, bodies); }, dyad);
 }
 
-double discriminant_rounding(const Dyad<double>& dyad, const Reach& reach) {
-  const double error = kRounding * reach.extent;  // of a coordinate, a length
+double discriminant_rounding(const Mechanism<double>& mechanism, int index, const Reach& reach) {
+  const Dyad<double>& dyad = mechanism.dyads[static_cast<std::size_t>(index)];
+  const double tolerance = kChangePointTolerance * reach.extent;
   if (const auto* rrr = std::get_if<Rrr<double>>(&dyad)) {
+    if (const auto* crank = std::get_if<Crank<double>>(&mechanism.drive)) {
+      if (rrr->first.body + rrr->second.body == 1) return four_bar_rounding(*rrr, *crank, reach);
+    }
+    const double error = kRounding * reach.extent;  // of a coordinate, a length
     return kRounding + 2 * error * reach.distance / (rrr->first_length * rrr->second_length);
   }
-  if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) return error / rrp->length;
-  if (std::holds_alternative<Rpr<double>>(dyad)) return error * (error + 2 * reach.least);
+  if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) return 2 * tolerance / rrp->length;
+  if (std::holds_alternative<Rpr<double>>(dyad)) {
+    return tolerance * (tolerance + 2 * reach.least);
+  }
   return kRounding * kRounding;
 }
 

@@ -26,7 +26,9 @@ struct Reach {
 /// Of `dyad` on `bodies` (those before it).
 Reach reach(const Dyad<double>& dyad, std::span<const BodyMotion<double, 0>> bodies);
 
-/// How much rounding may have changed the dyad's discriminant.
-double discriminant_rounding(const Dyad<double>& dyad, const Reach& reach);
+/// How much rounding may have changed the discriminant of dyad `index`, which has `reach` there. Of
+/// mechanisms whose class has a tolerance (analysis/linkage/mobility.hpp) it is what makes a
+/// discriminant of zero of lengths within that, so that the motion agrees with the class.
+double discriminant_rounding(const Mechanism<double>& mechanism, int index, const Reach& reach);
 
 }  // namespace cognate

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
+#include <numeric>
 
+#include "analysis/mechanism/run_places.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
@@ -16,6 +19,9 @@ namespace {
 constexpr double kSameLimit = 1e-7;
 /// An output slower than this part of what it might be stands still.
 constexpr double kStanding = 1e-11;
+/// Parts of its size to which an output is a cubic between samples.
+constexpr double kCubic = 1e-9;
+constexpr std::size_t kMostSamples = 100'000;
 
 /// An output as a function of the state.
 struct Output {
@@ -39,6 +45,7 @@ class Collector {
       : motion_(mechanism, course), output_(output) {}
 
   std::optional<OutputRange> collect() {
+    if (output_.is_angle) size_ = 1;
     for (const CourseRun& run : motion_.course().runs) sample(run);
     if (samples_.empty()) return std::nullopt;
     for (const CourseRun& run : motion_.course().runs) find_limits(run);
@@ -60,25 +67,67 @@ class Collector {
   }
 
   /// The output's value where the motion stands, an angle counted on from `reference`.
-  double value_near(double reference) const {
-    const double value = output_.value(motion_);
-    return output_.is_angle ? reference + std::remainder(value - reference, kTurn) : value;
-  }
+  double value_near(double reference) const { return counted(reference, output_.value(motion_)); }
 
   void sample(const CourseRun& run) {
-    for (const double drive : crowded(run.from, run.to, motion_.course().cells(run))) {
-      if (!motion_.move_to(drive)) continue;
-      const double value = value_near(samples_.empty() ? 0 : samples_.back().value);
-      const double rate = output_.rate(motion_);
-      include({drive, value});
-      if (samples_.empty()) range_.first = {drive, value};
-      range_.last = {drive, value};
-      samples_.push_back({drive, value, rate, &run});
-      // Next to a dead point the output is as fast as one likes, and says nothing of the rest.
-      if (std::abs(rate) * motion_.course().scale < 1e3) {
-        fastest_ = std::max(fastest_, std::abs(rate));
-      }
-      size_ = output_.is_angle ? 1 : std::max(size_, size(motion_.bodies()));
+    for (const double drive : run_places(motion_.course(), run)) {
+      const bool is_end = drive == run.from || drive == run.to;
+      const auto found = at(run, drive);
+      const auto next = found || !is_end ? found : limit_at_end(run, drive);
+      if (!next) continue;
+      if (!samples_.empty() && samples_.back().run == &run) fill(samples_.back(), *next);
+      add(*next);
+    }
+  }
+
+  std::optional<Sample> at(const CourseRun& run, double drive) {
+    if (!motion_.move_to(drive)) return std::nullopt;
+    if (!output_.is_angle) size_ = std::max(size_, size(motion_.bodies()));
+    return Sample{drive, output_.value(motion_), output_.rate(motion_), &run};
+  }
+
+  /// At an end of `run` at which the position is not determined: the limit of the motion.
+  std::optional<Sample> limit_at_end(const CourseRun& run, double end) {
+    constexpr double kStep = 4e-6;  // beyond what FollowedMotion interpolates over
+    const double step = (end == run.from ? 1 : -1) * kStep * motion_.course().scale;
+    const auto near = at(run, end + step), far = at(run, end + 2 * step);
+    if (!near || !far) return std::nullopt;
+    const double rise = counted(near->value, far->value) - near->value;
+    return Sample{end, near->value - rise, near->rate, &run};
+  }
+
+  /// `b` counted on from `a`.
+  double counted(double a, double b) const {
+    return output_.is_angle ? a + std::remainder(b - a, kTurn) : b;
+  }
+
+  /// Adds what lies between `a` and `b` until the cubic through two neighbours is the output to
+  /// `kCubic`: next to a change point it may make half a turn within 1e-12 of the drive.
+  void fill(const Sample a, const Sample b) {
+    const double width = b.drive - a.drive;
+    const double place = std::max(motion_.course().scale, std::abs(b.drive));
+    if (!(width > kNoWidth * place) || samples_.size() > kMostSamples) return;
+    if (!std::isfinite(a.rate) || !std::isfinite(b.rate)) return;
+    const auto middle = at(*a.run, std::midpoint(a.drive, b.drive));
+    if (!middle) return;
+    const double here = counted(a.value, middle->value), end = counted(here, b.value);
+    const double cubic = 0.5 * (a.value + end) + 0.125 * width * (a.rate - b.rate);
+    const double rounding = kNoWidth * place * std::abs(middle->rate);
+    const bool is_smooth = std::abs(here - cubic) <= kCubic * size_ + rounding;
+    if (!is_smooth) fill(a, *middle);
+    add(*middle);
+    if (!is_smooth) fill(samples_.back(), b);
+  }
+
+  void add(Sample next) {
+    if (!samples_.empty()) next.value = counted(samples_.back().value, next.value);
+    include({next.drive, next.value});
+    if (samples_.empty()) range_.first = {next.drive, next.value};
+    range_.last = {next.drive, next.value};
+    samples_.push_back(next);
+    // Next to a dead point the output is as fast as one likes, and says nothing of the rest.
+    if (std::abs(next.rate) * motion_.course().scale < 1e3) {
+      fastest_ = std::max(fastest_, std::abs(next.rate));
     }
   }
 
@@ -143,7 +192,7 @@ class Collector {
   const Output& output_;
   std::vector<Sample> samples_;
   double fastest_ = 0;
-  double size_ = 0;
+  double size_ = 0;  ///< 1 for an angle
   OutputRange range_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/mechanism/course_probe.hpp"
+#include "analysis/mechanism/run_places.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 
@@ -15,7 +16,7 @@ class Extremes {
  public:
   Extremes(const Mechanism<double>& mechanism, int dyad) : probe_(mechanism), dyad_(dyad) {}
 
-  void add(const CourseRun& run, int cells) {
+  void add(const Course& course, const CourseRun& run) {
     Dual last;
     double last_drive = run.from;
     if (run.from_dyad == dyad_) include_dead(closure(run, run.from), run.from);
@@ -25,7 +26,7 @@ class Extremes {
         include_dead(closure(run, change.drive), change.drive);
       }
     }
-    for (const double drive : crowded(run.from, run.to, cells)) {
+    for (const double drive : run_places(course, run)) {
       const DyadClosure<Dual>& here = closure(run, drive);
       const Dual cosine = here.cosine;
       if (!std::isfinite(cosine.value)) continue;
@@ -88,7 +89,7 @@ double TransmissionExtremes::greatest_pressure() const {
 std::optional<TransmissionExtremes> transmission_extremes(const Mechanism<double>& mechanism,
                                                           const Course& course, int dyad) {
   Extremes extremes(mechanism, dyad);
-  for (const CourseRun& run : course.runs) extremes.add(run, course.cells(run));
+  for (const CourseRun& run : course.runs) extremes.add(course, run);
   return extremes.result();
 }
 

@@ -51,6 +51,11 @@ class ForceFacts {
   ForceSummary collect() {
     add_drive();
     for (const auto& joint : sweep_.plan.joints) add_reaction(joint);
+    if (!refined_ && !summary_.facts.empty()) {
+      summary_.notes.emplace_back(
+          "the time did not suffice to look between the rows: extremes of torque and reactions are "
+          "those of the table's rows");
+    }
     return std::move(summary_);
   }
 

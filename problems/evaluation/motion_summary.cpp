@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <variant>
 
@@ -66,8 +68,14 @@ class Summary {
         deadline_(deadline),
         mechanism_(problem.mechanism.mechanism),
         course_(course),
+        driven_(course),
         travel_(output_travel(problem.mechanism)),
-        motion_(mechanism_, course) {}
+        motion_(mechanism_, course) {
+    driven_.runs = {range_driven()};
+    summary_.ranges = static_cast<int>(course.runs.size());
+    summary_.from = driven_.runs.front().from;
+    summary_.to = driven_.runs.front().to;
+  }
 
   MotionSummary collect() {
     add_course_points();
@@ -170,7 +178,7 @@ class Summary {
     const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism_.drive);
     const bool from_start = (sense > 0 ? first.from_dyad : first.to_dyad) < 0;
     if (!turns || !from_start || sense * (course_.end - course_.start) < kFullTurn) return first;
-    const double shift = sense * 2 * kPi, back = course_.start + shift;
+    const double shift = sense * kTurn, back = course_.start + shift;
     const CourseRun* again = course_.run_at(back);
     if (again == nullptr || again == &first) return first;
     if (sides_at(*again, back) != sides_at(first, course_.start)) return first;
@@ -187,23 +195,48 @@ class Summary {
   }
 
   /// The output's stroke or swing in the range driven and on the whole circuit; none where the
-  /// range is a whole turn in which the output turns too.
+  /// range is a whole turn in which the output turns too, or where the stroke has no end.
   void add_strokes(const OutputRange& all) {
     const bool is_one = course_.runs.size() == 1;
-    Course driven = course_;
-    driven.runs = {range_driven()};
-    const auto own = is_one ? all : output_range(mechanism_, driven, travel_);
+    const auto own = is_one ? all : output_range(mechanism_, driven_, travel_);
+    if (!own || goes_to_infinity()) return;
     const double unit = travel_.slides ? 1 : kDegreesInRadian;
-    if (own && (travel_.slides || own->stroke() < kFullTurn)) {
-      add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
-    } else if (own) {
-      return;
-    }
+    if (!travel_.slides && own->stroke() >= kFullTurn) return;
+    add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
     const auto stop = [this] { return deadline_.reached(); };
-    const auto circuit = circuit_range(mechanism_, driven.runs.front(), travel_, stop);
+    const auto circuit = circuit_range(mechanism_, driven_.runs.front(), travel_, stop);
     if (circuit) {
       add(travel_.slides ? "circuit_stroke" : "circuit_swing_deg", unit * circuit->stroke);
     }
+  }
+
+  /// Whether a range that ends by this dyad ends because its guides are parallel.
+  bool has_guides(int dyad) const {
+    if (dyad < 0) return false;
+    const auto& group = mechanism_.dyads[static_cast<std::size_t>(dyad)];
+    return std::holds_alternative<Prp<double>>(group) || std::holds_alternative<Rpp<double>>(group);
+  }
+
+  /// Whether the output slides off towards an end of the range driven at which guides are parallel;
+  /// nothing else there makes it travel farther by a factor like this.
+  bool goes_to_infinity() {
+    constexpr double kNear = 1e-3, kFactor = 1e4;
+    if (!travel_.slides) return false;
+    const CourseRun& run = driven_.runs.front();
+    const double middle = std::midpoint(run.from, run.to), step = kNear * (run.to - run.from);
+    const auto value = [&](double drive) {
+      motion_.move_to(drive);
+      return travelled<0>(travel_, motion_.bodies());
+    };
+    const auto is_beyond = [&](double end, double near) {
+      return std::abs(value(end) - value(middle)) > kFactor * std::abs(value(near) - value(middle));
+    };
+    const bool is_endless = (has_guides(run.from_dyad) && is_beyond(run.from, run.from + step)) ||
+                            (has_guides(run.to_dyad) && is_beyond(run.to, run.to - step));
+    if (is_endless) {
+      summary_.endless = problem_.mechanism.bodies[static_cast<std::size_t>(travel_.body)];
+    }
+    return is_endless;
   }
 
   static constexpr double kFullTurn = kTurn * (1 - 1e-12);
@@ -214,6 +247,7 @@ class Summary {
   const Deadline& deadline_;
   const Mechanism<double>& mechanism_;
   const Course& course_;
+  Course driven_;  ///< the first range of the course
   Travel travel_;
   FollowedMotion<0> motion_;
   MotionSummary summary_;

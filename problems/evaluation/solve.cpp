@@ -14,6 +14,7 @@
 #include "problems/evaluation/instant_geometry.hpp"
 #include "problems/evaluation/load_strokes.hpp"
 #include "problems/evaluation/motion_facts.hpp"
+#include "problems/evaluation/motion_notes.hpp"
 #include "problems/evaluation/motion_summary.hpp"
 #include "problems/evaluation/open_rows.hpp"
 #include "problems/evaluation/result.hpp"
@@ -72,6 +73,13 @@ Work work_of(const AnalysisProblem& problem, const Sweep& sweep, const Run& run,
   work.reactions = problem.output.reactions ? rows : 0;
   work.skipped = skipped(problem.output);
   return work;
+}
+
+/// Where the motion is just after its start, in its own sense: a start on a change point is on the
+/// motion that has the assembly there.
+double after_start(const DriveSweep& drive) {
+  constexpr double kStep = 2e-7;  // as the course of the motion has it
+  return drive.end < drive.start ? drive.start - kStep : drive.start;
 }
 
 /// The course of the rows, or of its first two turns, after which every motion repeats itself (an
@@ -154,11 +162,13 @@ bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, cons
                     const Deadline& deadline) {
   if (rows.rows.size() < static_cast<std::size_t>(row_count(problem.drive))) return false;
   const Course course = summarised_course(problem, rows, deadline);
-  auto [facts, landmarks] = summarise(problem, course, deadline);
+  MotionSummary summary = summarise(problem, course, deadline);
+  std::vector<Landmark>& landmarks = summary.landmarks;
   append(landmarks, curve_landmarks(problem, course, deadline), course);
   if (deadline.reached()) return false;
   count_with_rows(landmarks, problem, rows);
-  append(result.facts, std::move(facts));
+  append(result.facts, std::move(summary.facts));
+  std::ranges::move(motion_notes(problem, summary), std::back_inserter(result.notes));
   append(result.facts, curve_facts(problem));
   result.landmarks = std::move(landmarks);
   result.cognates = cognates(problem);
@@ -174,7 +184,7 @@ AnalysisResult analyse(const AnalysisProblem& problem, const Run& run) {
   result.closed_rows = closed_rows(rows);
   result.notes = open_row_notes(problem, rows);
   if (const auto note = ended_note(problem, rows, deadline)) result.notes.push_back(*note);
-  append(result.facts, type_facts(problem.mechanism, problem.drive.start));
+  append(result.facts, type_facts(problem.mechanism, after_start(problem.drive)));
   const bool whole = summarise_into(result, problem, rows, deadline);
   result.status = status_of(rows, deadline, whole);
   add_forces(result, problem, rows, deadline);

@@ -34,7 +34,7 @@ ordered_json metrics_json(const AnalysisResult& result) {
 ordered_json values_json(const std::vector<double>& values) {
   ordered_json list = ordered_json::array();
   for (const double value : values) {
-    list.push_back(std::isnan(value) ? ordered_json(nullptr) : ordered_json(value));
+    list.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
   }
   return list;
 }

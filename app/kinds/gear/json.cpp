@@ -97,7 +97,7 @@ ordered_json columns_json(const GearResult& result) {
   for (const auto& column : result.columns) {
     ordered_json values = ordered_json::array();
     for (const double value : column.values) {
-      values.push_back(std::isnan(value) ? ordered_json(nullptr) : ordered_json(value));
+      values.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
     }
     list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", values}});
   }

@@ -27,8 +27,8 @@ problems::CamProblem harmonic_cam() {
   problem.motion = {segment(cam::MotionLaw::harmonic, 120, 30),
                     segment(cam::MotionLaw::harmonic, 90, -30),
                     segment(cam::MotionLaw::dwell, 150)};
-  problem.constraints.pressure_angle_max_rise = kRise;
-  problem.constraints.pressure_angle_max_return = kReturn;
+  problem.constraints.pressure_angle_max_rise_working = kRise;
+  problem.constraints.pressure_angle_max_return_working = kReturn;
   problem.constraints.curvature_radius_min.reset();
   return problem;
 }
@@ -49,7 +49,7 @@ double true_radius() {
 }
 
 double by_half_planes(const cam::MotionProgramme& programme) {
-  const synthesis::PressureLimits limits{{}, kRise, kReturn};
+  const synthesis::PressureLimits limits{.rise_working = kRise, .fall_working = kReturn};
   return synthesis::smallest_translating(programme, limits, -HUGE_VAL, HUGE_VAL)
       ->dimensions.base_radius;
 }

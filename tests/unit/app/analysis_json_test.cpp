@@ -92,6 +92,13 @@ TEST(AnalysisJson, EmptyCellsAreNull) {
   EXPECT_EQ(analysis["landmarks"], landmarks);
 }
 
+TEST(AnalysisJson, CellsThatAreNotFiniteAreNull) {
+  auto result = planted();
+  result.columns.at(1).values = {HUGE_VAL, -HUGE_VAL, 0.3};
+  const json analysis = read_back(four_bar_problem(), result)["analysis"];
+  EXPECT_EQ(analysis["columns"].at(1)["values"], json({nullptr, nullptr, 0.3}));
+}
+
 TEST(AnalysisJson, SaysWhatTheFileAsks) {
   const json problem = read_back(four_bar_problem(), planted())["problem"];
   EXPECT_EQ(problem["title"], "Planted");

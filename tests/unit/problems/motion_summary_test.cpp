@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <random>
 
 #include "analysis/linkage/guide_bar_mobility.hpp"
@@ -247,7 +246,7 @@ struct RockerBySamples {
     double angle = 0, least = 0, greatest = 0;
     std::complex<double> last = along_rocker(middle - reach);
     for (int k = 1; k <= kSamples; ++k) {
-      const double share = -std::cos(std::numbers::pi * k / kSamples);
+      const double share = -std::cos(kPi * k / kSamples);
       const std::complex<double> next = along_rocker(middle + share * reach);
       angle += std::arg(next / last);
       least = std::min(least, angle);
@@ -272,8 +271,8 @@ TEST(MotionSummary, SwingIsThatOfTheRangeOnBothSidesOfTheStart) {
     }
     const double end = ends_outside ? b + c : b - c;
     const double reached = std::acos((a * a + f * f - end * end) / (2 * a * f));
-    const double middle = ends_outside ? 0 : std::numbers::pi;
-    const double reach = ends_outside ? reached : std::numbers::pi - reached;
+    const double middle = ends_outside ? 0 : kPi;
+    const double reach = ends_outside ? reached : kPi - reached;
     const bool open = random() % 2 == 0;
     const RockerBySamples rocker{a, b, c, f, open ? 1.0 : -1.0};
     // The start of the turn, the x axis, lies anywhere in the range.
