@@ -123,7 +123,7 @@ FoldedDiagonal diagonal(const Lengths<double>& links, const Extremes& at, double
   const CrankDirection<double> crank = crank_direction(crank_angle);
   const double k = 2 * l1 * l4 * crank.versine;
   const bool near = crank.side > 0;
-  Diagonal here{near ? at.p_near + k : at.p_far - k, near ? at.q_near - k : at.q_far + k};
+  FoldedDiagonal here{near ? at.p_near + k : at.p_far - k, near ? at.q_near - k : at.q_far + k};
   if (least) here.p = std::max(4 * l1 * l4 * half_cosine_fall(*least, crank_angle), 0.0);
   if (greatest) here.q = std::max(-4 * l1 * l4 * half_cosine_fall(*greatest, crank_angle), 0.0);
   return here;

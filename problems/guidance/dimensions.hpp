@@ -19,8 +19,4 @@ Vec2d point(const std::array<double, Count>& v, int dimension) {
   return {v[at], v[at + 1]};
 }
 
-inline double angle_of(const Vec2d& v) {
-  return std::atan2(v.y, v.x);
-}
-
 }  // namespace cognate::problems::motion_dimensions

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
 #include "problems/guidance/dimensions.hpp"
 #include "problems/guidance/model.hpp"
 
