@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "analysis/mechanism/assembly.hpp"
 #include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
@@ -16,15 +17,6 @@ struct Lengths {
   T rocker{};
   T frame{};
 };
-
-/// On which side of the directed line B→D the joint C lies: `open` to the left,
-/// (D − B) × (C − B) > 0, `crossed` to the right.
-enum class Assembly { open, crossed };
-
-/// +1 for `open`, −1 for `crossed`: the sign of (D − B) × (C − B).
-constexpr double sign(Assembly assembly) {
-  return assembly == Assembly::open ? 1.0 : -1.0;
-}
 
 /// A four-bar in the plane. `coupler_point` is (u, v) in the coupler's frame: origin B, first axis
 /// from B to C. Lengths are positive and in the unit of the pivots.

@@ -1,21 +1,16 @@
 /// @file What a four-bar can do, from its link lengths alone: nothing here computes a position.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
+#include "analysis/mechanism/assembly.hpp"
 
 namespace cognate {
 
 /// Grashof's classes by the link that turns fully. The crank is the driven link A–B.
 enum class MobilityClass { crank_rocker, double_crank, rocker_crank, double_rocker, triple_rocker };
-
-/// Sums of lengths that differ by no more than this part of the longest link are equal: lengths
-/// rounded to doubles, and what a file's decimal digits or a few operations make of them, cannot be
-/// told from equal ones.
-inline constexpr double kChangePointTolerance = 16 * std::numeric_limits<double>::epsilon();
 
 /// Grashof's criterion, shortest + longest ≤ sum of the other two, and which of crank and rocker
 /// turns fully: crank alone (it is the shortest) → crank-rocker, both (the frame is) →

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/linkage/mobility.hpp"
+#include "analysis/mechanism/assembly.hpp"
 
 namespace cognate {
 namespace {

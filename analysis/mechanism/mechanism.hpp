@@ -28,10 +28,12 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/linkage/four_bar.hpp"
+#include "analysis/mechanism/assembly.hpp"
 #include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
+
+struct FourBar;
 
 /// A point fixed on a body, in the body's axes.
 template <class T>

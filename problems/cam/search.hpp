@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "analysis/cam/cam.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/cam/variables.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/cam/exact.hpp"
 #include "problems/cam/facts.hpp"
 #include "problems/cam/largest_roller.hpp"
@@ -14,8 +13,9 @@
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/cam/starts.hpp"
-#include "problems/linkage/backend_choice.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/search/backend_choice.hpp"
 
 namespace cognate::problems {
 namespace {

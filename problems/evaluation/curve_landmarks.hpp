@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/result.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

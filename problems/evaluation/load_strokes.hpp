@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

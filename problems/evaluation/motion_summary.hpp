@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/result.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/column_plan.hpp"
 #include "problems/evaluation/row_filler.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

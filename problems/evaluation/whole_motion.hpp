@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/mechanism/course.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

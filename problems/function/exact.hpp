@@ -1,8 +1,8 @@
 /// @file Function generation by exact synthesis.
 #pragma once
 
-#include "problems/basics/deadline.hpp"
 #include "problems/function/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {

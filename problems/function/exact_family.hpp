@@ -1,9 +1,9 @@
 /// @file Exact function generators where fewer conditions are asked for than there are unknowns.
 #pragma once
 
-#include "problems/basics/deadline.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {

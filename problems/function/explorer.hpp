@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/function/found.hpp"
-#include "problems/linkage/thoroughness.hpp"
+#include "problems/search/thoroughness.hpp"
 
 namespace cognate::problems {
 

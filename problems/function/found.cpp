@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/linkage/backend_choice.hpp"
+#include "problems/search/backend_choice.hpp"
 
 namespace cognate::problems {
 namespace {

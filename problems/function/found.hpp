@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/model.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 

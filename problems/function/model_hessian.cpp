@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/function/extreme_crank_angle.hpp"
 #include "problems/function/model.hpp"
+#include "problems/linkage/extreme_crank_angle.hpp"
 #include "problems/linkage/transmission_hessian.hpp"
 #include "synthesis/optimise/closure_hessian.hpp"
 

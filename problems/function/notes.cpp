@@ -13,8 +13,8 @@
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/function/jumps.hpp"
 #include "problems/function/scatter.hpp"
+#include "problems/function/target/jumps.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/function/error.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_objectives.hpp"
 #include "problems/linkage/read_turn.hpp"
+#include "problems/search/read_objectives.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/function/jumps.hpp"
-#include "problems/function/poles.hpp"
+#include "problems/function/target/jumps.hpp"
+#include "problems/function/target/poles.hpp"
 #include "problems/toml/expression.hpp"
 #include "problems/toml/interpolation.hpp"
 

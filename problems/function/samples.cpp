@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "problems/function/derivatives.hpp"
+#include "problems/function/target/derivatives.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 
 namespace cognate::problems {

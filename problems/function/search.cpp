@@ -9,7 +9,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/function/explorer.hpp"
 #include "problems/function/found.hpp"
-#include "problems/linkage/backend_choice.hpp"
+#include "problems/search/backend_choice.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/linkage/thoroughness.hpp"
+#include "problems/search/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

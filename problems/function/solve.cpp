@@ -5,18 +5,19 @@
 #include <string_view>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/function/certificate.hpp"
 #include "problems/function/designs.hpp"
+#include "problems/function/error.hpp"
 #include "problems/function/exact.hpp"
 #include "problems/function/notes.hpp"
 #include "problems/function/search.hpp"
-#include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/certifying.hpp"
-#include "problems/linkage/conflict.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/objectives.hpp"
 #include "problems/linkage/turn_metrics.hpp"
+#include "problems/search/backend_choice.hpp"
+#include "problems/search/conflict.hpp"
+#include "problems/search/objectives.hpp"
 
 namespace cognate::problems {
 namespace {

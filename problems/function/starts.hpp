@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

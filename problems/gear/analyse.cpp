@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "analysis/gear/tooth_outline.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/gear/facts.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/result.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 namespace {

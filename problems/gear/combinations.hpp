@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/gear/pair_search.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

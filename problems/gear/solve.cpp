@@ -8,12 +8,12 @@
 #include <string>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/gear/combinations.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_search.hpp"
 #include "problems/gear/result.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

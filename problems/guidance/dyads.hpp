@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

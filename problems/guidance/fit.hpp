@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/guidance/model.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/linkage/thoroughness.hpp"
+#include "problems/search/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

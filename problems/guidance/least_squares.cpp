@@ -8,14 +8,15 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/guidance/dyads.hpp"
+#include "problems/guidance/error.hpp"
 #include "problems/guidance/fit.hpp"
 #include "problems/guidance/scale.hpp"
-#include "problems/linkage/backend_choice.hpp"
-#include "problems/linkage/conflict.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/objectives.hpp"
 #include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/search/backend_choice.hpp"
+#include "problems/search/conflict.hpp"
+#include "problems/search/objectives.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
 namespace cognate::problems {

@@ -7,9 +7,9 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_objectives.hpp"
 #include "problems/linkage/read_turn.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
+#include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/legs.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

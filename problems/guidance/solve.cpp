@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/least_squares.hpp"
 #include "problems/guidance/legs.hpp"
 #include "problems/guidance/loci.hpp"
 #include "problems/guidance/search.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 

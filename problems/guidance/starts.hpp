@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/dyads.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/linkage/certificate.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/bounds/branch_and_bound.hpp"

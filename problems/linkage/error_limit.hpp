@@ -1,33 +1,15 @@
-/// @file The error that a problem of path, function or motion generation minimises, as one number
-/// of a finished design, and a file's bound on it.
+/// @file A file's bound on the error, and how errors are shown.
 #pragma once
 
 #include <string>
 
-#include "problems/function/problem.hpp"
-#include "problems/guidance/problem.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 
-/// What the error of a problem is: the root mean square distance of a path (squares by their
-/// weights) or of a motion (angles by theirs); of a function that of the angles, or the largest one
-/// where the objective is minimax. A smaller one means a smaller objective.
-ErrorMeasure error_measure(const PathProblem& problem);
-ErrorMeasure error_measure(const FunctionProblem& problem);
-ErrorMeasure error_measure(const MotionProblem& problem);
-
-/// That error of a design, a length or radians.
-double error_of(const PathProblem& problem, const Design& design);
-double error_of(const FunctionProblem& problem, const Design& design);
-double error_of(const MotionProblem& problem, const Design& design);
-
-/// Errors up to this are rounding: the target is met.
-double met_error(const PathProblem& problem);
-double met_error(const FunctionProblem& problem);
-double met_error(const MotionProblem& problem);
+/// Errors up to this, of the size of a path or motion or in radians, are rounding.
+inline constexpr double kMetError = 1e-10;
 
 /// `error` as files say it, in degrees where it is an angle.
 double shown_error(ErrorMeasure of, double error);
@@ -38,7 +20,7 @@ std::string error_column(ErrorMeasure of);
 /// Adds to the checks of a design whether `error` keeps to `limit`.
 void check_error(const ErrorLimit& limit, double error, Design& design);
 
-/// Adds that check where the file has such a bound.
+/// Adds that check where the file has such a bound; the kind's error.hpp says what its error is.
 template <class AnyProblem>
 void check_error(const AnyProblem& problem, Design& design) {
   const auto& limit = problem.constraints.error;

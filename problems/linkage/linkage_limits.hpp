@@ -97,6 +97,9 @@ inline bool limits_turn(const Constraints& constraints) {
          is_limit(constraints.flywheel_inertia_max) || is_limit(constraints.motor_power_max);
 }
 
+/// Whether free points are met one after the other along the motion.
+enum class PointOrder { cyclic, any };
+
 /// `solve.solver`.
 enum class SolverChoice {
   automatic,
@@ -153,6 +156,8 @@ template <>
 std::span<const Named<MovingLink>> names<MovingLink>();
 template <>
 std::span<const Named<SolverChoice>> names<SolverChoice>();
+template <>
+std::span<const Named<PointOrder>> names<PointOrder>();
 template <>
 std::span<const Named<Measure>> names<Measure>();
 template <>

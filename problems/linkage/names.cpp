@@ -56,6 +56,8 @@ constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
                                        {"interrupted", Status::interrupted}};
 constexpr Named<Defect> kDefects[] = {
     {"circuit", Defect::circuit}, {"branch", Defect::branch}, {"order", Defect::order}};
+constexpr Named<PointOrder> kPointOrders[] = {{"cyclic", PointOrder::cyclic},
+                                              {"any", PointOrder::any}};
 
 }  // namespace
 
@@ -112,6 +114,11 @@ std::span<const Named<Status>> names<Status>() {
 template <>
 std::span<const Named<Defect>> names<Defect>() {
   return kDefects;
+}
+
+template <>
+std::span<const Named<PointOrder>> names<PointOrder>() {
+  return kPointOrders;
 }
 
 }  // namespace cognate::problems

@@ -11,7 +11,6 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "problems/function/jumps.hpp"
+#include "problems/function/target/jumps.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "analysis/machine/machine.hpp"
 #include "analysis/mechanism/course.hpp"
-#include "problems/basics/deadline.hpp"
 #include "problems/evaluation/active_loads.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/machine/load_travel.hpp"
 #include "problems/machine/problem.hpp"
 

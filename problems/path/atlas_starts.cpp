@@ -9,7 +9,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -4,7 +4,7 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/linkage/curve_placement.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 namespace cognate::problems {
 

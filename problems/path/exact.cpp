@@ -8,7 +8,7 @@
 #include <random>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "problems/path/exact_notes.hpp"

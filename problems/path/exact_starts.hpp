@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/path/starts.hpp"
 
 namespace cognate::problems {

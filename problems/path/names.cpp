@@ -10,8 +10,6 @@ constexpr Named<CrankReference> kCrankReferences[] = {{"first", CrankReference::
                                                       {"global", CrankReference::global}};
 constexpr Named<CrankSense> kCrankSenses[] = {
     {"either", CrankSense::either}, {"ccw", CrankSense::ccw}, {"cw", CrankSense::cw}};
-constexpr Named<PointOrder> kPointOrders[] = {{"cyclic", PointOrder::cyclic},
-                                              {"any", PointOrder::any}};
 constexpr Named<CurvePlace> kCurvePlaces[] = {{"given", CurvePlace::given},
                                               {"similar", CurvePlace::similar}};
 constexpr Named<PathMethod> kPathMethods[] = {{"least-squares", PathMethod::least_squares},
@@ -32,11 +30,6 @@ std::span<const Named<CrankReference>> names<CrankReference>() {
 template <>
 std::span<const Named<CrankSense>> names<CrankSense>() {
   return kCrankSenses;
-}
-
-template <>
-std::span<const Named<PointOrder>> names<PointOrder>() {
-  return kPointOrders;
 }
 
 template <>

@@ -5,7 +5,7 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/path/curve_branch.hpp"
+#include "problems/path/curve/curve_branch.hpp"
 #include "problems/path/placing.hpp"
 #include "problems/path/stretches.hpp"
 

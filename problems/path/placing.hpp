@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/path/curve_branch.hpp"
+#include "problems/path/curve/curve_branch.hpp"
 #include "problems/path/stretches.hpp"
 
 namespace cognate::problems {

@@ -8,8 +8,8 @@
 
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
-#include "problems/path/atlas_source.hpp"
-#include "problems/path/target_curve.hpp"
+#include "problems/path/curve/atlas_source.hpp"
+#include "problems/path/curve/target_curve.hpp"
 
 namespace cognate::problems {
 
@@ -21,8 +21,6 @@ inline constexpr const char* kFreeAngle = "free";
 enum class CrankReference { first, frame, global };
 /// In which sense the crank turns from point to point.
 enum class CrankSense { either, ccw, cw };
-/// Whether free points are met one after the other along the motion.
-enum class PointOrder { cyclic, any };
 /// `least_squares`: as near to the points as can be. `exact`: through each of them, all solutions.
 enum class PathMethod { least_squares, exact };
 
@@ -71,8 +69,6 @@ template <>
 std::span<const Named<CrankReference>> names<CrankReference>();
 template <>
 std::span<const Named<CrankSense>> names<CrankSense>();
-template <>
-std::span<const Named<PointOrder>> names<PointOrder>();
 template <>
 std::span<const Named<CurvePlace>> names<CurvePlace>();
 template <>

@@ -12,11 +12,11 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_objectives.hpp"
 #include "problems/linkage/read_turn.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/read_curve.hpp"
 #include "problems/path/read_exact.hpp"
+#include "problems/search/read_objectives.hpp"
 
 namespace cognate::problems::reading {
 namespace {

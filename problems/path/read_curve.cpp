@@ -8,8 +8,8 @@
 
 #include "problems/linkage/class_feasibility.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/path/outline.hpp"
-#include "problems/path/svg_file.hpp"
+#include "problems/path/curve/outline.hpp"
+#include "problems/path/curve/svg_file.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/linkage/thoroughness.hpp"
 #include "problems/path/model.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/search/thoroughness.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {

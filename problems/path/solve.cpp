@@ -8,11 +8,8 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/certifying.hpp"
-#include "problems/linkage/conflict.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/objectives.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/turn_metrics.hpp"
@@ -20,10 +17,14 @@
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/curve_following.hpp"
+#include "problems/path/error.hpp"
 #include "problems/path/exact.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
+#include "problems/search/backend_choice.hpp"
+#include "problems/search/conflict.hpp"
+#include "problems/search/objectives.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 #include "problems/path/problem.hpp"
 
 namespace cognate::problems {

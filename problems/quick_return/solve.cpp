@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "problems/basics/deadline.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/quick_return/designs.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/front.hpp"

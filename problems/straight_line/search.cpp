@@ -11,7 +11,7 @@
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/zeros.hpp"
-#include "problems/linkage/backend_choice.hpp"
+#include "problems/search/backend_choice.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 

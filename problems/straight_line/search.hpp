@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/linkage/thoroughness.hpp"
+#include "problems/search/thoroughness.hpp"
 #include "problems/straight_line/starts.hpp"
 #include "problems/straight_line/stretch.hpp"
 

@@ -13,8 +13,8 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
-#include "problems/linkage/backend_choice.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/search/backend_choice.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 

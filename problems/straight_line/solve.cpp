@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/design.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/path/outline.hpp"
-#include "problems/path/svg_path_data.hpp"
+#include "problems/path/curve/outline.hpp"
+#include "problems/path/curve/svg_path_data.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -1,5 +1,5 @@
 /// Poles between samples, told from peaks and steps.
-#include "problems/function/poles.hpp"
+#include "problems/function/target/poles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/function/jumps.hpp"
+#include "problems/function/target/jumps.hpp"
 
 namespace cognate::problems::reading {
 namespace {

@@ -111,6 +111,6 @@ cognate_page_kernel(mechanism_kernel
   problems/mechanism/simple_parts.cpp
   problems/evaluation/type_facts.cpp
   problems/evaluation/whole_motion.cpp
-  problems/basics/deadline.cpp
+  problems/linkage/deadline.cpp
   problems/linkage/names.cpp
   problems/mechanism/names.cpp)

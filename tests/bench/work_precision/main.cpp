@@ -17,8 +17,8 @@
 #include <limits>
 
 #include "problems/basics/names.hpp"
-#include "problems/linkage/backend_choice.hpp"
 #include "problems/read.hpp"
+#include "problems/search/backend_choice.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/bench/work_precision/contest.hpp"
 #include "tests/oracle/records.hpp"

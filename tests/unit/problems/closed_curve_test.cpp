@@ -1,5 +1,5 @@
 /// Closed polylines: lengths and places known by hand, distances against every side one by one.
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Constraints that fight are named with the least change that helps, as a rule known beforehand
 /// tells, and as solving again with the changed limits confirms.
-#include "problems/linkage/conflict.hpp"
+#include "problems/search/conflict.hpp"
 
 #include <gtest/gtest.h>
 

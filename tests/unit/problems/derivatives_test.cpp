@@ -1,5 +1,5 @@
 // Derivatives of functions that are only evaluated, against those in closed form.
-#include "problems/function/derivatives.hpp"
+#include "problems/function/target/derivatives.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
-#include "problems/linkage/measures.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/search/measures.hpp"
 
 namespace cognate::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/linkage/pareto_front.hpp"
+#include "problems/search/pareto_front.hpp"
 
 #include <algorithm>
 #include <cmath>

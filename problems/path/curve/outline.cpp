@@ -1,4 +1,4 @@
-#include "problems/path/outline.hpp"
+#include "problems/path/curve/outline.hpp"
 
 #include <fmt/core.h>
 

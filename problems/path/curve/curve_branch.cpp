@@ -1,4 +1,4 @@
-#include "problems/path/curve_branch.hpp"
+#include "problems/path/curve/curve_branch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/path/svg_file.hpp"
+#include "problems/path/curve/svg_file.hpp"
 
 #include <fmt/core.h>
 

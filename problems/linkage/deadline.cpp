@@ -1,4 +1,4 @@
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "problems/function/jumps.hpp"
+#include "problems/function/target/jumps.hpp"
 
 #include <algorithm>
 #include <cmath>

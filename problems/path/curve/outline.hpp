@@ -6,8 +6,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "problems/path/closed_curve.hpp"
-#include "problems/path/svg_path_data.hpp"
+#include "problems/path/curve/closed_curve.hpp"
+#include "problems/path/curve/svg_path_data.hpp"
 
 namespace cognate::problems::reading {
 

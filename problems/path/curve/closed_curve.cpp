@@ -1,4 +1,4 @@
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

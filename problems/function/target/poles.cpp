@@ -1,4 +1,4 @@
-#include "problems/function/poles.hpp"
+#include "problems/function/target/poles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 

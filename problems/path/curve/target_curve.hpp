@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "problems/path/closed_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 namespace cognate::problems {
 

@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "problems/basics/deadline.hpp"
+#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/pareto_front.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/search/pareto_front.hpp"
 
 namespace cognate::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/linkage/backend_choice.hpp"
+#include "problems/search/backend_choice.hpp"
 
 namespace cognate::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/function/derivatives.hpp"
+#include "problems/function/target/derivatives.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "problems/linkage/objectives.hpp"
+#include "problems/search/objectives.hpp"
 
 #include <fmt/core.h>
 

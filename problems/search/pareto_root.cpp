@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "problems/linkage/pareto_front.hpp"
+#include "problems/search/pareto_front.hpp"
 
 namespace cognate::problems {
 namespace {

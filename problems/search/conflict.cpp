@@ -1,4 +1,4 @@
-#include "problems/linkage/conflict.hpp"
+#include "problems/search/conflict.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

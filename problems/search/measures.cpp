@@ -1,4 +1,4 @@
-#include "problems/linkage/measures.hpp"
+#include "problems/search/measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/linkage/read_objectives.hpp"
+#include "problems/search/read_objectives.hpp"
 
 #include <fmt/core.h>
 

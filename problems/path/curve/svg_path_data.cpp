@@ -1,4 +1,4 @@
-#include "problems/path/svg_path_data.hpp"
+#include "problems/path/curve/svg_path_data.hpp"
 
 #include <fmt/core.h>
 
