@@ -36,4 +36,10 @@ Lengths<double> lengths(const FourBar& linkage);
 /// The direction of A→D as an angle from the x axis, in (−π, π].
 double frame_angle(const FourBar& linkage);
 
+template <class T>
+struct Mechanism;
+
+/// The four-bar as a crank and an RRR dyad: body 1 is the crank, 2 the coupler, 3 the rocker.
+Mechanism<double> as_mechanism(const FourBar& linkage);
+
 }  // namespace cognate

@@ -25,15 +25,4 @@ DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double 
   return {.direction = {std::cos(coordinate), std::sin(coordinate)}, .displacement = 0};
 }
 
-Mechanism<double> as_mechanism(const FourBar& linkage) {
-  Mechanism<double> mechanism;
-  mechanism.drive = Crank<double>{linkage.pivot_a, linkage.crank};
-  mechanism.dyads.emplace_back(Rrr<double>{{1, {linkage.crank, 0}},
-                                           {0, linkage.pivot_d},
-                                           linkage.coupler,
-                                           linkage.rocker,
-                                           linkage.assembly});
-  return mechanism;
-}
-
 }  // namespace cognate

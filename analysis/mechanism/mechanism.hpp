@@ -33,8 +33,6 @@
 
 namespace cognate {
 
-struct FourBar;
-
 /// A point fixed on a body, in the body's axes.
 template <class T>
 struct Attached {
@@ -149,8 +147,5 @@ template <class T>
 int body_count(const Mechanism<T>& mechanism) {
   return first_body(mechanism, static_cast<int>(mechanism.dyads.size()));
 }
-
-/// The four-bar as a crank and an RRR dyad: body 1 is the crank, 2 the coupler, 3 the rocker.
-Mechanism<double> as_mechanism(const FourBar& linkage);
 
 }  // namespace cognate

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "analysis/linkage/four_bar.hpp"
+
 namespace cognate::problems {
 namespace {
 

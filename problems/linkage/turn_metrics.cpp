@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/linkage_dynamics.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "problems/mechanism/simple_parts.hpp"
 
 namespace cognate::problems {

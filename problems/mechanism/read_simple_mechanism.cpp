@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/simple_parts.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "tests/support/random_chains.hpp"
 

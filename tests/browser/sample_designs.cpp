@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"

@@ -11,6 +11,7 @@
 #include "analysis/coupler_curve/contact.hpp"
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/numbers/constants.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/angle.hpp"
 
 namespace cognate::synthesis {

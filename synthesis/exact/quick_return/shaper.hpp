@@ -10,6 +10,7 @@
 
 #include <optional>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 

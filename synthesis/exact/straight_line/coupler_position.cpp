@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "analysis/linkage/change_point.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"

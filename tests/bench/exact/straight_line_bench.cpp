@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 

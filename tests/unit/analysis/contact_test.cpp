@@ -8,6 +8,7 @@
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 #include "tests/support/quad_motion.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/assembly_fault.hpp"
 #include "analysis/mechanism/output_limits.hpp"

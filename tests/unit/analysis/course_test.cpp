@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/angle.hpp"

@@ -11,6 +11,7 @@
 #include "analysis/coupler_curve/path_curvature.hpp"
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/linkage/cognates.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "analysis/linkage/double_slider_travel.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 

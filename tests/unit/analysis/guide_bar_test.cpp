@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar_mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"

@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <xsimd/xsimd.hpp>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/convert.hpp"
 #include "analysis/mechanism/kinematics.hpp"

@@ -8,6 +8,7 @@
 #include "analysis/coupler_curve/pole.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
 #include "analysis/linkage/double_slider_travel.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/numbers/constants.hpp"

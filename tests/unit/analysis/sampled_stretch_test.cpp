@@ -13,6 +13,7 @@
 #include "analysis/coupler_curve/circuit_samples.hpp"
 #include "analysis/coupler_curve/closed_stretch.hpp"
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 

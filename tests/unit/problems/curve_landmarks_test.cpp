@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "problems/evaluation/result.hpp"
 #include "tests/support/named_mechanisms.hpp"

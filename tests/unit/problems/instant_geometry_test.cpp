@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "problems/evaluation/result.hpp"
 #include "tests/support/named_mechanisms.hpp"
 #include "tests/support/quad_motion.hpp"

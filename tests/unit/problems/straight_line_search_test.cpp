@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/result.hpp"

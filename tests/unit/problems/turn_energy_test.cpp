@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/machine/reduction.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"

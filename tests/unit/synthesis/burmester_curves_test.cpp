@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"

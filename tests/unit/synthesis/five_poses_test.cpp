@@ -10,6 +10,7 @@
 #include <random>
 
 #include "analysis/linkage/double_slider.hpp"
+#include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/mechanism/kinematics.hpp"
