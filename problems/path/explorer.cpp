@@ -233,10 +233,11 @@ class Explorer {
     sort_and_merge(pool_, costs_less, kSameFit);
   }
 
-  /// A fit that has left the order, and is worse once its points are back in it, is taken back and
-  /// done in order.
+  /// With free timing a fit that has left the order, and is worse once its points are back in it,
+  /// is taken back and done in order. Between timed points the way out of the order and back leads
+  /// to minima that are not reached within it.
   void deepen(std::span<PathFound> some) {
-    if (!assigns_places(problem_)) {
+    if (problem_.timing != Timing::free || !assigns_places(problem_)) {
       fit(some, {kFitted, 1}, true);
       return;
     }

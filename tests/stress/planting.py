@@ -231,6 +231,7 @@ def add_arguments(parser, count):
     parser.add_argument("--seeds", type=int, default=1, help="runs of each problem")
     parser.add_argument("--noise", type=float, nargs="*", default=[0, 0.001, 0.01, 0.05],
                         help="shares of the target's size")
+    parser.add_argument("--limits", nargs="*", choices=["without", "with"], default=["without", "with"])
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the files of what failed")
     parser.add_argument("--threads", type=int)
     parser.add_argument("--allowed", type=float,
@@ -249,7 +250,7 @@ def run_all(arguments, kind, plant, family):
     missed = infeasible = count = 0
     tallies = []
     for noise in arguments.noise:
-        for limited in (False, True):
+        for limited in (word == "with" for word in arguments.limits):
             tally = Tally(f"{kind}, noise {100 * noise:g} %, {'limits' if limited else 'no limits'}")
             tallies.append(tally)
             for index in range(arguments.count):

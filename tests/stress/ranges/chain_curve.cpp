@@ -286,7 +286,17 @@ std::optional<SixBarTruth> truth_of(const SixBar& chain) {
   if (stop == End::lost) return std::nullopt;
   if (stop == End::dead_point) truth.dead_points.push_back(range.end_drive / kRadian);
   const double unit = chain.slides ? 1 : 1 / kRadian;
-  truth.stroke = unit * (range.greatest - range.least);
+  double least = range.least, greatest = range.greatest;
+  if (first == 1 && stop == End::dead_point && std::abs(end - start) >= kTurn * (1 - 1e-12)) {
+    // A turn later the start is passed again, on the way out of the other end of its range.
+    Follower back(chain);
+    if (back.follow(*inside, -sense, Until::dead_point, start - sense * kTurn) == End::lost) {
+      return std::nullopt;
+    }
+    least = std::min(least, back.least);
+    greatest = std::max(greatest, back.greatest);
+  }
+  truth.stroke = unit * (greatest - least);
   truth.least_transmission = range.least_transmission / kRadian;
   truth.greatest_transmission = range.greatest_transmission / kRadian;
   Follower whole(chain);

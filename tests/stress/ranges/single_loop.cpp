@@ -51,6 +51,12 @@ class Follower {
     for (const auto& part : parts) add_points(part, truth);
     Track track;
     trace(parts.front(), loop_.side, track);
+    if (const auto way = way_back(parts, sense)) {
+      track.value = 0;
+      track.last.reset();
+      track.before.reset();
+      trace(*way, loop_.side, track);
+    }
     truth.stroke = track.stroke(loop_.slides());
     truth.keeps_direction = track.keeps_direction;
     Track all;
@@ -178,6 +184,31 @@ class Follower {
     if (!first) std::reverse(places.begin(), places.end());
     part.places.insert(part.places.end(), places.begin(), places.end());
     (first ? part.starts_dead : part.ends_dead) = true;
+  }
+
+  /// Of a drive that begins within a range: from there back to the other end of the range, which is
+  /// passed a turn later.
+  std::optional<Part<Real>> way_back(const std::vector<Part<Real>>& parts, double sense) const {
+    const bool is_whole = parts.size() == 1 && !parts.front().ends_dead;
+    if (is_whole || parts.front().starts_dead || std::abs(loop_.end - loop_.start) < 360) {
+      return std::nullopt;
+    }
+    const Place<Real> again = place(loop_.start + 360 * sense);
+    const auto is_passed = [&](const Place<Real>& at) {
+      return sense > 0 ? !is_before(again, at) : !is_before(at, again);
+    };
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const auto& places = parts[i].places;
+      if (!is_passed(places.front()) || (is_passed(places.back()) && !(places.back() == again))) {
+        continue;
+      }
+      Part<Real> way;
+      std::copy_if(places.begin(), places.end(), std::back_inserter(way.places), is_passed);
+      if (!(way.places.back() == again)) way.places.push_back(again);
+      std::reverse(way.places.begin(), way.places.end());
+      return way;
+    }
+    return std::nullopt;
   }
 
   double drive(const Place<Real>& at) const { return at.degrees() + frame_degrees(); }

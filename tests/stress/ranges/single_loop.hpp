@@ -46,7 +46,7 @@ struct LoopTruth {
   int ranges = 0;       ///< that the drive crosses
   bool crank_turns = false;
   bool reaches_infinity = false;        ///< the first range ends where two lines are parallel
-  double stroke = 0;                    ///< of the first range: degrees or length
+  double stroke = 0;                    ///< of the range of the start, on both its sides
   std::optional<double> circuit{};      ///< 360 where the output turns fully
   std::vector<double> dead_points{};    ///< in all ranges
   std::vector<double> change_points{};  ///< at which two assemblies meet
