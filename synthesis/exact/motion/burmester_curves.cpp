@@ -14,6 +14,10 @@
 #include "synthesis/exact/motion/guidance_forms.hpp"
 
 namespace cognate::synthesis {
+
+/// Which of its pivots a dyad is found by.
+enum class PivotSide { fixed, moving };
+
 namespace {
 
 using Eigen::Vector3d;
@@ -29,14 +33,11 @@ constexpr double kPoint = 1e-6, kManyPartners = 1e-3;
 /// Parameters by which an arc is known.
 constexpr std::array kSamples{0.07, 0.23, 0.41, 0.61, 0.83};
 
-/// Which of its pivots a dyad is found by.
-enum class Side { fixed, moving };
-
-ThreeForms forms_of(const GuidanceForms& forms, Side side) {
+ThreeForms forms_of(const GuidanceForms& forms, PivotSide side) {
   ThreeForms result;
   for (int j = 0; j < 3; ++j) {
     result[static_cast<std::size_t>(j)] =
-        side == Side::fixed ? forms.basis(j) : forms.basis(j).transpose();
+        side == PivotSide::fixed ? forms.basis(j) : forms.basis(j).transpose();
   }
   return result;
 }
@@ -51,8 +52,8 @@ std::optional<Vector3d> partner(const ThreeForms& forms, const Vector3d& x) {
   return best.normalized();
 }
 
-PivotPair pair_of(Side side, const Vector3d& x, const Vector3d& other) {
-  return side == Side::fixed ? PivotPair{other, x} : PivotPair{x, other};
+PivotPair pair_of(PivotSide side, const Vector3d& x, const Vector3d& other) {
+  return side == PivotSide::fixed ? PivotPair{other, x} : PivotPair{x, other};
 }
 
 double apart(const Vector3d& a, const Vector3d& b) {
@@ -63,11 +64,11 @@ double apart(const Vector3d& a, const Vector3d& b) {
 
 /// One of the two curves.
 struct PivotCurve {
-  Side side;
+  PivotSide side;
   ThreeForms forms;
   CubicPencil cubic;
 
-  PivotCurve(const GuidanceForms& all, Side by)
+  PivotCurve(const GuidanceForms& all, PivotSide by)
       : side(by), forms(forms_of(all, by)), cubic(forms) {}
 
   std::optional<PivotPair> pair_at(const Vector3d& x) const {
@@ -107,8 +108,8 @@ struct BurmesterCurves::Data {
   explicit Data(std::span<const Pose, 4> given)
       : poses{given[0], given[1], given[2], given[3]}, forms(poses) {
     if (forms.status() != GuidanceStatus::found) return;
-    centres.emplace(forms, Side::fixed);
-    circles.emplace(forms, Side::moving);
+    centres.emplace(forms, PivotSide::fixed);
+    circles.emplace(forms, PivotSide::moving);
     for (int arc = 0; arc < centres->cubic.arc_count(); ++arc) {
       if (has_dyads(*centres, arc) && !centres->is_point_of_many(arc))
         branches.push_back({&*centres, arc});
