@@ -6,6 +6,10 @@
   sub(/@file /, "")
 }
 
+# The names of an enumeration are declared beside it, without a word of their own.
+/^template <>$/ { held = $0; next }
+held != "" { if (/^std::span<const Named</) { held = ""; print ""; print ""; next } print held; held = "" }
+
 /^ *\/\/\// {
   if (!in_comment) comment = ""
   comment = comment $0 "\n"

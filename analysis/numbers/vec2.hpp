@@ -70,6 +70,7 @@ inline double norm1(const Vec2d& a) {
   return std::abs(a.x) + std::abs(a.y);
 }
 
+/// Whether both coordinates are finite numbers.
 inline bool is_finite(const Vec2d& a) {
   return std::isfinite(a.x) && std::isfinite(a.y);
 }
