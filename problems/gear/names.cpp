@@ -1,4 +1,4 @@
-#include "problems/basics/names.hpp"
+#include "problems/gear/problem.hpp"
 
 namespace cognate::problems {
 namespace {
