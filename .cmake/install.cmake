@@ -7,14 +7,10 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cognate)
 foreach(room IN ITEMS analysis synthesis problems)
   set_target_properties(cognate_${room} PROPERTIES EXPORT_NAME ${room})
   install(TARGETS cognate_${room} EXPORT cognate)
-  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cognate
-          FILES_MATCHING PATTERN "*.hpp" PATTERN library EXCLUDE
-          # What only the kernels of an instruction set may include, and what needs Boost or NLopt.
-          REGEX "batch/(lanes|roots|evaluate)\\.hpp$" EXCLUDE
-          REGEX "nine_point/(numbers|eliminate|lane_equations|taylor|lane_state|inspector)\\.hpp$"
-          EXCLUDE
-          REGEX "(numbers/zeros|coupler_curve/traced_curve|optimise/nlopt_run)\\.hpp$" EXCLUDE)
 endforeach()
+install(CODE "set(SOURCE \"${PROJECT_SOURCE_DIR}\")
+set(DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/cognate\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 if(TARGET cognate)
   install(TARGETS cognate)
   install(FILES ${PROJECT_BINARY_DIR}/app/cognate.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -4,7 +4,6 @@
 #include <exception>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "app/commands/command_line.hpp"
 #include "app/commands/command_line_faults.hpp"
@@ -12,6 +11,7 @@
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/version.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/shell/completion.hpp"
 #include "app/shell/manual_page.hpp"
 #include "app/study/processes.hpp"
@@ -54,10 +54,10 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
 /// The command that makes a result of `file`: `analyze` of what a file gives whole.
 const char* command_for(const std::string& file) {
   const auto task = problems::read_task(file);
-  const bool is_given = task && (std::holds_alternative<problems::AnalysisProblem>(*task) ||
-                                 std::holds_alternative<problems::GearProblem>(*task) ||
-                                 std::holds_alternative<problems::MachineProblem>(*task));
-  return is_given ? "analyze" : "solve";
+  if (!task) return "solve";
+  return visit_kind(*task, [](auto kind, const auto& problem) {
+    return kind.refusal(problem, Command::solve).empty() ? "solve" : "analyze";
+  });
 }
 
 ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const Options& options) {
@@ -69,7 +69,7 @@ ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const
   }
   const std::string other = arguments.exporting.any();
   if (of_study && !other.empty()) {
-    complain(other + ": is for results; with --row no other option is wanted");
+    complain(other + ": is for results; remove every other option but --row");
     return exit_bad_input;
   }
   if (of_study) {

@@ -1,6 +1,7 @@
 /// @file Every kind of problem: the one header that names them all.
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "problems/cam/problem.hpp"
@@ -15,13 +16,18 @@
 
 namespace cognate::problems {
 
-/// Whatever design of a linkage a file may ask for.
-using Problem = std::variant<PathProblem, FunctionProblem, MotionProblem, QuickReturnProblem,
-                             StraightLineProblem>;
+/// Whatever a file may ask for: the one list of kinds. Messages name them in this order.
+using Task = std::variant<PathProblem, FunctionProblem, MotionProblem, QuickReturnProblem,
+                          StraightLineProblem, CamProblem, GearProblem, GearPairProblem,
+                          AnalysisProblem, MachineProblem>;
 
-/// Whatever a file may ask for: the design of a linkage, the analysis of a mechanism, a cam, a gear
-/// or a pair of them, or what a machine does.
-using Task = std::variant<Problem, AnalysisProblem, CamProblem, GearProblem, GearPairProblem,
-                          MachineProblem>;
+/// Calls `visit` with `std::type_identity` of each kind of problem, in the order of `Task`.
+template <class Visit>
+constexpr void for_each_kind(Visit visit) {
+  const auto fold = [&]<class... Kind>(std::type_identity<std::variant<Kind...>>) {
+    (visit(std::type_identity<Kind>{}), ...);
+  };
+  fold(std::type_identity<Task>{});
+}
 
 }  // namespace cognate::problems

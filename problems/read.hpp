@@ -1,10 +1,12 @@
 /// @file Reading problem files.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "problems/kinds.hpp"
@@ -12,36 +14,46 @@
 
 namespace cognate::problems {
 
-/// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
-tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
+/// What a file asks for, and where its `kind` stands, counted from 1.
+struct TaskAt {
+  Task task;
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
 
-/// As `parse_task`, for a file. A file that cannot be read or is larger than 8 MiB is a fault at
+/// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
+tl::expected<TaskAt, std::vector<Fault>> parse_task_at(std::string_view text);
+
+/// As `parse_task_at`, for a file. One that cannot be read or is larger than 8 MiB is a fault at
 /// 1:1.
+tl::expected<TaskAt, std::vector<Fault>> read_task_at(const std::filesystem::path& file);
+
+/// The same without the place.
+tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
 tl::expected<Task, std::vector<Fault>> read_task(const std::filesystem::path& file);
 
-/// As `parse_task` and `read_task`, where the design of a linkage is wanted: that a sound file asks
-/// for something else is then a fault at its `kind`.
-tl::expected<Problem, std::vector<Fault>> parse_problem(std::string_view text);
-tl::expected<Problem, std::vector<Fault>> read_problem(const std::filesystem::path& file);
+/// `read`, where a problem of kind `Wanted` is: that a sound file asks for something else is a
+/// fault at its `kind`.
+template <class Wanted>
+tl::expected<Wanted, std::vector<Fault>> only(TaskAt read) {
+  if (auto* task = std::get_if<Wanted>(&read.task)) return std::move(*task);
+  const auto asked =
+      std::visit([]<class Kind>(const Kind&) { return KindTraits<Kind>::kWord; }, read.task);
+  const auto quoted = [](std::string_view word) { return '"' + std::string(word) + '"'; };
+  return tl::unexpected(std::vector<Fault>{
+      {read.line, read.column,
+       "kind is " + quoted(asked) + "; expected kind = " + quoted(KindTraits<Wanted>::kWord)}});
+}
 
-/// The same where an analysis is wanted.
-tl::expected<AnalysisProblem, std::vector<Fault>> parse_analysis(std::string_view text);
-tl::expected<AnalysisProblem, std::vector<Fault>> read_analysis(const std::filesystem::path& file);
-
-/// The same where a running machine is wanted.
-tl::expected<MachineProblem, std::vector<Fault>> parse_machine(std::string_view text);
-tl::expected<MachineProblem, std::vector<Fault>> read_machine(const std::filesystem::path& file);
-
-/// The same where a cam is wanted.
-tl::expected<CamProblem, std::vector<Fault>> parse_cam(std::string_view text);
-tl::expected<CamProblem, std::vector<Fault>> read_cam(const std::filesystem::path& file);
-
-/// The same where a gear is wanted.
-tl::expected<GearProblem, std::vector<Fault>> parse_gear(std::string_view text);
-tl::expected<GearProblem, std::vector<Fault>> read_gear(const std::filesystem::path& file);
-
-/// The same where a pair of gears is wanted.
-tl::expected<GearPairProblem, std::vector<Fault>> parse_gear_pair(std::string_view text);
-tl::expected<GearPairProblem, std::vector<Fault>> read_gear_pair(const std::filesystem::path& file);
+/// As `parse_task` and `read_task`, where a problem of one kind is requested.
+template <class Wanted>
+tl::expected<Wanted, std::vector<Fault>> parse_task(std::string_view text) {
+  return parse_task_at(text).and_then(only<Wanted>);
+}
+/// As `read_task`, where a problem of one kind is expected.
+template <class Wanted>
+tl::expected<Wanted, std::vector<Fault>> read_task(const std::filesystem::path& file) {
+  return read_task_at(file).and_then(only<Wanted>);
+}
 
 }  // namespace cognate::problems

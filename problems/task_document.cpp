@@ -3,18 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "problems/cam/read.hpp"
-#include "problems/evaluation/read.hpp"
-#include "problems/function/read.hpp"
-#include "problems/gear/read.hpp"
-#include "problems/gear/read_pair.hpp"
-#include "problems/guidance/read.hpp"
-#include "problems/machine/read.hpp"
-#include "problems/path/read.hpp"
-#include "problems/quick_return/read.hpp"
-#include "problems/straight_line/read.hpp"
 #include "problems/toml/file_text.hpp"
 #include "problems/toml/nearest.hpp"
 #include "problems/toml/table_reader.hpp"
@@ -26,17 +17,13 @@ namespace {
 using Faults = std::vector<Fault>;
 using Folder = std::filesystem::path;
 
-// The kinds of design problems, then the other ones.
-constexpr std::string_view kTaskKinds[] = {"path-generation",
-                                           "function-generation",
-                                           "motion-generation",
-                                           "quick-return",
-                                           "straight-line",
-                                           "cam",
-                                           "gear",
-                                           "gear-pair",
-                                           "analysis",
-                                           "machine"};
+template <class... Kind>
+constexpr std::array<std::string_view, sizeof...(Kind)> words_of(
+    std::type_identity<std::variant<Kind...>>) {
+  return {KindTraits<Kind>::kWord...};
+}
+
+constexpr auto kTaskKinds = words_of(std::type_identity<Task>{});
 
 constexpr std::string_view kBase = "base";
 
@@ -52,7 +39,7 @@ bool is_blank(std::string_view text) {
 // A study asks for many tasks and is none itself.
 void fault_study(TableReader& document) {
   const std::string_view place = document.has(kKind) ? kKind : kBase;
-  document.fault(place, fmt::format("{}, which 'cognate sweep' runs; one of {} is wanted here",
+  document.fault(place, fmt::format("{}, which 'cognate sweep' runs; expected one of {} here",
                                     place == kKind ? "is \"study\"" : "makes this a study",
                                     quoted_list(kTaskKinds)));
 }
@@ -66,8 +53,8 @@ std::optional<std::string_view> read_kind(TableReader& document) {
   const auto kind = document.text(kKind);
   if (!kind) return std::nullopt;
   const auto found = std::ranges::find(kTaskKinds, *kind);
-  if (found != std::end(kTaskKinds)) return *found;
-  std::vector<std::string_view> known(std::begin(kTaskKinds), std::end(kTaskKinds));
+  if (found != kTaskKinds.end()) return *found;
+  std::vector<std::string_view> known(kTaskKinds.begin(), kTaskKinds.end());
   known.push_back(kStudyKind);
   const auto meant = nearest(*kind, known);
   document.fault(
@@ -76,39 +63,22 @@ std::optional<std::string_view> read_kind(TableReader& document) {
   return std::nullopt;
 }
 
-Problem read_design_problem(std::string_view kind, TableReader& document, const Folder& folder) {
-  if (kind == "path-generation") return read_path_problem(document, folder);
-  if (kind == "motion-generation") return read_motion_problem(document);
-  if (kind == "quick-return") return read_quick_return_problem(document);
-  if (kind == "straight-line") return read_straight_line_problem(document);
-  return read_function_problem(document);
+// The problem of kind `word`, one of kTaskKinds.
+Task read_of_kind(std::string_view word, TableReader& document, const Folder& folder) {
+  Task task;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if (KindTraits<Kind>::kWord == word) task = KindTraits<Kind>::read(document, folder);
+  });
+  return task;
 }
 
-Task read_of_kind(std::string_view kind, TableReader& document, const Folder& folder) {
-  if (kind == "analysis") return read_analysis_problem(document);
-  if (kind == "cam") return read_cam_problem(document);
-  if (kind == "gear") return read_gear_problem(document);
-  if (kind == "gear-pair") return read_gear_pair_problem(document);
-  if (kind == "machine") return read_machine_problem(document);
-  return read_design_problem(kind, document, folder);
-}
-
-struct GiveTitle {
-  const std::string& title;
-
-  void operator()(Problem& problem) const { std::visit(*this, problem); }
-  template <class Other>
-  void operator()(Other& problem) const {
-    problem.title = title;
-  }
-};
-
-std::optional<PlacedTask> read_document(TableReader& document, const Folder& folder) {
+std::optional<TaskAt> read_document(TableReader& document, const Folder& folder) {
   const auto kind = read_kind(document);
   const std::string title = document.text("title").value_or("");
   if (!kind) return std::nullopt;
-  PlacedTask read{read_of_kind(*kind, document, folder), document.where(kKind)};
-  std::visit(GiveTitle{title}, read.task);
+  const Where where = document.where(kKind);
+  TaskAt read{read_of_kind(*kind, document, folder), where.line, where.column};
+  std::visit([&](auto& problem) { problem.title = title; }, read.task);
   document.finish();
   return read;
 }
@@ -130,7 +100,17 @@ tl::expected<Table, Faults> read_text(std::string_view text) {
   return *std::move(table);
 }
 
-tl::expected<PlacedTask, Faults> read_task(const Table& document, const Folder& folder) {
+tl::expected<Source, Faults> read_source(const std::filesystem::path& file) {
+  std::error_code error;
+  auto folder = std::filesystem::absolute(file, error).parent_path();
+  const auto text = text_of(file);
+  if (!text) return refusal(text.error());
+  return read_text(*text).map([&](Table document) {
+    return Source{std::move(document), std::move(folder)};
+  });
+}
+
+tl::expected<TaskAt, Faults> read_task(const Table& document, const Folder& folder) {
   FaultList faults;
   TableReader reader(document, faults);
   if (is_study(document)) {

@@ -8,26 +8,28 @@
 
 #include "problems/read.hpp"
 #include "problems/toml/document.hpp"
-#include "problems/toml/fault_list.hpp"
 
 namespace cognate::problems::reading {
 
 inline constexpr std::string_view kKind = "kind";
 inline constexpr std::string_view kStudyKind = "study";
 
-/// What a file asks for, and where it says so.
-struct PlacedTask {
-  Task task;
-  Where kind;
-};
-
 /// The document in `text`, which is small enough, is text and is not blank; else why not.
 tl::expected<Table, std::vector<Fault>> read_text(std::string_view text);
 
+/// The document of a file, and where files that it names are looked for.
+struct Source {
+  Table document;
+  std::filesystem::path folder;
+};
+
+/// The same of `file`, if it can be read.
+tl::expected<Source, std::vector<Fault>> read_source(const std::filesystem::path& file);
+
 /// What `document` asks for, or every fault found in it. Files that it names are looked for in
 /// `folder`; there are none where that is empty.
-tl::expected<PlacedTask, std::vector<Fault>> read_task(const Table& document,
-                                                       const std::filesystem::path& folder);
+tl::expected<TaskAt, std::vector<Fault>> read_task(const Table& document,
+                                                   const std::filesystem::path& folder);
 
 /// Whether `document` is a study: `kind = "study"`, or no kind and a `base`.
 bool is_study(const Table& document);

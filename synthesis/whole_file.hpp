@@ -6,9 +6,9 @@
 
 namespace cognate {
 
-/// Gives `file` the contents `bytes`, in place of what it held: whatever ends the process or the
-/// machine, there is the old file or the new one. The bytes are on the disk before they have the
-/// file's name, and the name before this returns; a draft in the same folder is removed where
+/// Gives `file` the contents `bytes`, in place of what it held: whichever way the process ends or
+/// the machine, there is the old file or the new one. The bytes are on the disk before they have
+/// the file's name, and the name before this returns; a draft in the same folder is removed where
 /// something fails. Gives 0, or the errno of what failed.
 int write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 

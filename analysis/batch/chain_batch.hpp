@@ -9,7 +9,7 @@
 ///
 /// The highest derivative for which a column is given decides what is computed. Values are those of
 /// `evaluate` in mechanism/kinematics.hpp but for roundings; they are NaN where a dyad that they
-/// hang on cannot be assembled.
+/// depend on cannot be assembled.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class DriveTable {
   std::vector<double> cos_, sin_, displacement_;
 };
 
-/// Where results go, each column as long as the table of drives or empty, which is not wanted; x
+/// Where results go, each column as long as the table of drives or empty (not computed); x
 /// and y (cosine and sine) go together. Column k holds the k-th derivative by the drive.
 struct PointColumns {
   Attached<double> point;
@@ -58,7 +58,7 @@ struct DyadColumns {
   std::span<double> sine, cosine;
 };
 
-/// All that is wanted of a chain: of points, of bodies, of dyads.
+/// All that is computed of a chain: of points, of bodies, of dyads.
 struct ChainColumns {
   std::vector<PointColumns> points;
   std::vector<BodyColumns> bodies;

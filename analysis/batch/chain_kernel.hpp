@@ -8,7 +8,7 @@
 
 namespace cognate::batch {
 
-/// What is written of one point, body or dyad; null where it is not wanted.
+/// What is written of one point, body or dyad; null where it is not requested.
 struct ChainOutput {
   enum class Of { point, body, dyad } of = Of::point;
   int index = 0;  ///< of the body or dyad

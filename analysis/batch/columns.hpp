@@ -8,7 +8,7 @@
 
 namespace cognate::batch {
 
-/// Where each column goes, null if it is not wanted, and the set of quantities that is.
+/// Where each column goes, null if it is not requested, and the set of requested quantities.
 template <class Real>
 struct ColumnPointers {
   std::array<Real*, kColumns> columns{};

@@ -1,4 +1,4 @@
-/// @file The kernels of the instruction set that a call asks for.
+/// @file The kernels of the instruction set that a call requests.
 #pragma once
 
 #include <optional>

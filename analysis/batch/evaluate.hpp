@@ -1,5 +1,5 @@
 // What a design does at a crank position, in as many lanes as the number type T has. The set of
-// wanted quantities is a template argument; what is not in it is not computed.
+// requested quantities is a template argument; what is not in it is not computed.
 //
 // Vectors are in the plane's axes. With t = D − B, the links are BC = N·t and DC = (N − 1)·t, N
 // being HalfClosure's ratio; with G = 2/h the derivatives of the closure are

@@ -5,11 +5,11 @@
 ///     std::vector<double> x(360), y(360);
 ///     const BatchStatus status = evaluate_batch(linkage, table, {.x = x, .y = y});
 ///
-/// What is wanted is what a column is given for, and the loop that runs computes only that (or the
-/// smallest compiled set that holds it, see quantities.hpp). Derivatives are by the crank angle:
-/// with θ̇ and θ̈ of the crank, velocity = P′·θ̇ and acceleration = P″·θ̇² + P′·θ̈. Where a linkage
-/// does not close, every value is NaN; at a dead point, where the links of the dyad are in line,
-/// positions are still found and derivatives are not finite.
+/// The quantities computed are those a column is given for, and the loop that runs computes only
+/// that (or the smallest compiled set that holds it, see quantities.hpp). Derivatives are by the
+/// crank angle: with θ̇ and θ̈ of the crank, velocity = P′·θ̇ and acceleration = P″·θ̇² + P′·θ̈. Where a
+/// linkage does not close, every value is NaN; at a dead point, where the links of the dyad are in
+/// line, positions are still found and derivatives are not finite.
 ///
 /// Positions keep the accuracy of the closure (see closure.hpp) at any size of the lengths, 1e-150
 /// to 1e150. Values depend neither on the number of threads nor on the other designs, but differ by
@@ -37,9 +37,9 @@ struct FourBarArrays {
   std::span<const Real> point_u, point_v;
 };
 
-/// Where results go; an empty column is not wanted. With n designs, r rows and k coupler points a
+/// Where results go; an empty column is not computed. With n designs, r rows and k coupler points a
 /// column has n·r·k values, that of point p, row j and design i at (p·r + j)·n + i. Those of the
-/// transmission angle belong to all points and number n·r. Where x is wanted y must be, too.
+/// transmission angle belong to all points and number n·r. Where x is given y must be given, too.
 template <class Real>
 struct FourBarColumns {
   std::span<Real> x{}, y{};                            ///< the coupler point P
@@ -64,7 +64,7 @@ enum class BatchStatus {
   done,
   nothing_wanted,    ///< every column is empty
   sizes_differ,      ///< arrays or columns have not the sizes described, or a half is missing
-  no_coupler_point,  ///< a column wants a coupler point that is not given
+  no_coupler_point,  ///< a column needs a coupler point that is not given
   missing_instruction_set,  ///< this machine or build has not what the options ask for
 };
 

@@ -9,7 +9,7 @@
 namespace cognate::batch::COGNATE_ISA {
 namespace {
 
-/// Columns that an instance computes but nobody asked for are null: none if it has but one.
+/// Columns that an instance computes but that were not requested are null: none if it has only one.
 template <unsigned kSet, class Real>
 struct Writer {
   static constexpr bool kAllWanted = kSet == position || kSet == transmission;

@@ -20,7 +20,7 @@ struct Run {
 inline constexpr std::size_t kPadding = 16;
 
 /// One design over some runs of a table, none of them shorter than the kernel's lanes. Columns
-/// have the order of the table and are null where they are not wanted.
+/// have the order of the table and are null where they are not requested.
 template <class Real>
 struct OneDesignTask {
   const Design<double>* design;

@@ -1,4 +1,4 @@
-/// @file What a batch of evaluations can be asked for, and the sets of it that are compiled.
+/// @file What a batch of evaluations can compute, and the sets of quantities that are compiled.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,8 @@ enum Column : std::size_t {
 inline constexpr std::size_t kColumns = column_gradient_y + kDesignVariables;
 
 /// Compiled is each of the four levels of motion, with and without transmission and gradient, and
-/// transmission alone. A set of wanted quantities is served by the smallest of these that holds it.
+/// transmission alone. A set of requested quantities is served by the smallest of these that holds
+/// it.
 inline constexpr unsigned kLevels[] = {position, position + velocity,
                                        position + velocity + acceleration,
                                        position + velocity + acceleration + curvature};

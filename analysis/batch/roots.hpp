@@ -12,7 +12,7 @@
 
 namespace cognate::batch::COGNATE_ISA {
 
-/// √discriminant, 1/d², and 1/√discriminant where it is asked for (infinite for zero).
+/// √discriminant, 1/d², and 1/√discriminant where requested (infinite for zero).
 template <class T>
 struct Roots {
   T root, inverse, inverse_root;

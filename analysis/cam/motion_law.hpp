@@ -60,7 +60,7 @@ struct SplineEnds {
   bool periodic = false;  ///< instead: all derivatives of the end are those of the begin
 };
 
-/// One segment of a follower's motion, as a problem file asks for it.
+/// One segment of a follower's motion, as a problem file states it.
 struct MotionSegment {
   MotionLaw law = MotionLaw::dwell;
   double over = 0;                          ///< cam angle, rad, > 0

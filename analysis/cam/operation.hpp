@@ -12,7 +12,7 @@ struct Operation {
   double preload = 0;  ///< of the spring at displacement 0
   double load = 0;     ///< against the rise, constant
 
-  /// Line contact (Hertz 1882), where stress is asked for.
+  /// Line contact (Hertz 1882), where stress is requested.
   double width = 0;        ///< of the contact
   double modulus_sum = 0;  ///< (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::cam {
@@ -75,7 +76,7 @@ class PolygonMaker {
     const int parts = static_cast<int>(std::clamp(std::ceil(std::abs(angle) / step), 1.0, 1e5));
     for (int i = 1; i < parts; ++i) {
       const double part = angle * i / parts;
-      const Vec2d normal = last.normal * Vec2d{std::cos(part), std::sin(part)};
+      const Vec2d normal = last.normal * unit_vector(part);
       add({last.angle, corner + curve_.distance * normal, normal, 1 / curve_.distance});
     }
   }
@@ -123,7 +124,7 @@ ProfilePoint curve_point(const CamCurve& curve, int piece, double t) {
   ProfilePoint point =
       is_flat(curve.cam.follower.type) ? face_point(curve, motion) : roller_point(curve, motion);
   point.angle = std::min(part.begin + t * part.span, kTurn);
-  const Vec2d direction{std::cos(point.angle), std::sin(point.angle)};
+  const Vec2d direction = unit_vector(point.angle);
   point.at = in_cam(point.at, direction);
   point.normal = in_cam(point.normal, direction);
   point.curvature = point.curvature / (1 + curve.distance * point.curvature);

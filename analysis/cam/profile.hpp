@@ -36,7 +36,7 @@ ProfilePoint curve_point(const CamCurve& curve, int piece, double t);
 std::vector<ProfilePoint> polygon(const CamCurve& curve, double chord_tolerance,
                                   std::size_t most = 2'000'000);
 
-/// Whether a closed polygon crosses itself: the mark of undercutting, whatever its cause.
+/// Whether a closed polygon crosses itself: the mark of undercutting, of any cause.
 bool crosses_itself(const std::vector<ProfilePoint>& polygon);
 
 }  // namespace cognate::cam

@@ -8,7 +8,7 @@
 
 namespace cognate::cam {
 
-enum class Quantity {
+enum class CamQuantity {
   pressure_angle,   ///< rad; positive where the cam pushes along with its own surface's motion
   pitch_curvature,  ///< of the roller's centre's path, positive where convex
   face_radius,      ///< radius of curvature of a profile for a flat face
@@ -89,25 +89,25 @@ inline double hertz_factor(const Operation& o) {
 }
 
 template <class T>
-T roller_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+T roller_quantity(CamQuantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
   using std::atan2;
   using std::sqrt;
   const auto state = roller_state(cam.follower, cam.start, m);
   const T& radius = cam.follower.dimensions.roller_radius;
   switch (quantity) {
-    case Quantity::pressure_angle:
+    case CamQuantity::pressure_angle:
       return atan2(state.across, state.along);
-    case Quantity::pitch_curvature:
+    case CamQuantity::pitch_curvature:
       return pitch_curvature(state);
-    case Quantity::squared_radius: {
+    case CamQuantity::squared_radius: {
       const T length = sqrt(squared_norm(state.tangent));
       return squared_norm(state.centre - (radius / length) * perp(state.tangent));
     }
-    case Quantity::roller_speed:
+    case CamQuantity::roller_speed:
       return roller_speed(cam, state, m);
-    case Quantity::contact_force:
+    case CamQuantity::contact_force:
       return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
-    case Quantity::squared_stress: {
+    case CamQuantity::squared_stress: {
       // κ/(1 − rκ) + 1/r = 1/(r (1 − rκ)); on the outer wall of a groove r changes its sign.
       const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
       const T turn = radius * pitch_curvature(state);
@@ -121,21 +121,21 @@ T roller_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMoti
 }
 
 template <class T>
-T face_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+T face_quantity(CamQuantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
   using std::atan2;
   const auto state = face_state(cam.follower, cam.start, m);
   switch (quantity) {
-    case Quantity::pressure_angle:
+    case CamQuantity::pressure_angle:
       return atan2(state.across, state.along);
-    case Quantity::face_radius:
+    case CamQuantity::face_radius:
       return state.radius;
-    case Quantity::reach:
+    case CamQuantity::reach:
       return state.reach;
-    case Quantity::squared_radius:
+    case CamQuantity::squared_radius:
       return squared_norm(state.contact);
-    case Quantity::contact_force:
+    case CamQuantity::contact_force:
       return demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
-    case Quantity::squared_stress: {
+    case CamQuantity::squared_stress: {
       const T force = demand(cam.operation, m) * force_ratio(cam, state.across, state.along);
       return T(hertz_factor(cam.operation)) * force / state.radius;
     }
@@ -147,9 +147,9 @@ T face_quantity(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion
 /// `quantity` of `cam` where its follower's motion is `m`. What a follower does not have (the reach
 /// of a roller, the pitch curvature of a flat face) is 0.
 template <class T>
-T value_of(Quantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
-  if (quantity == Quantity::demand) return demand(cam.operation, m);
-  if (quantity == Quantity::torque) return demand(cam.operation, m) * m.velocity;
+T value_of(CamQuantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
+  if (quantity == CamQuantity::demand) return demand(cam.operation, m);
+  if (quantity == CamQuantity::torque) return demand(cam.operation, m) * m.velocity;
   return is_flat(cam.follower.type) ? face_quantity(quantity, cam, m)
                                     : roller_quantity(quantity, cam, m);
 }

@@ -6,13 +6,13 @@
 namespace cognate::cam {
 namespace {
 
-bool belongs(const StrokePart& part, Stretch stretch) {
+bool belongs(const StrokePart& part, MotionPart stretch) {
   switch (stretch) {
-    case Stretch::rises:
+    case MotionPart::rises:
       return part.stroke == Stroke::rise;
-    case Stretch::falls:
+    case MotionPart::falls:
       return part.stroke == Stroke::fall;
-    case Stretch::dwells:
+    case MotionPart::dwells:
       return part.stroke == Stroke::dwell;
     default:
       return true;
@@ -20,7 +20,7 @@ bool belongs(const StrokePart& part, Stretch stretch) {
 }
 
 /// The size of f over the turn, from a few places of each piece: what rounding is relative to.
-double size_of(const MotionProgramme& programme, Stretch stretch, MotionFunction f) {
+double size_of(const MotionProgramme& programme, MotionPart stretch, MotionFunction f) {
   double size = 0;
   for (const StrokePart& part : programme.stroke_parts()) {
     if (!belongs(part, stretch)) continue;
@@ -39,7 +39,7 @@ TurnPlace place_of(const MotionPiece<double>& piece, int index, double t) {
 
 /// Calls `use(part, piece)` for the parts of a stretch.
 template <class Use>
-void each_part(const MotionProgramme& programme, Stretch stretch, Use use) {
+void each_part(const MotionProgramme& programme, MotionPart stretch, Use use) {
   for (const StrokePart& part : programme.stroke_parts()) {
     if (belongs(part, stretch)) use(part, programme.pieces()[static_cast<std::size_t>(part.piece)]);
   }
@@ -47,16 +47,15 @@ void each_part(const MotionProgramme& programme, Stretch stretch, Use use) {
 
 }  // namespace
 
-std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stretch stretch,
+std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, MotionPart stretch,
                                           MotionFunction f) {
   const double size = size_of(programme, stretch, f);
   std::optional<TurnExtremes> found;
   each_part(programme, stretch, [&](const StrokePart& part, const MotionPiece<double>& piece) {
     const auto of_share = [&](double t) { return f(motion_at(piece, t)); };
     const Extremes here = extremes(of_share, part.from, part.to, size);
-    const PlacedExtreme least{place_of(piece, part.piece, here.least.at), here.least.value};
-    const PlacedExtreme greatest{place_of(piece, part.piece, here.greatest.at),
-                                 here.greatest.value};
+    const ExtremeAt least{place_of(piece, part.piece, here.least.at), here.least.value};
+    const ExtremeAt greatest{place_of(piece, part.piece, here.greatest.at), here.greatest.value};
     if (!found) found = TurnExtremes{least, greatest};
     // Written so that a value that is no number gives way to any.
     if (!(found->least.value <= least.value)) found->least = least;
@@ -65,10 +64,10 @@ std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stre
   return found;
 }
 
-std::vector<PlacedExtreme> local_maxima(const MotionProgramme& programme, Stretch stretch,
-                                        MotionFunction f, double floor) {
+std::vector<ExtremeAt> local_maxima(const MotionProgramme& programme, MotionPart stretch,
+                                    MotionFunction f, double floor) {
   const double size = size_of(programme, stretch, f);
-  std::vector<PlacedExtreme> maxima;
+  std::vector<ExtremeAt> maxima;
   std::vector<Extreme> all;
   each_part(programme, stretch, [&](const StrokePart& part, const MotionPiece<double>& piece) {
     all.clear();
@@ -84,8 +83,8 @@ std::vector<PlacedExtreme> local_maxima(const MotionProgramme& programme, Stretc
   return maxima;
 }
 
-std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stretch stretch,
-                                          const CamSystem<double>& cam, Quantity quantity) {
+std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, MotionPart stretch,
+                                          const CamSystem<double>& cam, CamQuantity quantity) {
   return turn_extremes(programme, stretch,
                        [&](const FollowerMotion<double>& m) { return value_of(quantity, cam, m); });
 }

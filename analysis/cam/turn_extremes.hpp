@@ -17,18 +17,18 @@ struct TurnPlace {
   double t = 0;
 };
 
-struct PlacedExtreme {
+struct ExtremeAt {
   TurnPlace place;
   double value = 0;
 };
 
 struct TurnExtremes {
-  PlacedExtreme least;
-  PlacedExtreme greatest;
+  ExtremeAt least;
+  ExtremeAt greatest;
 };
 
 /// Which part of the turn is meant; a stretch has its ends.
-enum class Stretch { whole, rises, falls, dwells };
+enum class MotionPart { whole, rises, falls, dwells };
 
 /// A function of the motion that is analytic on each piece of a programme.
 class MotionFunction {
@@ -48,16 +48,16 @@ class MotionFunction {
 
 /// The extremes of `f` over a stretch of the turn, to rounding; where there are equal ones the
 /// first. Nothing where the stretch is empty.
-std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stretch stretch,
+std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, MotionPart stretch,
                                           MotionFunction f);
 
 /// Every local maximum of `f` over a stretch whose value is at least `floor`, in order.
-std::vector<PlacedExtreme> local_maxima(const MotionProgramme& programme, Stretch stretch,
-                                        MotionFunction f, double floor);
+std::vector<ExtremeAt> local_maxima(const MotionProgramme& programme, MotionPart stretch,
+                                    MotionFunction f, double floor);
 
 /// The extremes of a quantity of `cam`.
-std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, Stretch stretch,
-                                          const CamSystem<double>& cam, Quantity quantity);
+std::optional<TurnExtremes> turn_extremes(const MotionProgramme& programme, MotionPart stretch,
+                                          const CamSystem<double>& cam, CamQuantity quantity);
 
 /// The motion at `place`.
 FollowerMotion<double> motion_at(const MotionProgramme& programme, const TurnPlace& place);

@@ -110,7 +110,7 @@ void CurveRoom::resize(std::size_t count) {
   for (auto* column : {&x, &y, &dx, &dy}) column->resize(count);
 }
 
-TurnTable::TurnTable(std::size_t count) : cos(count), sin(count) {
+CycleTable::CycleTable(std::size_t count) : cos(count), sin(count) {
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = kTurn * static_cast<double>(i) / static_cast<double>(count);
     cos[i] = std::cos(angle);
@@ -118,7 +118,7 @@ TurnTable::TurnTable(std::size_t count) : cos(count), sin(count) {
   }
 }
 
-void sample_circuit(const FourBar& linkage, const CircuitChoice& circuit, const TurnTable& table,
+void sample_circuit(const FourBar& linkage, const CircuitChoice& circuit, const CycleTable& table,
                     CurveRoom& curve) {
   const Lengths<double> given = lengths(linkage);
   const double unit =

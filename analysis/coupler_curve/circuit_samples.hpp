@@ -19,8 +19,8 @@
 
 namespace cognate {
 
-/// Which circuit of a linkage: the assembly tells the two of a crank that turns fully, `half` those
-/// of a crank with two ranges, +1 with B to the left of A→D.
+/// Which circuit of a linkage: the assembly distinguishes the two of a crank that turns fully,
+/// `half` those of a crank with two ranges, +1 with B to the left of A→D.
 struct CircuitChoice {
   Assembly assembly = Assembly::open;
   int half = 1;
@@ -46,8 +46,8 @@ struct CurveRoom {
 };
 
 /// The directions of a table of equal steps of a turn.
-struct TurnTable {
-  explicit TurnTable(std::size_t count);
+struct CycleTable {
+  explicit CycleTable(std::size_t count);
 
   std::vector<double> cos, sin;
 };
@@ -55,7 +55,7 @@ struct TurnTable {
 /// The curve of the linkage's coupler point over `circuit` at the steps of `table`, into `curve`.
 /// It runs as the crank's angle grows while the linkage is in `circuit.assembly`. The linkage can
 /// be assembled. At a change point circuits meet; each is here as if it had none, with a corner.
-void sample_circuit(const FourBar& linkage, const CircuitChoice& circuit, const TurnTable& table,
+void sample_circuit(const FourBar& linkage, const CircuitChoice& circuit, const CycleTable& table,
                     CurveRoom& curve);
 
 }  // namespace cognate

@@ -24,7 +24,7 @@
 
 namespace cognate {
 
-/// The order to which contact is told: one less than the coefficients that a series has.
+/// The order to which contact is determined: one less than the coefficients that a series has.
 inline constexpr int kContactOrder = 8;
 /// The coupler's motion about a position, to that order.
 using ContactSeries = CouplerSeries<double, kContactOrder>;

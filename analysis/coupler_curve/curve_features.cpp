@@ -16,7 +16,7 @@ constexpr double kNearCusp = 1e-6;    ///< relative: about the root of the round
 constexpr double kSamePlace = 1e-6;   ///< of the unit: two positions show one point
 constexpr double kSamePose = 1e-9;    ///< one position, found from two arcs
 
-/// A point found, with the position of the links that tells it from another.
+/// A point found, with the position of the links that distinguishes it from another.
 struct Found {
   CurvePoint point;
   TracedPoint traced;

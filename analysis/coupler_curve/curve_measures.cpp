@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate {
@@ -77,7 +78,7 @@ bool joint_is_left(const FourBar& linkage, const CircuitChoice& circuit) {
   FourBar at_joint = linkage;
   at_joint.coupler_point = Vec2d{linkage.coupler, 0};
   CurveRoom curve;
-  sample_circuit(at_joint, circuit, TurnTable(1), curve);
+  sample_circuit(at_joint, circuit, CycleTable(1), curve);
   const Vec2d joint = Vec2d{curve.x[0], curve.y[0]} - linkage.pivot_a;
   return cross(linkage.pivot_d - linkage.pivot_a, joint) > 0;
 }
@@ -97,7 +98,7 @@ void CurveSums::add_up(const CurveSamples& samples, std::size_t curves) {
       const double speed = std::sqrt(dx[i] * dx[i] + dy[i] * dy[i]);
       length[i] += speed;
       half_length[i] += half * speed;
-      // From the first sample, lest a curve far from the origin lose its digits.
+      // Relative to the first sample, to avoid cancellation.
       area[i] += (x[i] - samples.x[i]) * dy[i] - (y[i] - samples.y[i]) * dx[i];
     }
   }
@@ -126,7 +127,7 @@ double WidthFinder::sampled_width(const CurveSamples& curve, const Vec2d& direct
 CurveWidths WidthFinder::operator()(const CurveSamples& curve) {
   for (std::size_t k = 0; k < kDirections; ++k) {
     const double angle = kStep * static_cast<double>(k);
-    widths_[k] = sampled_width(curve, {std::cos(angle), std::sin(angle)});
+    widths_[k] = sampled_width(curve, unit_vector(angle));
   }
   const auto [least, greatest] = std::ranges::minmax(widths_);
   CurveWidths found{INFINITY, 0};
@@ -149,7 +150,7 @@ CurveWidths WidthFinder::operator()(const CurveSamples& curve) {
 /// The samples that the lines may touch, or touch next to, in directions up to a step away.
 void WidthFinder::find_candidates(const CurveSamples& curve, double angle, double diameter) {
   const Support support{curve};
-  const Vec2d direction{std::cos(angle), std::sin(angle)};
+  const Vec2d direction = unit_vector(angle);
   double low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double value = support.value(i, direction);
@@ -184,9 +185,7 @@ double WidthFinder::refined(const CurveSamples& curve, double angle, double diam
                             double sense) {
   constexpr double kGolden = 0.6180339887498949;
   find_candidates(curve, angle, diameter);
-  const auto score = [&](double at) {
-    return sense * candidates_width(curve, {std::cos(at), std::sin(at)});
-  };
+  const auto score = [&](double at) { return sense * candidates_width(curve, unit_vector(at)); };
   double low = angle - kStep, high = angle + kStep;
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
   double at_a = score(a), at_b = score(b), best = std::max(at_a, at_b);

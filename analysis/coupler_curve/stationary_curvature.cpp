@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/vec2.hpp"
 
@@ -50,7 +51,7 @@ std::vector<Vec2d> sample(const StationaryCubic& cubic, int count, double reach)
   std::vector<Vec2d> points;
   for (int k = 0; k < count; ++k) {
     const double angle = kPi * k / count;
-    const auto point = cubic.at(cubic.axis * Vec2d{std::cos(angle), std::sin(angle)});
+    const auto point = cubic.at(cubic.axis * unit_vector(angle));
     if (!point) continue;
     const Vec2d z = *point - cubic.pole;
     if (std::hypot(z.x, z.y) <= reach) points.push_back(*point);

@@ -114,7 +114,7 @@ Path path_of(const Mechanism<double>& mechanism, const Attached<double>& point) 
   };
 }
 
-Stretch measure(const Path& path, double from, double to) {
+StraightSegment measure(const Path& path, double from, double to) {
   constexpr int kCells = 64, kRounds = 12;
   const Vec2d origin = path(0.5 * (from + to)).at;
   const std::vector<double> places = crowded(from, to, kCells);
@@ -164,8 +164,8 @@ std::optional<CrankRange> forward_interval(const Path& path, double at, const Cr
                     last_positive(forward, at, std::max(to, at))};
 }
 
-Stretch longest_tangent_stretch(const Path& path, double at, const CrankRange& forward,
-                                double relative) {
+StraightSegment longest_tangent_segment(const Path& path, double at, const CrankRange& forward,
+                                        double relative) {
   const TangentReach reach(path, at, forward);
   // From above: the extent grows with the bound, so that the first that agrees is the largest.
   CrankRange held = forward;
@@ -181,13 +181,13 @@ Stretch longest_tangent_stretch(const Path& path, double at, const CrankRange& f
   return {held.from, held.to, length, bound, {reach.origin(), reach.tangent()}};
 }
 
-std::optional<double> speed_variation(const Path& path, const Stretch& stretch) {
+std::optional<double> speed_variation(const Path& path, const StraightSegment& segment) {
   constexpr int kCells = 256;
-  if (!(stretch.length > 0)) return std::nullopt;
+  if (!(segment.length > 0)) return std::nullopt;
   std::vector<double> speeds;
   for (int k = 0; k <= kCells; ++k) {
-    const double q = stretch.from + (stretch.to - stretch.from) * k / kCells;
-    speeds.push_back(dot(stretch.line.direction, path(q).rate));
+    const double q = segment.from + (segment.to - segment.from) * k / kCells;
+    speeds.push_back(dot(segment.line.direction, path(q).rate));
     if (!std::isfinite(speeds.back())) return std::nullopt;
   }
   double low = std::min(speeds.front(), speeds.back()),
@@ -201,7 +201,7 @@ std::optional<double> speed_variation(const Path& path, const Stretch& stretch) 
     low = std::min(low, top);
     high = std::max(high, top);
   }
-  return (high - low) * (stretch.to - stretch.from) / stretch.length;
+  return (high - low) * (segment.to - segment.from) / segment.length;
 }
 
 }  // namespace cognate

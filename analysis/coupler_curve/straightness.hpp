@@ -1,8 +1,8 @@
-/// @file How straight a stretch of a path is, and the longest stretch that is straight enough.
+/// @file How straight a segment of a path is, and the longest segment that is straight enough.
 ///
-/// A stretch is the path over an interval of its parameter. Its line is the middle of the narrowest
+/// A segment is the path over an interval of its parameter. Its line is the middle of the narrowest
 /// strip that holds it, its length L the distance between the feet of its ends on that line, its
-/// deviation δ half the width of the strip: the largest distance from the line. δ/L tells how
+/// deviation δ half the width of the strip: the largest distance from the line. δ/L says how
 /// straight it is. (Tables of (max − min)/stroke give 2 δ/L.)
 #pragma once
 
@@ -30,7 +30,7 @@ using Path = std::function<PathPoint(double)>;
 Path path_of(const Mechanism<double>& mechanism, const Attached<double>& point);
 
 /// A part of a path and its best line: the middle of the narrowest strip that holds it.
-struct Stretch {
+struct StraightSegment {
   double from = 0;  ///< of the parameter, from < to
   double to = 0;
   double length = 0;
@@ -38,25 +38,26 @@ struct Stretch {
   Line line;  ///< directed as the parameter grows
 };
 
-/// The stretch from `from` to `to` with its best line. The strip is exact, not sampled: where the
+/// The segment from `from` to `to` with its best line. The strip is exact, not sampled: where the
 /// path comes nearest to its sides is refined between samples until the width no longer grows.
-Stretch measure(const Path& path, double from, double to);
+StraightSegment measure(const Path& path, double from, double to);
 
 /// The interval about `at`, within `limits`, over which a path does not turn back along its own
 /// tangent at `at`, nor end; for a parameter that is an angle, at most a turn to either side. Empty
 /// where the point stands still at `at`, and where there is no path.
 std::optional<CrankRange> forward_interval(const Path& path, double at, const CrankRange& limits);
 
-/// The longest stretch within `forward` that holds `at` and has δ ≤ `relative`·L.
-Stretch longest_stretch(const Path& path, double at, const CrankRange& forward, double relative);
-
-/// The longest stretch about `at` within `forward` that keeps within `relative`·L of the tangent at
-/// `at`, L its extent along that tangent; the tangent is its line.
-Stretch longest_tangent_stretch(const Path& path, double at, const CrankRange& forward,
+/// The longest segment within `forward` that holds `at` and has δ ≤ `relative`·L.
+StraightSegment longest_segment(const Path& path, double at, const CrankRange& forward,
                                 double relative);
 
-/// (max − min)/mean of the speed along the line for a drive of constant speed. Empty for a stretch
+/// The longest segment about `at` within `forward` that keeps within `relative`·L of the tangent at
+/// `at`, L its extent along that tangent; the tangent is its line.
+StraightSegment longest_tangent_segment(const Path& path, double at, const CrankRange& forward,
+                                        double relative);
+
+/// (max − min)/mean of the speed along the line for a drive of constant speed. Empty for a segment
 /// without length, and where it ends in a dead point, where the speed has no bound.
-std::optional<double> speed_variation(const Path& path, const Stretch& stretch);
+std::optional<double> speed_variation(const Path& path, const StraightSegment& segment);
 
 }  // namespace cognate

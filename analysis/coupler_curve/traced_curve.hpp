@@ -42,7 +42,7 @@ class TracedCurve {
   TracedPoint at(const ArcPlace& where) const;
 
   /// Zeros of `f` over all circuits where it changes its sign; `slope` is its derivative by the
-  /// curve's parameter, either way: it tells where to look for two zeros in one cell. Both take a
+  /// curve's parameter, either way: it shows where to look for two zeros in one cell. Both take a
   /// TracedPoint. Places at which the motion itself stands still (change points) are left out.
   template <class Function, class Slope>
   std::vector<ArcPlace> zeros(Function f, Slope slope) const {

@@ -58,7 +58,7 @@ Fillet fillet_of(const SpurGear& gear) {
   Fillet fillet;
   fillet.pitch_radius = 0.5 * gear.teeth;
   fillet.corner_radius = tip_radius(rack);
-  fillet.centre = {tip_half_width(rack) + 0.5 * gear.thinning / gear.module,
+  fillet.centre = {tip_half_width(rack) + 0.5 * gear.coarsening / gear.module,
                    gear.profile_shift - rack.addendum - rack.clearance + fillet.corner_radius};
   fillet.end = is_undercut(gear) ? undercut_end(gear, fillet) : rack.pressure_angle;
   return fillet;

@@ -20,7 +20,7 @@ SpurGear transverse(const HelicalGear& gear) {
   }
   section.profile_shift *= cosine;
   section.tip_reduction *= cosine;
-  section.thinning /= cosine;
+  section.coarsening /= cosine;
   return section;
 }
 

@@ -98,7 +98,7 @@ double pressure_angle(const SpurGear& gear, double radius) {
 double base_half_angle(const SpurGear& gear) {
   const double half_thickness = kRightAngle +
                                 2 * gear.profile_shift * std::tan(gear.rack.pressure_angle) -
-                                gear.thinning / gear.module;
+                                gear.coarsening / gear.module;
   return half_thickness / gear.teeth + involute(gear.rack.pressure_angle);
 }
 
@@ -117,7 +117,7 @@ double flank_end_radius(const SpurGear& gear) {
 
 ToothFault tooth_fault(const SpurGear& gear) {
   // Negated, so that what is not a number is a fault too.
-  const double half_width = tip_half_width(gear.rack) + 0.5 * gear.thinning / gear.module;
+  const double half_width = tip_half_width(gear.rack) + 0.5 * gear.coarsening / gear.module;
   if (!(half_width >= 0)) return ToothFault::rack_overlaps;
   if (!(root_radius(gear) > 0)) return ToothFault::no_root;
   if (!(form_radius(gear) < flank_end_radius(gear))) return ToothFault::no_flank;

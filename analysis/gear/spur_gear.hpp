@@ -38,7 +38,7 @@ double flank_depth(const BasicRack& rack);
 double tip_half_width(const BasicRack& rack);
 
 /// `teeth` is a whole number but for virtual gears. `tip_reduction`: by how many modules the tip
-/// circle is smaller than (z/2 + h_a* + x) m. `thinning`: by how much the tooth is thinner at the
+/// circle is smaller than (z/2 + h_a* + x) m. `coarsening`: by how much the tooth is thinner at the
 /// reference circle than m (π/2 + 2 x tan α), a length: the tool's tooth is as much thicker, its
 /// depth the same.
 struct SpurGear {
@@ -47,7 +47,7 @@ struct SpurGear {
   double profile_shift = 0;
   BasicRack rack;
   double tip_reduction = 0;
-  double thinning = 0;
+  double coarsening = 0;
 };
 
 double reference_radius(const SpurGear& gear);  ///< m z / 2
@@ -62,7 +62,7 @@ double form_radius(const SpurGear& gear);
 
 /// The length of the tangent to the base circle that ends on the form circle, which is the radius
 /// of curvature with which the involute begins. Known to rounding of the module also where that
-/// circle hardly differs from the base circle and its radius no longer tells.
+/// circle hardly differs from the base circle and its radius no longer decides.
 double form_tangent(const SpurGear& gear);
 
 /// Whether the rack's straight flank reaches beyond the point where the base circle touches the

@@ -19,8 +19,8 @@ double sum_of_teeth(const Gears& gears) {
 }
 
 /// By how much the two teeth together are thinner at the reference circles, in modules.
-double sum_of_thinning(const Gears& gears) {
-  return (gears[0].thinning + gears[1].thinning) / gears[0].module;
+double sum_of_coarsening(const Gears& gears) {
+  return (gears[0].coarsening + gears[1].coarsening) / gears[0].module;
 }
 
 /// inv α′ of the pair without backlash.
@@ -28,10 +28,10 @@ double involute_without_backlash(const Gears& gears) {
   const double angle = gears[0].rack.pressure_angle;
   const double shifts = gears[0].profile_shift + gears[1].profile_shift;
   return involute(angle) +
-         (2 * shifts * std::tan(angle) - sum_of_thinning(gears)) / sum_of_teeth(gears);
+         (2 * shifts * std::tan(angle) - sum_of_coarsening(gears)) / sum_of_teeth(gears);
 }
 
-/// Zero where it is so to rounding: no overlap is told of a pair without backlash.
+/// Zero where it is so to rounding: no overlap is reported for a pair without backlash.
 double backlash(const SpurPair& pair, double working_angle) {
   constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
   const double angle = involute(working_angle) - involute_without_backlash(pair.gears);
@@ -63,7 +63,7 @@ double interference_on_line(const SpurPair& pair, int own, double reached, doubl
   return if_any(std::max(into_root, past_form), pair);
 }
 
-/// What the line of action tells of a gear, with places on it seen from the gear's own end.
+/// What the line of action says of a gear, with places on it seen from the gear's own end.
 GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int index) {
   const bool is_pinion = index == 0;
   const SpurGear& own = pair.gears[is_pinion ? 0 : 1];
@@ -126,7 +126,7 @@ double profile_shift_sum(const Gears& gears, double centre_distance, double back
   const double angle = gears[0].rack.pressure_angle;
   const double working = working_pressure_angle({gears, centre_distance});
   const double difference = involute(working) - involute(angle) - 0.5 * backlash / centre_distance;
-  return (difference * sum_of_teeth(gears) + sum_of_thinning(gears)) / (2 * std::tan(angle));
+  return (difference * sum_of_teeth(gears) + sum_of_coarsening(gears)) / (2 * std::tan(angle));
 }
 
 void add_fillet_interference(const SpurPair& pair, PairGeometry& geometry) {

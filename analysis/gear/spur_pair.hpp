@@ -31,7 +31,7 @@ double centre_distance_with_backlash(const std::array<SpurGear, 2>& gears, doubl
 double centre_distance_without_backlash(const std::array<SpurGear, 2>& gears);
 
 /// The sum of profile shifts with which two gears of these teeth and thinning have `backlash` at
-/// `centre_distance`, whatever shifts they have. Not a number where the centre distance is less
+/// `centre_distance`, for any shifts. Not a number where the centre distance is less
 /// than the sum of base radii.
 double profile_shift_sum(const std::array<SpurGear, 2>& gears, double centre_distance,
                          double backlash = 0);

@@ -5,6 +5,7 @@
 
 #include "analysis/gear/fillet.hpp"
 #include "analysis/gear/involute.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
@@ -66,7 +67,7 @@ std::vector<Vec2d> rack_tooth_half(const SpurGear& gear, double tolerance) {
   std::vector<OutlinePoint> points;
   if (fillet.centre.x > 0) points.push_back({corner(kRightAngle), OutlinePart::root});
   append(points, OutlinePart::fillet, corner, kRightAngle, gear.rack.pressure_angle, tolerance);
-  const double half_width = kPi / 4 + 0.5 * gear.thinning / gear.module;
+  const double half_width = kPi / 4 + 0.5 * gear.coarsening / gear.module;
   const double height =
       std::min(gear.rack.addendum + gear.rack.clearance, (kRightAngle - half_width) / slope);
   std::vector<Vec2d> half;
@@ -124,7 +125,7 @@ std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance) {
   outline.reserve(tooth.size() * static_cast<std::size_t>(teeth));
   for (int k = 0; k < teeth; ++k) {
     const double angle = kTurn * k / teeth;
-    const Vec2d turn{std::cos(angle), std::sin(angle)};
+    const Vec2d turn = unit_vector(angle);
     for (const OutlinePoint& point : tooth) outline.push_back({turn * point.at, point.part});
   }
   return outline;

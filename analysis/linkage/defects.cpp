@@ -17,7 +17,7 @@ struct Place {
   double turn = 0;
 };
 
-/// The circuits of one linkage, told from link lengths.
+/// The circuits of one linkage, distinguished by link lengths.
 class Circuits {
  public:
   explicit Circuits(const FourBar& linkage)

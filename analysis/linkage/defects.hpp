@@ -48,7 +48,7 @@ struct Defects {
 Defects find_defects(const FourBar& linkage, std::span<const double> crank_angles,
                      Sequence sequence);
 
-/// As above for positions each with its own side, whatever `linkage.assembly` says. Where a circuit
+/// As above for positions each with its own side, regardless of `linkage.assembly`. Where a circuit
 /// has positions on both branches `one_sense` means once round the circuit at most.
 Defects find_defects(const FourBar& linkage, std::span<const CrankPosition> positions,
                      Sequence sequence);

@@ -97,7 +97,7 @@ struct CardanCircles {
 };
 CardanCircles cardan_circles(const EllipticTrammel& mechanism);
 
-// ---- Oldham coupling: both shafts turn at one speed, whatever the distance d between them.
+// ---- Oldham coupling: both shafts turn at one speed, for any distance d between them.
 
 /// The distance d of the shafts.
 double eccentricity(const OldhamCoupling& mechanism);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate {
 
 Motion::Motion(const FourBar& linkage)
@@ -23,7 +25,7 @@ Pose pose(const FourBar& linkage, const Vec2d& frame_direction, double crank_ang
   const Vec2d coupler = frame_direction * links.coupler;
   const Vec2d rocker = frame_direction * links.rocker;
   Pose pose;
-  pose.b = linkage.pivot_a + linkage.crank * Vec2d{std::cos(crank_angle), std::sin(crank_angle)};
+  pose.b = linkage.pivot_a + linkage.crank * unit_vector(crank_angle);
   pose.c = linkage.pivot_d + linkage.rocker * rocker;
   if (linkage.coupler_point) pose.coupler_point = pose.b + coupler * *linkage.coupler_point;
   pose.rocker_angle = std::atan2(rocker.y, rocker.x);

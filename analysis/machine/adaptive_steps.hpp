@@ -1,4 +1,4 @@
-/// @file Steps of an explicit Runge–Kutta method whose lengths follow from the wanted accuracy.
+/// @file Steps of an explicit Runge–Kutta method whose lengths follow from the required accuracy.
 #pragma once
 
 #include <array>

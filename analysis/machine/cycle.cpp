@@ -31,10 +31,10 @@ constexpr std::size_t kAskOfCycle = 256;
 
 }  // namespace
 
-Cycle::Cycle(const Machine& machine, const Terrain& terrain, double phi0, double work,
+Cycle::Cycle(const Machine& machine, const TorqueBreakpoints& breakpoints, double phi0, double work,
              const Accuracy& accuracy)
     : machine_(machine),
-      terrain_(terrain),
+      breakpoints_(breakpoints),
       accuracy_(accuracy),
       pieces_(machine, phi0),
       phi0_(phi0),
@@ -179,7 +179,7 @@ void Cycle::note_power(const Mark& before, CycleDetail& detail) {
 }
 
 double Cycle::longest_step() const {
-  const double longest = terrain_.longest_step(stepper_.x());
+  const double longest = breakpoints_.longest_step(stepper_.x());
   return fine_ ? std::min(0.5 * longest, kFine * machine_.period) : longest;
 }
 

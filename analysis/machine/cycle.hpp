@@ -6,7 +6,7 @@
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/machine.hpp"
 #include "analysis/machine/pieces.hpp"
-#include "analysis/machine/terrain.hpp"
+#include "analysis/machine/torque_breakpoints.hpp"
 
 namespace cognate::machine {
 
@@ -35,8 +35,8 @@ enum class CycleEnd { whole, open, gave_up, stopped };
 class Cycle {
  public:
   /// `work`: that of a period (J), above 0; the error of K is held against it or against K, which
-  /// is less. `terrain` is one of this machine, which has its jumps among its breaks.
-  Cycle(const Machine& machine, const Terrain& terrain, double phi0, double work,
+  /// is less. `breakpoints` is one of this machine, which has its jumps among its breaks.
+  Cycle(const Machine& machine, const TorqueBreakpoints& breakpoints, double phi0, double work,
         const Accuracy& accuracy);
 
   /// What K grows by in a period that begins with `kinetic`.
@@ -84,7 +84,7 @@ class Cycle {
   MachineState state(double phi, const State& y);
 
   const Machine& machine_;
-  const Terrain& terrain_;
+  const TorqueBreakpoints& breakpoints_;
   Accuracy accuracy_;
   Pieces pieces_;
   double phi0_, work_;

@@ -5,7 +5,7 @@
 #include "analysis/machine/adaptive_steps.hpp"
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/pieces.hpp"
-#include "analysis/machine/terrain.hpp"
+#include "analysis/machine/torque_breakpoints.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
@@ -16,10 +16,10 @@ constexpr std::size_t kAskOfWork = 256;
 /// ∫ (M − M̄) dφ at a constant speed, over a period.
 class ExcessWork {
  public:
-  ExcessWork(const Machine& machine, const Terrain& terrain, double phi0, double omega,
-             const Accuracy& accuracy)
+  ExcessWork(const Machine& machine, const TorqueBreakpoints& breakpoints, double phi0,
+             double omega, const Accuracy& accuracy)
       : machine_(machine),
-        terrain_(terrain),
+        breakpoints_(breakpoints),
         accuracy_(accuracy),
         pieces_(machine, phi0),
         phi0_(phi0),
@@ -63,7 +63,7 @@ class ExcessWork {
     State y{};
     const bool failed = integrate_round(pieces_, place_, stepper_, y, [&](double to) {
       while (stepper_.x() < to) {
-        const double longest = terrain_.longest_step(stepper_.x());
+        const double longest = breakpoints_.longest_step(stepper_.x());
         if (!stepper_.step(std::min(to, stepper_.x() + longest)) || is_over()) return true;
         note();
       }
@@ -78,7 +78,7 @@ class ExcessWork {
   }
 
   const Machine& machine_;
-  const Terrain& terrain_;
+  const TorqueBreakpoints& breakpoints_;
   Accuracy accuracy_;
   Pieces pieces_;
   double phi0_, omega_, size_;
@@ -92,9 +92,9 @@ class ExcessWork {
 
 double greatest_excess_work(const Machine& machine, double phi0, double omega,
                             const Accuracy& accuracy) {
-  Terrain terrain(machine);
-  terrain.look(machine, {&omega, 1});
-  return ExcessWork(terrain.cut(machine), terrain, phi0, omega, accuracy).range();
+  TorqueBreakpoints breakpoints(machine);
+  breakpoints.look(machine, {&omega, 1});
+  return ExcessWork(breakpoints.cut(machine), breakpoints, phi0, omega, accuracy).range();
 }
 
 }  // namespace cognate::machine

@@ -1,11 +1,11 @@
 #include "analysis/machine/flywheel.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
+
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {
@@ -22,7 +22,7 @@ bool runs(const SteadyState& steady) {
          (steady.missing == NoSteadyState::any_speed && !steady.states.empty());
 }
 
-/// Whether the machine has no steady state for want of energy.
+/// Whether the machine has no steady state because it lacks energy.
 bool falls_short(const SteadyState& steady) {
   return steady.missing == NoSteadyState::stands || steady.missing == NoSteadyState::stalls;
 }
@@ -44,7 +44,7 @@ class FlywheelSearch {
         guess_(guess),
         accuracy_(accuracy),
         bare_(machine_with(0)),
-        terrain_(terrain_about(bare_, guess)),
+        breakpoints_(breakpoints_about(bare_, guess)),
         mean_inertia_(mean_inertia(bare_)) {}
 
   Flywheel find(int steps) {
@@ -68,12 +68,13 @@ class FlywheelSearch {
 
  private:
   SteadyState with(double inertia, int steps) {
-    SteadyState steady = steady_state(machine_with_(inertia), terrain_, guess_, accuracy_, steps);
+    SteadyState steady =
+        steady_state(machine_with_(inertia), breakpoints_, guess_, accuracy_, steps);
     why_ = steady.missing;
     return steady;
   }
 
-  /// By how much the fluctuation is beyond the one wanted; NaN where it is not known.
+  /// By how much the fluctuation is beyond the desired one; NaN where it is not known.
   double beyond(const SteadyState& steady) const {
     if (falls_short(steady)) return kComesToRest - wanted_;
     if (!runs(steady)) return std::numeric_limits<double>::quiet_NaN();
@@ -100,16 +101,13 @@ class FlywheelSearch {
   std::optional<double> refine(double low, double at_low, double high, double at_high) {
     if (at_high == 0) return high;
     const double close = std::max(0.1 * accuracy_.relative, 1e-14);
-    const auto is_close = [&](double a, double b) { return b - a <= close * b; };
     bool failed = false;
     const auto f = [&](double inertia) {
       const double value = failed ? 0 : beyond(inertia);
       failed = failed || std::isnan(value);
       return failed ? 0 : value;
     };
-    std::uintmax_t evaluations = 60;
-    const auto [a, b] =
-        boost::math::tools::toms748_solve(f, low, high, at_low, at_high, is_close, evaluations);
+    const auto [a, b] = bracket_zero(f, low, at_low, high, at_high, close, 60);
     if (failed) return std::nullopt;
     return b;
   }
@@ -119,7 +117,7 @@ class FlywheelSearch {
   SteadyGuess guess_;
   Accuracy accuracy_;
   Machine bare_;
-  Terrain terrain_;
+  TorqueBreakpoints breakpoints_;
   double mean_inertia_;
   NoSteadyState why_ = NoSteadyState::none;
 };

@@ -1,4 +1,4 @@
-/// @file The flywheel that makes a machine run as evenly as wanted.
+/// @file The flywheel that makes a machine run as evenly as desired.
 #pragma once
 
 #include <functional>

@@ -31,7 +31,7 @@ struct Torques {
 /// A machine as the integrators know it. Its functions may be called from one thread at a time and
 /// allocate nothing. Where the mechanism cannot be assembled, their numbers are NaN.
 struct Machine {
-  /// Moves it to φ in [0, period]; torques are asked for afterwards.
+  /// Moves it to φ in [0, period]; torques are evaluated afterwards.
   std::function<EquivalentInertia(double phi)> move_to;
   /// What acts where it stands. The sign of ω is the direction of motion, even where it is tiny.
   std::function<Torques(double omega, double time)> torques;

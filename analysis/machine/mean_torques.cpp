@@ -61,12 +61,12 @@ std::optional<double> speed_of_mean_torques(const Machine& machine) {
   return std::nullopt;
 }
 
-Terrain terrain_about(const Machine& machine, const SteadyGuess& guess) {
-  Terrain terrain(machine);
+TorqueBreakpoints breakpoints_about(const Machine& machine, const SteadyGuess& guess) {
+  TorqueBreakpoints breakpoints(machine);
   const double speed = guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1);
   const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
-  terrain.look(machine, speeds);
-  return terrain;
+  breakpoints.look(machine, speeds);
+  return breakpoints;
 }
 
 bool depends_on_speed(const Machine& machine, double omega) {

@@ -15,7 +15,7 @@ struct Place {
   double phi = 0;
 };
 
-/// The period, cut at the breaks, at 0 and where wanted.
+/// The period, cut at the breaks, at 0 and where requested.
 class Pieces {
  public:
   /// Cuts at `mark`, in [0, period), as well.

@@ -5,16 +5,42 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "analysis/machine/adaptive_steps.hpp"
+#include "analysis/machine/machine.hpp"
 #include "analysis/machine/pieces.hpp"
 #include "analysis/machine/steady_state.hpp"
-#include "analysis/machine/time_limits.hpp"
+#include "analysis/machine/step_limits.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {
+
+/// How often torques that depend on time are looked at in advance, from how many places.
+constexpr std::size_t kTimes = 4096;
+constexpr int kPlaces = 3;
+
+/// The longest steps over `duration` from the time of `from`, by torques at its speed and at some
+/// places of the drive: what acts for less than a 4096th of it may be missed.
+StepLimits limits_in_time(const Machine& machine, const MachineState& from, double duration) {
+  StepLimits limits(from.time, duration, kTimes);
+  const std::vector<int> one_segment(kTimes);
+  std::vector<double> values(kTimes);
+  for (int place = 0; place < kPlaces; ++place) {
+    machine.move_to(machine.period * (place + 0.5) / kPlaces);
+    double sum = 0;
+    for (std::size_t i = 0; i < kTimes; ++i) {
+      const double speed = from.omega != 0 ? from.omega : std::numeric_limits<double>::min();
+      const Torques acting = machine.torques(speed, limits.place(i));
+      values[i] = acting.sum();
+      sum += std::abs(acting.motor) + std::abs(acting.load);
+    }
+    limits.shorten(values, one_segment, sum / static_cast<double>(kTimes));
+  }
+  return limits;
+}
 
 /// What the components of the state are: φ in its period, and scaled √J ω and works; and √J ω of
 /// the steady motion at the same φ, where the run approaches one.
@@ -37,7 +63,7 @@ constexpr std::size_t kStepsOfATurn = 5000, kStepsOfAPiece = 20;
 /// The longest steps, in parts of the period, where it is not known how long torques change.
 constexpr double kUntimed = 1.0 / 64;
 
-/// A speed that the machine may come to.
+/// A speed that the machine may reach.
 double usual_speed(const Machine& machine, const MachineState& from, const RunEnd& end) {
   double speed = from.omega;
   if (end.speed && std::abs(*end.speed) > std::abs(speed)) speed = *end.speed;
@@ -50,10 +76,10 @@ enum class Event { none, rest, speed, approach, travel, border };
 
 class Runner {
  public:
-  Runner(const Machine& machine, const Terrain& terrain, const MachineState& from,
+  Runner(const Machine& machine, const TorqueBreakpoints& breakpoints, const MachineState& from,
          const RunEnd& end, const Accuracy& accuracy)
       : machine_(machine),
-        terrain_(terrain),
+        breakpoints_(breakpoints),
         end_(end),
         accuracy_(accuracy),
         pieces_(machine, 0),
@@ -92,14 +118,14 @@ class Runner {
       }
       const double before = now_.phi;
       if (const auto stop = stretch()) return finish(*stop);
-      const bool short_stretch = std::abs(now_.phi - before) <= kNoTravel * machine_.period;
-      rests = short_stretch ? rests + 1 : 0;
+      const bool short_segment = std::abs(now_.phi - before) <= kNoTravel * machine_.period;
+      rests = short_segment ? rests + 1 : 0;
       if (rests >= kMostRests) return finish(RunStop::stalled);
     }
   }
 
  private:
-  /// What is worked in a period, as far as it can be told at the beginning.
+  /// What is worked in a period, as far as it is known at the beginning.
   double usual_work(double omega) const {
     double work = turnover(machine_, omega, from_.time);
     if (!machine_.depends_on_time || !end_.time) return work;
@@ -317,7 +343,7 @@ class Runner {
     const double now = stepper_.x() * time_;
     const double rate = std::abs(stepper_.slope()[phi]);
     const double bend = std::abs(stepper_.slope()[momentum]) * momentum_ / root_ * time_;
-    const double way = terrain_.longest_step(stepper_.y()[phi]);
+    const double way = breakpoints_.longest_step(stepper_.y()[phi]);
     const double by_angle = 2 * way / (rate + std::sqrt(rate * rate + 2 * bend * way)) * time_;
     const double longest =
         limits_in_time_ ? std::min(by_angle, limits_in_time_->at(now)) : by_angle;
@@ -353,7 +379,7 @@ class Runner {
   }
 
   const Machine& machine_;
-  const Terrain& terrain_;
+  const TorqueBreakpoints& breakpoints_;
   std::optional<StepLimits> limits_in_time_;
   RunEnd end_;
   Accuracy accuracy_;
@@ -375,9 +401,10 @@ class Runner {
 
 }  // namespace
 
-MachineRun run(const Machine& machine, const Terrain& terrain, const MachineState& from,
-               const RunEnd& end, const Accuracy& accuracy, std::size_t records) {
-  Runner runner(machine, terrain, from, end, accuracy);
+MachineRun run(const Machine& machine, const TorqueBreakpoints& breakpoints,
+               const MachineState& from, const RunEnd& end, const Accuracy& accuracy,
+               std::size_t records) {
+  Runner runner(machine, breakpoints, from, end, accuracy);
   MachineRun whole = runner.go({});
   const bool ended_early = whole.stop == RunStop::gave_up || whole.stop == RunStop::stopped;
   if (records == 0 || ended_early) return whole;
@@ -387,17 +414,17 @@ MachineRun run(const Machine& machine, const Terrain& terrain, const MachineStat
     times.push_back(from.time +
                     duration * static_cast<double>(i) / static_cast<double>(records + 1));
   }
-  return Runner(machine, terrain, from, end, accuracy).go(std::move(times));
+  return Runner(machine, breakpoints, from, end, accuracy).go(std::move(times));
 }
 
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
                const Accuracy& accuracy, std::size_t records) {
-  Terrain terrain(machine);
+  TorqueBreakpoints breakpoints(machine);
   const double speed = usual_speed(machine, from, end);
   const std::array<double, 3> speeds{0.2 * speed, speed, 3 * speed};
-  terrain.look(machine, speeds, from.time);
-  if (machine.depends_on_time && !end.time) terrain.refine(kUntimed);
-  return run(terrain.cut(machine), terrain, from, end, accuracy, records);
+  breakpoints.look(machine, speeds, from.time);
+  if (machine.depends_on_time && !end.time) breakpoints.refine(kUntimed);
+  return run(breakpoints.cut(machine), breakpoints, from, end, accuracy, records);
 }
 
 }  // namespace cognate::machine

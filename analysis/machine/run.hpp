@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/machine/machine.hpp"
-#include "analysis/machine/terrain.hpp"
+#include "analysis/machine/torque_breakpoints.hpp"
 
 namespace cognate::machine {
 
@@ -40,13 +40,14 @@ struct MachineRun {
 /// with the torques of the side to which it goes. The moment of an end is located within its step;
 /// the steady motion that a run approaches is integrated along with it, by its own
 /// dω/dφ. States are recorded at equal steps of time,
-/// `records` of them besides the ends, for which the motion is integrated a second time; none where
-/// it was given up.
+/// `records` of them in addition to the ends, for which the motion is integrated a second time;
+/// none where it was given up.
 MachineRun run(const Machine& machine, const MachineState& from, const RunEnd& end,
                const Accuracy& accuracy, std::size_t records);
 
-/// The same of a machine whose terrain is known, which has its jumps among its breaks.
-MachineRun run(const Machine& machine, const Terrain& terrain, const MachineState& from,
-               const RunEnd& end, const Accuracy& accuracy, std::size_t records);
+/// The same of a machine whose torque breakpoints is known, which has its jumps among its breaks.
+MachineRun run(const Machine& machine, const TorqueBreakpoints& breakpoints,
+               const MachineState& from, const RunEnd& end, const Accuracy& accuracy,
+               std::size_t records);
 
 }  // namespace cognate::machine

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
 #include "analysis/machine/run.hpp"
+#include "analysis/numbers/zeros.hpp"
 
 namespace cognate::machine {
 namespace {
@@ -40,16 +39,16 @@ struct Shot {
 
 class Shooting {
  public:
-  Shooting(const Machine& machine, const Terrain& terrain, const SteadyGuess& guess,
+  Shooting(const Machine& machine, const TorqueBreakpoints& breakpoints, const SteadyGuess& guess,
            const Accuracy& accuracy)
       : machine_(machine),
-        terrain_(terrain),
+        breakpoints_(breakpoints),
         accuracy_(at_most_loose(accuracy)),
         guess_(guess),
         speed_(guess.speed ? *guess.speed : speed_of_mean_torques(machine).value_or(1)),
         inertia_(machine.move_to(guess.phi).value),
         work_(turnover(machine, speed_)),
-        cycle_(machine, terrain, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
+        cycle_(machine, breakpoints, guess.phi, work_ > 0 ? work_ : 1, accuracy_) {}
 
   /// Whether errors were held against far more than is worked at the speed that was found.
   bool was_coarse(const SteadyState& found) const {
@@ -225,10 +224,8 @@ class Shooting {
       failed = failed || !shoot(kinetic);
       return failed || std::abs(shot_.growth) <= met ? 0 : shot_.growth;
     };
-    const auto is_close = [&](double a, double b) { return b - a <= closeness() * b; };
-    std::uintmax_t evaluations = 100;
-    const auto [a, b] = boost::math::tools::toms748_solve(
-        growth, low_.kinetic, high_.kinetic, low_.growth, high_.growth, is_close, evaluations);
+    const auto [a, b] = bracket_zero(growth, low_.kinetic, low_.growth, high_.kinetic, high_.growth,
+                                     closeness(), 100);
     low_.kinetic = a;
     high_.kinetic = b;
     return !failed;
@@ -276,7 +273,7 @@ class Shooting {
     RunEnd end;
     end.travel = machine_.period;
     const MachineRun turn = cognate::machine::run(
-        machine_, terrain_, {.phi = first.phi, .omega = first.omega}, end, accuracy_, 0);
+        machine_, breakpoints_, {.phi = first.phi, .omega = first.omega}, end, accuracy_, 0);
     const MachineState& last = turn.states.back();
     const double inertia = machine_.move_to(guess_.phi).value;
     const double growth = 0.5 * inertia * (last.omega - first.omega) * (last.omega + first.omega);
@@ -285,7 +282,7 @@ class Shooting {
   }
 
   const Machine& machine_;
-  const Terrain& terrain_;
+  const TorqueBreakpoints& breakpoints_;
   Accuracy accuracy_;
   SteadyGuess guess_;
   double speed_, inertia_, work_;
@@ -305,14 +302,14 @@ double fluctuation(const SteadyState& steady) {
   return (steady.greatest.omega - steady.least.omega) / mean_speed(steady);
 }
 
-SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGuess& guess,
-                         const Accuracy& accuracy, int steps) {
+SteadyState steady_state(const Machine& machine, TorqueBreakpoints breakpoints,
+                         const SteadyGuess& guess, const Accuracy& accuracy, int steps) {
   SteadyGuess from = guess;
   int integrations = 0;
   std::size_t doubts = 0;
   for (int i = 0;; ++i) {
-    const Machine cut = terrain.cut(machine);
-    Shooting shooting(cut, terrain, from, accuracy);
+    const Machine cut = breakpoints.cut(machine);
+    Shooting shooting(cut, breakpoints, from, accuracy);
     SteadyState found = shooting.find(steps);
     found.integrations = integrations += found.integrations;
     const bool unsure = found.missing == NoSteadyState::unsure;
@@ -320,15 +317,15 @@ SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGu
     const bool last = i == kSearches || (unsure && doubts == kShorter.size());
     if (unsure && last) found.states.clear();
     if (last || !(unsure || coarse)) return found;
-    if (unsure) terrain.refine(kShorter[doubts++]);
+    if (unsure) breakpoints.refine(kShorter[doubts++]);
     if (coarse) from.speed = found.states.front().omega;
-    if (!found.states.empty()) terrain.look(machine, {&found.states.front().omega, 1});
+    if (!found.states.empty()) breakpoints.look(machine, {&found.states.front().omega, 1});
   }
 }
 
 SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
                          int steps) {
-  return steady_state(machine, terrain_about(machine, guess), guess, accuracy, steps);
+  return steady_state(machine, breakpoints_about(machine, guess), guess, accuracy, steps);
 }
 
 }  // namespace cognate::machine

@@ -6,7 +6,7 @@
 
 #include "analysis/machine/cycle.hpp"
 #include "analysis/machine/machine.hpp"
-#include "analysis/machine/terrain.hpp"
+#include "analysis/machine/torque_breakpoints.hpp"
 
 namespace cognate::machine {
 
@@ -64,12 +64,12 @@ double fluctuation(const SteadyState& steady);
 SteadyState steady_state(const Machine& machine, const SteadyGuess& guess, const Accuracy& accuracy,
                          int steps);
 
-/// The same where the terrain of its torques is known.
-SteadyState steady_state(const Machine& machine, Terrain terrain, const SteadyGuess& guess,
-                         const Accuracy& accuracy, int steps);
+/// The same where the torque breakpoints of its torques is known.
+SteadyState steady_state(const Machine& machine, TorqueBreakpoints breakpoints,
+                         const SteadyGuess& guess, const Accuracy& accuracy, int steps);
 
-/// The terrain at speeds about that of the guess.
-Terrain terrain_about(const Machine& machine, const SteadyGuess& guess);
+/// The torque breakpoints at speeds about that of the guess.
+TorqueBreakpoints breakpoints_about(const Machine& machine, const SteadyGuess& guess);
 
 /// About the speed at which the torques, averaged over the period at constant speed, change from
 /// driving to braking: the least such between 1e-4 and 7e5, else between 1e-30 and 1e30. Empty

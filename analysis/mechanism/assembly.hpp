@@ -16,7 +16,7 @@ constexpr double sign(Assembly assembly) {
 
 /// Sums of lengths that differ by no more than this part of the longest link are equal: lengths
 /// rounded to doubles, and what a file's decimal digits or a few operations make of them, cannot be
-/// told from equal ones.
+/// distinguished from equal ones.
 inline constexpr double kChangePointTolerance = 16 * kEpsilon;
 
 }  // namespace cognate

@@ -31,11 +31,11 @@ void set_sides(Mechanism<double>& mechanism, const std::vector<double>& sides) {
 
 /// The motion from one dead point, or from within a branch, to the next.
 struct Branch {
-  Course course;  ///< with the one run
+  AssemblyRanges assembly_ranges;  ///< with the one run
   double end = 0;
   int dyad = -1;  ///< that ends it; −1: none within a turn
 
-  const CourseRun& run() const { return course.runs.front(); }
+  const AssemblyRange& run() const { return assembly_ranges.runs.front(); }
 };
 
 /// Goes through the branches of a circuit.
@@ -70,30 +70,32 @@ class Circuit {
     set_sides(mechanism_, sides);
     if (reach_ == 0) reach_ = reach(start);
     if (!(reach_ > 0)) return std::nullopt;
-    // A little before the start, so that the dead point there ends the run, whatever its rounding.
+    // A little before the start, so that the dead point there ends the run, regardless of rounding.
     const double before = start - sense * kBefore * reach_;
     Branch branch{follow(mechanism_, before, start + sense * reach_, stop_)};
-    if (branch.course.runs.empty() || (stop_ && stop_())) return std::nullopt;
-    const auto distance = [&](const CourseRun& run) {
+    if (branch.assembly_ranges.runs.empty() || (stop_ && stop_())) return std::nullopt;
+    const auto distance = [&](const AssemblyRange& run) {
       return std::abs((sense > 0 ? run.from : run.to) - start);
     };
-    CourseRun run = std::move(*std::ranges::min_element(branch.course.runs, {}, distance));
+    AssemblyRange run =
+        std::move(*std::ranges::min_element(branch.assembly_ranges.runs, {}, distance));
     const double begins = sense > 0 ? run.from : run.to;
-    scale_ = branch.course.scale;
+    scale_ = branch.assembly_ranges.scale;
     if (std::abs(begins - start) > kSameRange * scale_) return std::nullopt;
     branch.end = sense > 0 ? run.to : run.from;
     branch.dyad = sense > 0 ? run.to_dyad : run.from_dyad;
     if (branch.dyad < 0 && !turns()) return std::nullopt;
-    branch.course.runs = {std::move(run)};
+    branch.assembly_ranges.runs = {std::move(run)};
     return branch;
   }
 
   /// Of a drive that meets no dead point.
   std::optional<CircuitRange> over_turns(double start, const std::vector<double>& sides) {
     set_sides(mechanism_, sides);
-    Course course = follow(mechanism_, start, start + kTurn, stop_);
-    if (!course.points.empty()) course = follow(mechanism_, start, start + 2 * kTurn, stop_);
-    const auto range = output_range(mechanism_, course, travel_);
+    AssemblyRanges assembly_ranges = follow(mechanism_, start, start + kTurn, stop_);
+    if (!assembly_ranges.points.empty())
+      assembly_ranges = follow(mechanism_, start, start + 2 * kTurn, stop_);
+    const auto range = output_range(mechanism_, assembly_ranges, travel_);
     if (!range) return std::nullopt;
     return result(range->stroke());
   }
@@ -110,7 +112,7 @@ class Circuit {
     for (int i = 0, sense = 1; i < kMostBranches; ++i, sense = -sense) {
       const auto next = branch(place, sense, sides);
       if (!next || next->dyad < 0) return std::nullopt;
-      const auto range = output_range(mechanism_, next->course, travel_);
+      const auto range = output_range(mechanism_, next->assembly_ranges, travel_);
       if (!range) return std::nullopt;
       const OutputValue& entry = sense > 0 ? range->first : range->last;
       const OutputValue& exit = sense > 0 ? range->last : range->first;
@@ -139,8 +141,9 @@ class Circuit {
 
 }  // namespace
 
-std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism, const CourseRun& run,
-                                          const Travel& travel, const std::function<bool()>& stop) {
+std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism,
+                                          const AssemblyRange& run, const Travel& travel,
+                                          const std::function<bool()>& stop) {
   double drive = run.from + (run.to - run.from) / 2;
   const auto is_change = [&](const Change& change) { return change.drive == drive; };
   if (std::ranges::any_of(run.changes, is_change)) drive = run.from + (run.to - run.from) * 0.382;

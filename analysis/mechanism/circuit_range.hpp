@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/travel.hpp"
 
 namespace cognate {
@@ -15,13 +15,13 @@ struct CircuitRange {
   bool turns_fully = false;  ///< an angle that comes round with another number of turns
 };
 
-/// Of the circuit on which `run` of a course of `mechanism` lies, beyond the ends of the course. A
-/// drive that turns fully goes through it in one turn, or two where there are change points. Any
-/// other goes back and forth between dead points, at each of which a dyad passes to its other
-/// assembly, until it comes round. Empty where that is not found: where guides become parallel, and
-/// once `stop` says so.
-std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism, const CourseRun& run,
-                                          const Travel& travel,
+/// Of the circuit on which `run` of a set of assembly ranges of `mechanism` lies, beyond the ends
+/// of the set of assembly ranges. A drive that turns fully goes through it in one turn, or two
+/// where there are change points. Any other goes back and forth between dead points, at each of
+/// which a dyad passes to its other assembly, until it comes round. Empty where that is not found:
+/// where guides become parallel, and once `stop` says so.
+std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism,
+                                          const AssemblyRange& run, const Travel& travel,
                                           const std::function<bool()>& stop = {});
 
 }  // namespace cognate

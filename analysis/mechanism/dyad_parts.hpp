@@ -1,5 +1,5 @@
 /// @file What the closures of all dyads share: their result, and points and guides of the bodies
-/// that they hang on.
+/// that they depend on.
 #pragma once
 
 #include <array>

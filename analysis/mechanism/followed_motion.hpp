@@ -1,4 +1,4 @@
-/// @file A mechanism moved along the course of its motion.
+/// @file A mechanism moved along the set of assembly ranges of its motion.
 #pragma once
 
 #include <algorithm>
@@ -9,29 +9,29 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 
 namespace cognate {
 
-/// A mechanism with room for its state, moved along a course: with the signs of the assemblies that
-/// the motion has there, and across change points. On a change point itself the closure is singular
-/// and the motion is not; there all is interpolated from six positions about it, which leaves
-/// positions to rounding and loses some 2, 5 and 8 digits of the derivatives.
+/// A mechanism with room for its state, moved along a set of assembly ranges: with the signs of the
+/// assemblies that the motion has there, and across change points. On a change point itself the
+/// closure is singular and the motion is not; there all is interpolated from six positions about
+/// it, which leaves positions to rounding and loses some 2, 5 and 8 digits of the derivatives.
 template <int Order>
 class FollowedMotion {
  public:
-  /// To be moved along `course`, which is one of `mechanism`.
-  FollowedMotion(const Mechanism<double>& mechanism, Course course)
+  /// To be moved along `assembly_ranges`, which is one of `mechanism`.
+  FollowedMotion(const Mechanism<double>& mechanism, AssemblyRanges assembly_ranges)
       : motion_(mechanism),
-        course_(std::move(course)),
+        assembly_ranges_(std::move(assembly_ranges)),
         bodies_(motion_.bodies().size()),
         closures_(motion_.closures().size()) {}
 
-  /// Moves to a drive coordinate of the course; false, and bodies that are not numbers, where the
-  /// mechanism cannot be assembled or its position is not determined.
+  /// Moves to a drive coordinate of the set of assembly ranges; false, and bodies that are not
+  /// numbers, where the mechanism cannot be assembled or its position is not determined.
   bool move_to(double drive) {
-    const CourseRun* run = course_.run_at(drive);
+    const AssemblyRange* run = assembly_ranges_.range_at(drive);
     if (run == nullptr) {
       leave();
       return false;
@@ -65,7 +65,7 @@ class FollowedMotion {
   }
 
   /// What is followed, and where bodies and dyads stand after `move_to`.
-  const Course& course() const { return course_; }
+  const AssemblyRanges& assembly_ranges() const { return assembly_ranges_; }
   const Mechanism<double>& mechanism() const { return motion_.mechanism(); }
   std::span<const BodyMotion<double, Order>> bodies() const { return bodies_; }
   std::span<const DyadClosure<double>> closures() const { return closures_; }
@@ -80,16 +80,16 @@ class FollowedMotion {
   static constexpr double kNear = 1e-6;
   static constexpr double kStep = 5e-3;
 
-  const Change* near(const CourseRun& run, double drive) const {
+  const Change* near(const AssemblyRange& run, double drive) const {
     for (const Change& change : run.changes) {
-      if (std::abs(change.drive - drive) <= kNear * course_.scale) return &change;
+      if (std::abs(change.drive - drive) <= kNear * assembly_ranges_.scale) return &change;
     }
     return nullptr;
   }
 
   /// Moves the mechanism to `drive` with the assemblies that it has there: neither, at a dead point
   /// that ends `run`, where the root of what rounding leaves would be half of the digits.
-  bool assemble(const CourseRun& run, double drive) {
+  bool assemble(const AssemblyRange& run, double drive) {
     const std::span<double> sides = motion_.sides();
     sides_at(run, drive, sides);
     if (run.from_dyad >= 0 && drive == run.from) sides[static_cast<std::size_t>(run.from_dyad)] = 0;
@@ -98,7 +98,7 @@ class FollowedMotion {
   }
 
   /// Takes the state at `drive`.
-  bool place(const CourseRun& run, double drive) {
+  bool place(const AssemblyRange& run, double drive) {
     if (!assemble(run, drive)) return false;
     std::ranges::copy(motion_.bodies(), bodies_.begin());
     std::ranges::copy(motion_.closures(), closures_.begin());
@@ -106,7 +106,7 @@ class FollowedMotion {
   }
 
   /// Adds `weight` times the state at `drive` to what is there.
-  bool add(const CourseRun& run, double drive, double weight) {
+  bool add(const AssemblyRange& run, double drive, double weight) {
     if (!assemble(run, drive)) return false;
     for (std::size_t i = 0; i < bodies_.size(); ++i) add(motion_.bodies()[i], weight, bodies_[i]);
     for (std::size_t i = 0; i < closures_.size(); ++i) {
@@ -128,8 +128,8 @@ class FollowedMotion {
   }
 
   /// The step of the interpolation about `change`, less where something else is close.
-  double step(const CourseRun& run, const Change& change) const {
-    double room = 12 * kStep * course_.scale;
+  double step(const AssemblyRange& run, const Change& change) const {
+    double room = 12 * kStep * assembly_ranges_.scale;
     if (run.from_dyad >= 0) room = std::min(room, change.drive - run.from);
     if (run.to_dyad >= 0) room = std::min(room, run.to - change.drive);
     for (const Change& other : run.changes) {
@@ -140,7 +140,7 @@ class FollowedMotion {
   }
 
   /// Lagrange's polynomial through the states at ±1, ±2 and ±3 steps from the change.
-  bool interpolate(const CourseRun& run, const Change& change, double drive) {
+  bool interpolate(const AssemblyRange& run, const Change& change, double drive) {
     constexpr std::array<double, 6> kNodes{-3, -2, -1, 1, 2, 3};
     const double h = step(run, change);
     const double x = (drive - change.drive) / h;
@@ -176,7 +176,7 @@ class FollowedMotion {
   }
 
   MechanismMotion<Order> motion_;
-  Course course_;
+  AssemblyRanges assembly_ranges_;
   std::vector<BodyMotion<double, Order>> bodies_;
   std::vector<DyadClosure<double>> closures_;
   bool at_change_ = false;

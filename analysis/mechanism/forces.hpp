@@ -1,4 +1,4 @@
-/// @file Inverse dynamics: what the joints and the drive of a moving mechanism must bear.
+/// @file Inverse dynamics: the forces in the joints and the drive of a moving mechanism.
 #pragma once
 
 #include <vector>
@@ -35,7 +35,7 @@ struct Reaction {
   double moment = 0;
 };
 
-/// What joints and drive bear at one position.
+/// Forces in joints and drive at one position.
 struct Forces {
   std::vector<Reaction> reactions;  ///< one for each joint of joints(mechanism)
   double drive = 0;  ///< driving torque (N·m, counter-clockwise) or force (N, along the guide)

@@ -11,7 +11,7 @@
 
 namespace cognate {
 
-/// The inverse dynamics of one mechanism, prepared once for as many positions as wanted; at a
+/// The inverse dynamics of one mechanism, prepared once for any number of positions; at a
 /// position nothing is allocated. Copies are independent: one for each thread.
 ///
 /// `bodies` are as evaluate<Order> gives them. A drive at rest (speed 0) needs Order 1, one that

@@ -45,7 +45,7 @@ class JointBalance {
   std::size_t joints() const;
 
  private:
-  /// Where a dyad's body hangs on a body before it: by a pin at `on` in the axes of that body,
+  /// Where a dyad's body is joined to a body before it: by a pin at `on` in the axes of that body,
   /// which is the origin of its own; or by a slide through its own origin along its first axis.
   struct OuterJoint {
     std::size_t body = 0;

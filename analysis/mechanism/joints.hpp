@@ -22,7 +22,7 @@ struct Joint {
   Vec2d direction{1, 0};
 };
 
-/// Bodies that are determined together, and the joints by which they hang on bodies before them:
+/// Bodies that are determined together, and the joints to the bodies before them:
 /// the drive (its bodies and joints, and one more unknown, the driving torque or force) or a dyad.
 struct JointGroup {
   int first_body = 0;

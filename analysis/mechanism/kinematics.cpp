@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate {
 
 std::vector<double> sides(const Mechanism<double>& mechanism) {
@@ -22,7 +24,7 @@ DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double 
   if (std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) {
     return {.direction = {1, 0}, .displacement = coordinate};
   }
-  return {.direction = {std::cos(coordinate), std::sin(coordinate)}, .displacement = 0};
+  return {.direction = unit_vector(coordinate), .displacement = 0};
 }
 
 }  // namespace cognate

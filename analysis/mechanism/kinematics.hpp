@@ -27,7 +27,7 @@ DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double 
 /// Fills `bodies` (body_count(mechanism) of them, the frame at 0) with their motion at `drive`,
 /// derivatives up to `Order` ≤ 3, and `closures` (one for each dyad). `sides` are the signs of the
 /// dyads' assemblies; a motion that is followed through a change point flips them. Where a dyad
-/// cannot be assembled, its bodies and all that hang on them are not numbers; at a dead point
+/// cannot be assembled, its bodies and all that depend on them are not numbers; at a dead point
 /// derivatives are infinite or not numbers. Allocates nothing, and neither branches on values of T
 /// nor uses trigonometry. Lengths are 0 or from 1e-100 to 1e100.
 template <int Order, class T>

@@ -38,17 +38,18 @@ double size(std::span<const BodyMotion<double, 1>> bodies) {
   return size;
 }
 
-/// Goes through the runs of a course and collects what the output does.
+/// Goes through the runs of a set of assembly ranges and collects what the output does.
 class Collector {
  public:
-  Collector(const Mechanism<double>& mechanism, const Course& course, const Output& output)
-      : motion_(mechanism, course), output_(output) {}
+  Collector(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges,
+            const Output& output)
+      : motion_(mechanism, assembly_ranges), output_(output) {}
 
   std::optional<OutputRange> collect() {
     if (output_.is_angle) size_ = 1;
-    for (const CourseRun& run : motion_.course().runs) sample(run);
+    for (const AssemblyRange& run : motion_.assembly_ranges().runs) sample(run);
     if (samples_.empty()) return std::nullopt;
-    for (const CourseRun& run : motion_.course().runs) find_limits(run);
+    for (const AssemblyRange& run : motion_.assembly_ranges().runs) find_limits(run);
     order_limits();
     return std::move(range_);
   }
@@ -58,7 +59,7 @@ class Collector {
     double drive = 0;
     double value = 0;
     double rate = 0;
-    const CourseRun* run = nullptr;
+    const AssemblyRange* run = nullptr;
   };
 
   double rate(double drive) {
@@ -69,8 +70,8 @@ class Collector {
   /// The output's value where the motion stands, an angle counted on from `reference`.
   double value_near(double reference) const { return counted(reference, output_.value(motion_)); }
 
-  void sample(const CourseRun& run) {
-    for (const double drive : run_places(motion_.course(), run)) {
+  void sample(const AssemblyRange& run) {
+    for (const double drive : run_places(motion_.assembly_ranges(), run)) {
       const bool is_end = drive == run.from || drive == run.to;
       const auto found = at(run, drive);
       const auto next = found || !is_end ? found : limit_at_end(run, drive);
@@ -80,16 +81,16 @@ class Collector {
     }
   }
 
-  std::optional<Sample> at(const CourseRun& run, double drive) {
+  std::optional<Sample> at(const AssemblyRange& run, double drive) {
     if (!motion_.move_to(drive)) return std::nullopt;
     if (!output_.is_angle) size_ = std::max(size_, size(motion_.bodies()));
     return Sample{drive, output_.value(motion_), output_.rate(motion_), &run};
   }
 
   /// At an end of `run` at which the position is not determined: the limit of the motion.
-  std::optional<Sample> limit_at_end(const CourseRun& run, double end) {
+  std::optional<Sample> limit_at_end(const AssemblyRange& run, double end) {
     constexpr double kStep = 4e-6;  // beyond what FollowedMotion interpolates over
-    const double step = (end == run.from ? 1 : -1) * kStep * motion_.course().scale;
+    const double step = (end == run.from ? 1 : -1) * kStep * motion_.assembly_ranges().scale;
     const auto near = at(run, end + step), far = at(run, end + 2 * step);
     if (!near || !far) return std::nullopt;
     const double rise = counted(near->value, far->value) - near->value;
@@ -105,7 +106,7 @@ class Collector {
   /// `kCubic`: next to a change point it may make half a turn within 1e-12 of the drive.
   void fill(const Sample a, const Sample b) {
     const double width = b.drive - a.drive;
-    const double place = std::max(motion_.course().scale, std::abs(b.drive));
+    const double place = std::max(motion_.assembly_ranges().scale, std::abs(b.drive));
     if (!(width > kNoWidth * place) || samples_.size() > kMostSamples) return;
     if (!std::isfinite(a.rate) || !std::isfinite(b.rate)) return;
     const auto middle = at(*a.run, std::midpoint(a.drive, b.drive));
@@ -126,7 +127,7 @@ class Collector {
     range_.last = {next.drive, next.value};
     samples_.push_back(next);
     // Next to a dead point the output is as fast as one likes, and says nothing of the rest.
-    if (std::abs(next.rate) * motion_.course().scale < 1e3) {
+    if (std::abs(next.rate) * motion_.assembly_ranges().scale < 1e3) {
       fastest_ = std::max(fastest_, std::abs(next.rate));
     }
   }
@@ -138,7 +139,7 @@ class Collector {
 
   void add_limit(double drive, double reference) {
     for (const OutputValue& limit : range_.limits) {
-      if (std::abs(limit.drive - drive) <= kSameLimit * motion_.course().scale) return;
+      if (std::abs(limit.drive - drive) <= kSameLimit * motion_.assembly_ranges().scale) return;
     }
     if (!motion_.move_to(drive)) return;
     const OutputValue limit{drive, value_near(reference)};
@@ -146,8 +147,8 @@ class Collector {
     include(limit);
   }
 
-  void find_limits(const CourseRun& run) {
-    const double slow = kStanding * std::max(fastest_, size_ / motion_.course().scale);
+  void find_limits(const AssemblyRange& run) {
+    const double slow = kStanding * std::max(fastest_, size_ / motion_.assembly_ranges().scale);
     const Sample* last = nullptr;
     for (const Sample& s : samples_) {
       if (s.run != &run || !std::isfinite(s.rate)) continue;
@@ -166,21 +167,21 @@ class Collector {
 
   /// Whether the motion starts or ends at `drive`, where the output stands, and would turn back
   /// beyond: next to a simple zero the rate goes with the distance.
-  bool turns_back_at_end(const CourseRun& run, double drive) {
+  bool turns_back_at_end(const AssemblyRange& run, double drive) {
     const bool at_from = drive == run.from && run.from_dyad < 0;
     const bool at_to = drive == run.to && run.to_dyad < 0;
     if (!at_from && !at_to) return false;
     const double step =
-        (at_from ? 1e-3 : -1e-3) * std::min(motion_.course().scale, run.to - run.from);
+        (at_from ? 1e-3 : -1e-3) * std::min(motion_.assembly_ranges().scale, run.to - run.from);
     const double ratio = rate(drive + 2 * step) / rate(drive + step);
     return std::abs(ratio - 2) < 0.2;
   }
 
   void order_limits() {
-    const Course& course = motion_.course();
+    const AssemblyRanges& assembly_ranges = motion_.assembly_ranges();
     std::vector<OutputValue>& limits = range_.limits;
     std::ranges::sort(limits, {}, &OutputValue::drive);
-    if (course.end < course.start) std::ranges::reverse(limits);
+    if (assembly_ranges.end < assembly_ranges.start) std::ranges::reverse(limits);
     const bool turns = !std::holds_alternative<DrivingSlider<double>>(motion_.mechanism().drive);
     if (turns && limits.size() > 1 &&
         std::abs(std::abs(limits.back().drive - limits.front().drive) - kTurn) < kSameLimit) {
@@ -205,29 +206,32 @@ bool is_limit(const std::vector<OutputValue>& limits, const OutputValue& at) {
 
 }  // namespace
 
-std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
+                                        const AssemblyRanges& assembly_ranges,
                                         const Travel& travel) {
   const Output output{
       [&](const FollowedMotion<1>& motion) { return travelled(travel, motion.bodies()); },
       [&](const FollowedMotion<1>& motion) { return travel_rate(travel, motion.bodies()); },
       !travel.slides};
-  return Collector(mechanism, course, output).collect();
+  return Collector(mechanism, assembly_ranges, output).collect();
 }
 
-std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
+                                        const AssemblyRanges& assembly_ranges,
                                         const Attached<double>& point, const Vec2d& direction) {
   const Output output{
       [&](const FollowedMotion<1>& motion) { return dot(motion.point(point)[0], direction); },
       [&](const FollowedMotion<1>& motion) { return dot(motion.point(point)[1], direction); },
       false};
-  return Collector(mechanism, course, output).collect();
+  return Collector(mechanism, assembly_ranges, output).collect();
 }
 
-std::optional<double> time_ratio(const Mechanism<double>& mechanism, const Course& course,
-                                 const OutputRange& output) {
+std::optional<double> time_ratio(const Mechanism<double>& mechanism,
+                                 const AssemblyRanges& assembly_ranges, const OutputRange& output) {
   const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
-  const bool is_whole = course.runs.size() == 1 && course.points.empty() &&
-                        std::abs(course.end - course.start) >= kTurn * (1 - 1e-12);
+  const bool is_whole =
+      assembly_ranges.runs.size() == 1 && assembly_ranges.points.empty() &&
+      std::abs(assembly_ranges.end - assembly_ranges.start) >= kTurn * (1 - 1e-12);
   if (!turns || !is_whole || !is_limit(output.limits, output.least) ||
       !is_limit(output.limits, output.greatest)) {
     return std::nullopt;

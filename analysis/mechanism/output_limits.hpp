@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/travel.hpp"
 
@@ -17,10 +17,10 @@ struct OutputValue {
   double value = 0;
 };
 
-/// An output over the course of a motion. `limits` are where its derivative by the drive vanishes
-/// with a change of sign, in the order of the motion, refined to rounding; a position that a whole
-/// turn of the drive reaches twice, at its start and end, counts once. `least` and `greatest` take
-/// the ends of the ranges in.
+/// An output over the assembly ranges of a motion. `limits` are where its derivative by the drive
+/// vanishes with a change of sign, in the order of the motion, refined to rounding; a position that
+/// a whole turn of the drive reaches twice, at its start and end, counts once. `least` and
+/// `greatest` take the ends of the ranges in.
 struct OutputRange {
   std::vector<OutputValue> limits;
   OutputValue least;
@@ -32,18 +32,20 @@ struct OutputRange {
   double stroke() const { return greatest.value - least.value; }
 };
 
-/// Of a body's travel; empty where nothing of the course can be assembled.
-std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+/// Of a body's travel; empty where nothing of the set of assembly ranges can be assembled.
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
+                                        const AssemblyRanges& assembly_ranges,
                                         const Travel& travel);
 
 /// Of a point along the unit vector `direction` in global axes.
-std::optional<OutputRange> output_range(const Mechanism<double>& mechanism, const Course& course,
+std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
+                                        const AssemblyRanges& assembly_ranges,
                                         const Attached<double>& point, const Vec2d& direction);
 
 /// K ≥ 1: the longer of the crank's turns between the output's extreme limits over the shorter.
-/// Empty unless a crank or floating link turns fully, at least once in the course and without
-/// change points, and its output has limits at both extremes.
-std::optional<double> time_ratio(const Mechanism<double>& mechanism, const Course& course,
-                                 const OutputRange& output);
+/// Empty unless a crank or floating link turns fully, at least once in the set of assembly ranges
+/// and without change points, and its output has limits at both extremes.
+std::optional<double> time_ratio(const Mechanism<double>& mechanism,
+                                 const AssemblyRanges& assembly_ranges, const OutputRange& output);
 
 }  // namespace cognate

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/numbers/zeros.hpp"
 
 namespace cognate {
@@ -14,12 +14,13 @@ namespace cognate {
 /// Parts of the drive's scale that rounding leaves no places in.
 inline constexpr double kNoWidth = 64 * std::numeric_limits<double>::epsilon();
 
-/// Places over `run` of `course` in order, both ends included: crowded towards its ends, and to
-/// rounding towards dead points, next to which a quantity that goes with the root of the distance
-/// may yet turn back.
-inline std::vector<double> run_places(const Course& course, const CourseRun& run) {
-  std::vector<double> all = crowded(run.from, run.to, course.cells(run));
-  const double least = kNoWidth * course.scale;
+/// Places over `run` of `assembly_ranges` in order, both ends included: crowded towards its ends,
+/// and to rounding towards dead points, next to which a quantity that goes with the root of the
+/// distance may yet turn back.
+inline std::vector<double> run_places(const AssemblyRanges& assembly_ranges,
+                                      const AssemblyRange& run) {
+  std::vector<double> all = crowded(run.from, run.to, assembly_ranges.cells(run));
+  const double least = kNoWidth * assembly_ranges.scale;
   const auto crowd = [&](double end, double next) {
     for (double step = (next - end) / 4; std::abs(step) > least; step /= 4) {
       all.push_back(end + step);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/mechanism/course_probe.hpp"
+#include "analysis/mechanism/assembly_probe.hpp"
 #include "analysis/mechanism/run_places.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
@@ -11,12 +11,12 @@
 namespace cognate {
 namespace {
 
-/// Goes through a course and keeps the extremes of one dyad's angle.
+/// Goes through a set of assembly ranges and keeps the extremes of one dyad's angle.
 class Extremes {
  public:
   Extremes(const Mechanism<double>& mechanism, int dyad) : probe_(mechanism), dyad_(dyad) {}
 
-  void add(const Course& course, const CourseRun& run) {
+  void add(const AssemblyRanges& assembly_ranges, const AssemblyRange& run) {
     Dual last;
     double last_drive = run.from;
     if (run.from_dyad == dyad_) include_dead(closure(run, run.from), run.from);
@@ -26,7 +26,7 @@ class Extremes {
         include_dead(closure(run, change.drive), change.drive);
       }
     }
-    for (const double drive : run_places(course, run)) {
+    for (const double drive : run_places(assembly_ranges, run)) {
       const DyadClosure<Dual>& here = closure(run, drive);
       const Dual cosine = here.cosine;
       if (!std::isfinite(cosine.value)) continue;
@@ -45,11 +45,11 @@ class Extremes {
   std::optional<TransmissionExtremes> result() const { return result_; }
 
  private:
-  const DyadClosure<Dual>& closure(const CourseRun& run, double drive) {
+  const DyadClosure<Dual>& closure(const AssemblyRange& run, double drive) {
     return probe_.closure(run, drive, dyad_);
   }
 
-  bool is_dead_point(const CourseRun& run, double drive) const {
+  bool is_dead_point(const AssemblyRange& run, double drive) const {
     return (drive == run.from && run.from_dyad == dyad_) ||
            (drive == run.to && run.to_dyad == dyad_);
   }
@@ -71,7 +71,7 @@ class Extremes {
     if (here.angle > result_->greatest.angle) result_->greatest = here;
   }
 
-  CourseProbe probe_;
+  AssemblyProbe probe_;
   int dyad_;
   std::optional<TransmissionExtremes> result_;
 };
@@ -87,9 +87,10 @@ double TransmissionExtremes::greatest_pressure() const {
 }
 
 std::optional<TransmissionExtremes> transmission_extremes(const Mechanism<double>& mechanism,
-                                                          const Course& course, int dyad) {
+                                                          const AssemblyRanges& assembly_ranges,
+                                                          int dyad) {
   Extremes extremes(mechanism, dyad);
-  for (const CourseRun& run : course.runs) extremes.add(course, run);
+  for (const AssemblyRange& run : assembly_ranges.runs) extremes.add(assembly_ranges, run);
   return extremes.result();
 }
 

@@ -1,9 +1,9 @@
-/// @file The least and greatest transmission angle of a dyad over the course of a motion.
+/// @file The least and greatest transmission angle of a dyad over the assembly ranges of a motion.
 #pragma once
 
 #include <optional>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 
 namespace cognate {
 
@@ -24,8 +24,9 @@ struct TransmissionExtremes {
 };
 
 /// Of dyad `dyad`: at ends of ranges, or where dμ/dq = 0, refined to rounding. Empty where nothing
-/// of the course can be assembled.
+/// of the set of assembly ranges can be assembled.
 std::optional<TransmissionExtremes> transmission_extremes(const Mechanism<double>& mechanism,
-                                                          const Course& course, int dyad);
+                                                          const AssemblyRanges& assembly_ranges,
+                                                          int dyad);
 
 }  // namespace cognate

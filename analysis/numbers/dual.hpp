@@ -6,7 +6,7 @@
 namespace cognate {
 
 /// value + rate·dq. The root of a number below zero is zero: a dyad that is at its limit but for
-/// rounding stays there, and what hangs on it is still found.
+/// rounding stays there, and what depends on it is still found.
 struct Dual {
   double value = 0;
   double rate = 0;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,20 +14,21 @@
 namespace cognate {
 
 /// The neighbouring numbers between which `f` changes its sign, from a < b where f has opposite
-/// signs `at_a` and `at_b`, neither zero (Alefeld, Potra & Shi 1995, algorithm 748).
+/// signs `at_a` and `at_b`, neither zero (Alefeld, Potra & Shi 1995, algorithm 748); or numbers
+/// within `relative` of their size, or those that `evaluations` of f lead to.
 template <class Function>
-std::pair<double, double> bracket_zero(Function&& f, double a, double at_a, double b, double at_b) {
+std::pair<double, double> bracket_zero(Function&& f, double a, double at_a, double b, double at_b,
+                                       double relative = 2 * kEpsilon,
+                                       std::uintmax_t evaluations = 200) {
   using boost::math::policies::domain_error;
   using boost::math::policies::errno_on_error;
   using boost::math::policies::evaluation_error;
   const boost::math::policies::policy<domain_error<errno_on_error>,
                                       evaluation_error<errno_on_error>>
       quiet;
-  const auto is_close = [](double low, double high) {
-    const double size = std::max(std::abs(low), std::abs(high));
-    return high - low <= 2 * std::numeric_limits<double>::epsilon() * size;
+  const auto is_close = [=](double low, double high) {
+    return high - low <= relative * std::max(std::abs(low), std::abs(high));
   };
-  std::uintmax_t evaluations = 200;
   return boost::math::tools::toms748_solve(f, a, b, at_a, at_b, is_close, evaluations, quiet);
 }
 

@@ -1,22 +1,14 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <variant>
 
 #include "app/commands/commands.hpp"
 #include "app/console/messages.hpp"
-#include "app/console/table.hpp"
 #include "app/console/terminal.hpp"
-#include "app/documents/problem_json.hpp"
-#include "app/documents/result_json.hpp"
-#include "app/kinds/cam/description.hpp"
-#include "app/kinds/evaluation/problem_json.hpp"
-#include "app/kinds/evaluation/table.hpp"
-#include "app/kinds/gear/description.hpp"
-#include "app/kinds/machine/json.hpp"
-#include "app/kinds/machine/table.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/study/metrics.hpp"
-#include "app/study/problem_atlas.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {
@@ -32,13 +24,13 @@ ordered_json faults_json(const std::vector<problems::Fault>& faults) {
   return rows;
 }
 
-/// The same, or what keeps the file that a problem names from being an atlas.
-tl::expected<problems::TaskOrStudy, std::vector<problems::Fault>> with_sound_atlas(
+/// The same, or what is wrong with a file that it names.
+tl::expected<problems::TaskOrStudy, std::vector<problems::Fault>> with_sound_files(
     problems::TaskOrStudy read) {
-  const auto* const task = std::get_if<problems::Task>(&read);
-  const auto* const problem = task ? std::get_if<problems::Problem>(task) : nullptr;
-  if (problem) {
-    if (const auto atlas = problem_atlas(*problem); !atlas) return tl::unexpected(atlas.error());
+  if (const auto* task = std::get_if<problems::Task>(&read)) {
+    auto faults =
+        visit_kind(*task, [](auto kind, const auto& problem) { return kind.faults(problem); });
+    if (!faults.empty()) return tl::unexpected(std::move(faults));
   }
   return read;
 }
@@ -54,7 +46,7 @@ struct Description {
                        plural(std::ssize(study.metrics), "metric"));
   }
   std::string operator()(const problems::Task& task) const {
-    return std::visit([](const auto& asked) { return describe(asked); }, task);
+    return visit_kind(task, [](auto kind, const auto& problem) { return kind.describe(problem); });
   }
 };
 
@@ -67,14 +59,14 @@ struct AsJson {
             {"variables", variables}, {"metrics", study.metrics}};
   }
   ordered_json operator()(const problems::Task& task) const {
-    return std::visit([](const auto& asked) { return to_json(asked); }, task);
+    return visit_kind(task, [](auto kind, const auto& problem) { return kind.to_json(problem); });
   }
 };
 
 }  // namespace
 
 ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
-  const auto read = problems::read_task_or_study(file, study_metrics).and_then(with_sound_atlas);
+  const auto read = problems::read_task_or_study(file, study_metrics).and_then(with_sound_files);
   if (!read) write_standard_error(fault_lines(file, read.error()));
 
   ExitStatus printed = exit_done;

@@ -109,7 +109,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_export_options(exporting, arguments);
   add_file_command("check", "Validate a file without solving it.", kCheckFooter,
                    "a problem, mechanism or study, a TOML file", {".toml"});
-  auto& list = add_command("list", "Say what can be asked for, and by which keys.", kListFooter);
+  auto& list = add_command("list", "Say what can be requested, and by which keys.", kListFooter);
   list.add_flag("--metrics", arguments.metrics, "every number of a result, with its unit");
   add_hidden_commands();
 }

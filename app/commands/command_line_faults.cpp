@@ -70,7 +70,7 @@ std::string refusal_of_extra(const CLI::App& command, const std::vector<std::str
   if (option == behind) {
     const auto takes_file = command.get_option_no_throw("FILE") != nullptr;
     const auto& word = behind == extras.begin() ? extras.at(1) : extras.front();
-    return fmt::format("'{}' is too much: {} takes {}; {}", word, command.get_name(),
+    return fmt::format("'{}' is an unexpected argument: {} takes {}; {}", word, command.get_name(),
                        takes_file ? "one FILE" : "no file", help);
   }
   const std::string name = option->substr(0, option->find('='));
@@ -115,7 +115,7 @@ std::string refusal_of(const CLI::ParseError& error, const CommandLine& line) {
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const std::string_view what = error.what();
-    return fmt::format("{} wants a value behind it; {}", what.substr(0, what.find(':')), help);
+    return fmt::format("{} needs a value; {}", what.substr(0, what.find(':')), help);
   }
   return fmt::format("{}; {}", error.what(), help);
 }

@@ -16,8 +16,8 @@ namespace cognate::app {
 /// Whether they can be written is found out before anything is solved.
 ExitStatus solve_command(const std::filesystem::path& file, const Options& options);
 
-/// Evaluates the mechanism in `file` over its drive: prints the facts of its motion (with `--json`
-/// the result document, with `--quiet` nothing) and writes NAME.result.json, NAME.csv and
+/// Evaluates the mechanism in `file` over its drive: prints the quantities of its motion (with
+/// `--json` the result document, with `--quiet` nothing) and writes NAME.result.json, NAME.csv and
 /// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
 /// cannot be assembled anywhere.
 ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);

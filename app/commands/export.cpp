@@ -1,4 +1,6 @@
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "app/commands/commands.hpp"
@@ -7,6 +9,7 @@
 #include "app/documents/output_files.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/export/exported.hpp"
+#include "app/kinds/kinds.hpp"
 
 namespace cognate::app {
 namespace {
@@ -33,7 +36,7 @@ nlohmann::ordered_json export_document(const fs::path& file, const Exported& mad
                                        const std::vector<std::string>& paths) {
   nlohmann::ordered_json document = {
       {"format", "cognate-export/1"}, {"result", file.string()}, {"files", paths}};
-  document.update(made.facts);
+  document.update(made.quantities);
   document["notes"] = made.notes;
   return document;
 }
@@ -66,33 +69,34 @@ ExitStatus write_and_tell(const fs::path& file, const Exported& made, const Opti
   return print(text + made.summary + '\n');
 }
 
+/// By the kind that has mechanisms of this type alone, or as a linkage.
+ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exporting,
+                            const std::string& stem, const Options& options) {
+  const std::string type = text_under(design.table["mechanism"], "type");
+  std::optional<ExportOutcome> made;
+  problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
+    if constexpr (requires { Kind<Problem>::kOwnType; }) {
+      if (Kind<Problem>::kOwnType == type) {
+        made = Kind<Problem>::export_design(design, exporting, stem);
+      }
+    }
+  });
+  if (made) return *made;
+  return exported(result_linkage(design), [&](const LinkageScene& linkage) {
+    return export_linkage(linkage, exporting, stem, options);
+  });
+}
+
 }  // namespace
 
 ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
                           const Options& options) {
   const auto design = read_result_design(file, exporting.design);
   if (!design) return refuse_file(design.error());
-  tl::expected<Exported, std::string> made;
-  const std::string type = text_under(design->table["mechanism"], "type");
-  if (type == "equivalent") {
-    return refuse_file(design->name +
-                       ": designs[0]: mechanism.type is \"equivalent\", a machine given by its "
-                       "inertia and torque, which has no shape; one with a [mechanism] is wanted");
-  }
-  if (type == "cam") {
-    const auto cam = result_cam(*design);
-    if (!cam) return refuse_file(cam.error());
-    made = export_cam(*cam, exporting, stem_of(file));
-  } else if (type == "gear" || type == "gear-pair") {
-    const auto gears = result_gears(*design);
-    if (!gears) return refuse_file(gears.error());
-    made = export_gears(*gears, exporting, stem_of(file));
-  } else {
-    const auto linkage = result_linkage(*design);
-    if (!linkage) return refuse_file(linkage.error());
-    made = export_linkage(*linkage, exporting, stem_of(file), options);
-  }
-  return made ? write_and_tell(file, *made, options) : complain_that(made.error());
+  const auto made = export_design(*design, exporting, stem_of(file), options);
+  if (made) return write_and_tell(file, *made, options);
+  const auto& [message, of_file] = made.error();
+  return of_file ? refuse_file(message) : complain_that(message);
 }
 
 }  // namespace cognate::app

@@ -45,7 +45,7 @@ tl::expected<std::string, std::string> text_of(const fs::path& file, std::int64_
   try {
     SqliteDatabase database(file, SqliteDatabase::Access::read);
     if (database.integer("PRAGMA application_id") != kStudyApplicationId) {
-      return tl::unexpected(fmt::format("'{}' is no study file; NAME.study.db is wanted", name));
+      return tl::unexpected(fmt::format("'{}' is no study file; expected NAME.study.db", name));
     }
     const auto study = stored_study(database);
     const auto row = row_of(database, study, id);

@@ -10,9 +10,12 @@
 #include <variant>
 
 #include "app/console/design_dimensions.hpp"
+#include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/evaluation/type_quantities.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 
 namespace cognate::app {
 namespace {
@@ -21,34 +24,38 @@ using problems::Design;
 using problems::Metrics;
 using Designs = std::span<const Design>;
 
-constexpr const char* kNone = "–";
-
 std::string number(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : kNone;
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : kNoValue;
 }
 
 std::string number(const std::optional<double>& value, int digits) {
-  return value ? number(*value, digits) : kNone;
+  return value ? number(*value, digits) : kNoValue;
+}
+
+/// "peak acceleration [length/s²]", from the unit "length/s2".
+std::string with_unit(std::string_view heading, std::string_view unit) {
+  if (unit.empty()) return std::string(heading);
+  std::string shown;
+  for (const char c : unit) shown += c == '2' ? "²" : std::string(1, c);
+  return fmt::format("{} [{}]", heading, shown);
 }
 
 std::string class_text(const Design& design) {
   const Metrics& metrics = design.metrics;
-  std::string name(metrics.mobility ? problems::to_string(*metrics.mobility) : "");
-  for (const auto& fact : metrics.facts) {
-    const auto* text = std::get_if<std::string>(&fact.value);
-    if (name.empty() && fact.name == "class" && text) name = printable(*text);
-  }
-  if (name.empty()) return kNone;
+  const auto& quantities = metrics.quantities;
+  const std::string name =
+      metrics.mobility ? std::string(problems::to_string(*metrics.mobility))
+                       : printable(find_quantity(quantities, problems::kClassKey).value_or(""));
+  if (name.empty()) return kNoValue;
   if (!metrics.change_point) return name;
-  const auto kind = std::ranges::find(metrics.facts, "change_point_kind", &problems::Fact::name);
-  const auto* text = kind == metrics.facts.end() ? nullptr : std::get_if<std::string>(&kind->value);
-  return name + (text && *text != "single" ? " (" + printable(*text) + ")" : " (change point)");
+  const auto kind = find_quantity(quantities, problems::kChangePointKindKey).value_or("single");
+  return name + (kind != "single" ? " (" + printable(kind) + ")" : " (change point)");
 }
 
 /// A design of a type without transmission angle has zeros there.
 std::string transmission_text(const Design& design) {
   const Metrics& metrics = design.metrics;
-  if (!(metrics.transmission_max > 0)) return kNone;
+  if (!(metrics.transmission_max > 0)) return kNoValue;
   // Angles are not negative; rounding may have left a sign on zero.
   return fmt::format("{:.1f}…{:.1f}", std::abs(problems::degrees(metrics.transmission_min)),
                      problems::degrees(metrics.transmission_max));
@@ -61,12 +68,6 @@ std::string defects_text(const Design& design) {
     text += problems::to_string(defect);
   }
   return text.empty() ? "none" : text;
-}
-
-std::string constraints_text(const Design& design) {
-  const auto missed =
-      std::ranges::count(design.constraints, false, &problems::ConstraintCheck::satisfied);
-  return missed == 0 ? "all met" : fmt::format("{} missed", missed);
 }
 
 std::string origin_text(const Design& design) {
@@ -82,7 +83,7 @@ std::string dimensions_text(const Design& design) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{} {}", name, number(value, 6));
   }
-  return text.empty() ? kNone : text;
+  return text.empty() ? kNoValue : text;
 }
 
 std::string coupler_point_text(const Design& design) {
@@ -91,46 +92,23 @@ std::string coupler_point_text(const Design& design) {
     const Vec2d& p = *mechanism.four_bar->coupler_point;
     return fmt::format("[{}, {}]", number(p.x, 6), number(p.y, 6));
   }
-  if (mechanism.extra_points.empty()) return kNone;
+  if (mechanism.extra_points.empty()) return kNoValue;
   const Vec2d& p = mechanism.extra_points.front().at;
   return fmt::format("[{}, {}]", number(p.x, 6), number(p.y, 6));
 }
 
-std::string fact_text(const Design& design, std::string_view name) {
-  const auto fact = std::ranges::find(design.metrics.facts, name, &problems::Fact::name);
-  if (fact == design.metrics.facts.end()) return kNone;
-  if (const auto* text = std::get_if<std::string>(&fact->value)) return printable(*text);
-  const auto* value = std::get_if<double>(&fact->value);
-  return value ? number(*value, 5) : kNone;
+std::string quantity_text(const Design& design, std::string_view name) {
+  const auto quantity =
+      std::ranges::find(design.metrics.quantities, name, &problems::Quantity::name);
+  if (quantity == design.metrics.quantities.end()) return kNoValue;
+  if (const auto* text = std::get_if<std::string>(&quantity->value)) return printable(*text);
+  const auto* value = std::get_if<double>(&quantity->value);
+  return value ? number(*value, 5) : kNoValue;
 }
 
-/// Collects columns; each has one cell for each design.
-class Columns {
+class Columns : public DesignTable<Design> {
  public:
-  explicit Columns(Designs designs) : designs_(designs) {}
-
-  template <class Cell>
-  void add(std::string heading, Align align, Cell cell) {
-    Column made{std::move(heading), align, {}};
-    std::ranges::transform(designs_, std::back_inserter(made.cells), cell);
-    columns_.push_back(std::move(made));
-  }
-
-  /// The same, unless no design has anything there.
-  template <class Cell>
-  void add_if_any(std::string heading, Align align, Cell cell) {
-    add(std::move(heading), align, cell);
-    const auto& cells = columns_.back().cells;
-    if (std::ranges::all_of(cells, [](const auto& text) { return text == kNone; })) {
-      columns_.pop_back();
-    }
-  }
-
-  void add_numbers() {
-    Column made{"#", Align::right, {}};
-    for (std::size_t i = 1; i <= designs_.size(); ++i) made.cells.push_back(std::to_string(i));
-    columns_.push_back(std::move(made));
-  }
+  using DesignTable::DesignTable;
 
   void add_errors(std::string_view unit) {
     if (unit.empty()) return;
@@ -145,10 +123,10 @@ class Columns {
 
   void add_dimensions() {
     const auto type =
-        designs_.empty() ? problems::MechanismType::four_bar : designs_.front().mechanism.type;
+        designs().empty() ? problems::MechanismType::four_bar : designs().front().mechanism.type;
     const bool alike =
         type != problems::MechanismType::chain &&
-        std::ranges::all_of(designs_, [&](const Design& d) { return d.mechanism.type == type; });
+        std::ranges::all_of(designs(), [&](const Design& d) { return d.mechanism.type == type; });
     if (!alike || type != problems::MechanismType::four_bar) {
       add("mechanism", Align::left,
           [](const Design& d) { return std::string(problems::to_string(d.mechanism.type)); });
@@ -158,7 +136,7 @@ class Columns {
       return;
     }
     const auto names =
-        designs_.empty() ? std::vector<Dimension>{} : dimensions(designs_.front().mechanism);
+        designs().empty() ? std::vector<Dimension>{} : dimensions(designs().front().mechanism);
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i].name + " [length]", Align::right,
           [i](const Design& d) { return number(dimensions(d.mechanism)[i].value, 6); });
@@ -168,50 +146,40 @@ class Columns {
   /// Lengths are in metres where powers, torques and inertias follow from them.
   void name_metres() {
     const auto has_unit = [](const Design& d) {
-      return d.metrics.torque_ripple || d.metrics.flywheel_inertia || d.metrics.motor_power;
+      return d.metrics.cycle.any([](const auto& quantity) { return quantity.is_in_metres(); });
     };
-    if (std::ranges::none_of(designs_, has_unit)) return;
-    for (Column& column : columns_) {
+    if (std::ranges::none_of(designs(), has_unit)) return;
+    for (Column& column : columns()) {
       const std::string_view unit = "[length";
       const auto at = column.heading.find(unit);
       if (at != std::string::npos) column.heading.replace(at, unit.size(), "[m");
     }
   }
-
-  std::vector<Column> take() {
-    name_metres();
-    return std::move(columns_);
-  }
-
- private:
-  Designs designs_;
-  std::vector<Column> columns_;
 };
 
 }  // namespace
 
+std::string constraints_text(std::span<const problems::ConstraintCheck> checks) {
+  const auto missed = std::ranges::count(checks, false, &problems::ConstraintCheck::satisfied);
+  return missed == 0 ? "all met" : fmt::format("{} missed", missed);
+}
+
 std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) {
   Columns columns(designs);
-  columns.add_numbers();
   columns.add_errors(choice.error_unit);
-  for (const FactColumn& column : choice.facts) {
+  for (const QuantityColumn& column : choice.quantities) {
     columns.add_if_any(std::string(column.heading), Align::right,
-                       [&](const Design& d) { return fact_text(d, column.fact); });
+                       [&](const Design& d) { return quantity_text(d, column.quantity); });
   }
   columns.add_if_any("class", Align::left, class_text);
   columns.add_if_any("transmission [deg]", Align::left, transmission_text);
   columns.add_if_any("time ratio", Align::right,
                      [](const Design& d) { return number(d.metrics.time_ratio, 4); });
-  columns.add_if_any(fmt::format("peak acceleration [{}]", choice.acceleration_unit), Align::right,
-                     [](const Design& d) { return number(d.metrics.peak_acceleration, 4); });
-  columns.add_if_any("torque ripple [N m]", Align::right,
-                     [](const Design& d) { return number(d.metrics.torque_ripple, 4); });
-  columns.add_if_any("speed fluctuation", Align::right,
-                     [](const Design& d) { return number(d.metrics.speed_fluctuation, 4); });
-  columns.add_if_any("flywheel [kg m2]", Align::right,
-                     [](const Design& d) { return number(d.metrics.flywheel_inertia, 4); });
-  columns.add_if_any("motor power [W]", Align::right,
-                     [](const Design& d) { return number(d.metrics.motor_power, 4); });
+  for (const problems::CycleDeclaration& quantity : problems::kCycleQuantities) {
+    columns.add_if_any(with_unit(quantity.heading, quantity.unit_of(choice.angular_output)),
+                       Align::right,
+                       [&](const Design& d) { return number(d.metrics.cycle[quantity.id], 4); });
+  }
   columns.add_dimensions();
   if (choice.coupler_point) {
     columns.add_if_any("coupler point [length]", Align::left, coupler_point_text);
@@ -221,9 +189,10 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
   columns.add_if_any("condition", Align::right,
                      [](const Design& d) { return number(d.metrics.condition, 3); });
   columns.add("defects", Align::left, defects_text);
-  columns.add("constraints", Align::left, constraints_text);
+  columns.add_constraints();
   columns.add("origin", Align::left, origin_text);
-  return columns.take();
+  columns.name_metres();
+  return std::move(columns.columns());
 }
 
 }  // namespace cognate::app

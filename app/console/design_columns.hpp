@@ -10,18 +10,22 @@
 
 namespace cognate::app {
 
-/// A column for a fact of the designs' metrics.
-struct FactColumn {
-  std::string_view fact;  ///< as in `Metrics::facts`
+/// A column for a quantity of the designs' metrics.
+struct QuantityColumn {
+  std::string_view quantity;  ///< as in `Metrics::quantities`
   std::string_view heading;
 };
 
-/// What is told of designs besides what all kinds of problem have.
+/// Of problems with several objectives.
+inline constexpr QuantityColumn kObjectiveQuantities[] = {
+    {"link_ratio", "link ratio"}, {"longest_link", "longest link [length]"}};
+
+/// What is reported of designs besides what all kinds of problem have.
 struct ColumnChoice {
   std::string_view error_unit;  ///< errors are left out where empty, and in degrees where "deg"
-  std::string_view acceleration_unit = "length/s²";  ///< of the output
+  bool angular_output = false;  ///< whether speeds and accelerations are those of a rocker
   bool coupler_point = false;
-  std::span<const FactColumn> facts;
+  std::span<const QuantityColumn> quantities;
 };
 
 /// A row for each of `designs`. Lengths have columns of their own where all designs are of one

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <variant>
 
+#include "problems/mechanism/mechanism_types.hpp"
+
 namespace cognate::app {
 namespace {
 
@@ -12,60 +14,70 @@ double distance(const Vec2d& from, const Vec2d& to) {
   return std::hypot(to.x - from.x, to.y - from.y);
 }
 
-template <class SliderCrankLike>
-List slider_crank(const SliderCrankLike& mechanism) {
-  return {{"crank", mechanism.crank}, {"coupler", mechanism.coupler}, {"offset", mechanism.offset}};
-}
+/// Lengths of links come first, then the frame, then offsets.
+enum class Rank { length, frame, offset };
 
-template <class GuideBarLike>
-List guide_bar(const GuideBarLike& mechanism) {
-  return {{"crank", mechanism.crank},
-          {"frame", distance(mechanism.pivot_a, mechanism.pivot_c)},
-          {"offset", mechanism.offset}};
-}
+/// Appends what a key of a type holds, if it is of rank `wanted`.
+template <class Type>
+struct AddDimension {
+  const problems::DimensionKey<Type>& key;
+  const Type& mechanism;
+  Rank wanted;
+  List& list;
 
-struct Dimensions {
-  List operator()(const FourBar& linkage) const {
-    return {{"crank", linkage.crank},
-            {"coupler", linkage.coupler},
-            {"rocker", linkage.rocker},
-            {"frame", distance(linkage.pivot_a, linkage.pivot_d)}};
+  void operator()(const problems::LengthKey<Type>& length) const {
+    add(Rank::length, key.name, mechanism.*length.of);
   }
-  List operator()(const SliderCrank& mechanism) const { return slider_crank(mechanism); }
-  List operator()(const FixedBlock& mechanism) const { return slider_crank(mechanism); }
-  List operator()(const GuideBar& mechanism) const { return guide_bar(mechanism); }
-  List operator()(const OscillatingBlock& mechanism) const { return guide_bar(mechanism); }
-  List operator()(const ScotchYoke& mechanism) const {
-    return {{"crank", mechanism.crank}, {"offset", mechanism.offset}};
+  void operator()(const problems::PivotsKey<Type>& pivots) const {
+    add(Rank::frame, "frame", distance(mechanism.*pivots.first, mechanism.*pivots.second));
   }
-  List operator()(const TangentGenerator& mechanism) const {
-    return {{"offset", mechanism.offset}};
+  void operator()(const problems::OffsetKey<Type>& offset) const {
+    add(Rank::offset, key.name, mechanism.*offset.of);
   }
-  List operator()(const EllipticTrammel& mechanism) const { return {{"length", mechanism.length}}; }
-  List operator()(const OldhamCoupling& mechanism) const {
-    return {{"frame", distance(mechanism.pivot_a, mechanism.pivot_d)}};
+  void operator()(const problems::NonzeroKey<Type>& offset) const {
+    add(Rank::offset, key.name, mechanism.*offset.of);
   }
-  List operator()(const problems::ChainDescription& chain) const {
-    List list;
-    if (const auto* crank = std::get_if<problems::CrankDescription>(&chain.drive)) {
-      list.push_back({crank->name, crank->length});
-    }
-    for (const auto& dyad : chain.dyads) {
-      for (std::size_t i = 0; i < dyad.lengths.size(); ++i) {
-        list.push_back({dyad.names[i], dyad.lengths[i]});
-      }
-    }
-    if (chain.pivots.size() == 2) {
-      list.push_back({"frame", distance(chain.pivots[0].at, chain.pivots[1].at)});
-    }
-    return list;
+  template <class Other>
+  void operator()(const Other&) const {}
+
+ private:
+  void add(Rank rank, std::string_view name, double value) const {
+    if (rank == wanted) list.push_back({std::string(name), value});
   }
 };
+
+template <class Type>
+List dimensions_of(const Type& mechanism) {
+  List list;
+  for (const Rank rank : {Rank::length, Rank::frame, Rank::offset}) {
+    for (const auto& key : problems::TypeTraits<Type>::kKeys) {
+      std::visit(AddDimension<Type>{key, mechanism, rank, list}, key.holds);
+    }
+  }
+  return list;
+}
+
+List dimensions_of(const problems::ChainDescription& chain) {
+  List list;
+  if (const auto* crank = std::get_if<problems::CrankDescription>(&chain.drive)) {
+    list.push_back({crank->name, crank->length});
+  }
+  for (const auto& dyad : chain.dyads) {
+    for (std::size_t i = 0; i < dyad.lengths.size(); ++i) {
+      list.push_back({dyad.names[i], dyad.lengths[i]});
+    }
+  }
+  if (chain.pivots.size() == 2) {
+    list.push_back({"frame", distance(chain.pivots[0].at, chain.pivots[1].at)});
+  }
+  return list;
+}
 
 }  // namespace
 
 std::vector<Dimension> dimensions(const problems::NamedMechanism& mechanism) {
-  List list = std::visit(Dimensions{}, mechanism.description);
+  List list = std::visit([](const auto& described) { return dimensions_of(described); },
+                         mechanism.description);
   if (mechanism.type != problems::MechanismType::chain) return list;
   for (const auto& point : mechanism.extra_points) {
     list.push_back({point.on.front(), std::hypot(point.at.x, point.at.y)});

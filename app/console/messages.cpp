@@ -20,6 +20,10 @@ std::string printable(std::string_view text) {
   return safe;
 }
 
+std::string titled(const std::string& title, const std::string& what) {
+  return printable(title.empty() ? what : title + ": " + what);
+}
+
 std::string fault_lines(const std::filesystem::path& file,
                         const std::vector<problems::Fault>& faults) {
   std::string lines;

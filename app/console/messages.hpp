@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "app/console/exit_status.hpp"
-#include "problems/read.hpp"
+#include "problems/toml/fault.hpp"
 
 namespace cognate::app {
 
 /// `text` with every control character replaced by '?', so that a file's text cannot move the
 /// cursor or change colours. Text is UTF-8.
 std::string printable(std::string_view text);
+
+/// `what` behind the title of a file, where it has one.
+std::string titled(const std::string& title, const std::string& what);
 
 /// One line for each fault: `FILE:LINE:COLUMN: what is wrong; what is allowed`.
 std::string fault_lines(const std::filesystem::path& file,

@@ -61,7 +61,7 @@ Progress::Progress(bool quiet, const std::atomic<bool>& stopping, double share, 
       terminal_(error_is_terminal()),
       total_(total),
       share_(share),
-      pace_(Pace::Clock::now(), share) {
+      rate_estimate_(RateEstimate::Clock::now(), share) {
   if (!quiet) writer_ = std::thread([this] { write_until_done(); });
 }
 
@@ -88,7 +88,7 @@ void Progress::update(double share, double best) {
   const std::lock_guard lock(mutex_);
   share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
   if (std::isfinite(best)) best_ = fmt::format("best {:.3g}", best);
-  pace_.mark(Pace::Clock::now(), share_);
+  rate_estimate_.mark(RateEstimate::Clock::now(), share_);
 }
 
 void Progress::update(std::int64_t done) {
@@ -109,7 +109,7 @@ void Progress::write_until_done() {
 
 std::string Progress::words() const {
   if (stopping_) return terminal_ ? "stopping; Ctrl-C ends at once" : "stopping";
-  const auto rate = pace_.rate(Pace::Clock::now());
+  const auto rate = rate_estimate_.rate(RateEstimate::Clock::now());
   if (total_ == 0) return share_words(share_, rate, best_);
   const auto total = static_cast<double>(total_);
   return progress_words(std::llround(share_ * total), total_, rate.value_or(0) * total);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-#include "app/console/pace.hpp"
+#include "app/console/rate_estimate.hpp"
 
 namespace cognate::app {
 
@@ -52,7 +52,7 @@ class Progress {
   bool is_done_ = false;
   double share_ = 0;
   std::string best_;
-  Pace pace_;
+  RateEstimate rate_estimate_;
   std::thread writer_;  ///< none where nothing is shown
 };
 

@@ -56,6 +56,8 @@ std::string status_line(Status status, std::size_t designs, int feasible) {
       return "stopped at the time limit: " + met;
     case Status::interrupted:
       return "interrupted: " + met;
+    case Status::invalid:
+      return "invalid: " + met;
   }
   return met;
 }

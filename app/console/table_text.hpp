@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/console/paint.hpp"
+#include "app/console/screen.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 
@@ -40,7 +41,7 @@ std::string left_out_line(std::size_t designs);
 /// Green where all is well, yellow where a stopped run has found something, red without a design.
 Colour status_colour(problems::Status status, int feasible);
 
-/// A value of a fact, or of one side of a check, as text.
+/// A value of a quantity, or of one side of a check, as text.
 struct WrittenValue {
   std::string operator()(double value) const;
   std::string operator()(bool value) const;
@@ -83,10 +84,33 @@ std::string violations_text(const AnyResult& result, bool colour) {
   return violations.text(colour);
 }
 
+/// The parts of the table of a result that differ from kind to kind.
+struct ResultTable {
+  std::string heading;
+  std::string before;   ///< lines before the designs
+  std::string designs;  ///< empty where there is none
+  std::string after;    ///< lines after what designs violate
+};
+
+/// A heading, the status in words, the designs, for each of these that violates a constraint what
+/// it violates, the notes, and the time.
+template <class AnyResult>
+std::string result_table(const ResultTable& parts, const AnyResult& result, const Screen& screen);
+
 /// A line for each note.
 std::string notes_text(std::span<const std::string> notes);
 
 /// "0.5 s on 2 threads, 12 candidates screened", with the end of the line.
 std::string work_line(const problems::Work& work);
+
+template <class AnyResult>
+std::string result_table(const ResultTable& parts, const AnyResult& result, const Screen& screen) {
+  std::string text = parts.heading + '\n' + status_text(result, screen.colour) + parts.before;
+  if (!parts.designs.empty()) {
+    text += parts.designs + left_out_line(result.designs.size()) + '\n';
+  }
+  return text + violations_text(result, screen.colour) + parts.after + notes_text(result.notes) +
+         work_line(result.work);
+}
 
 }  // namespace cognate::app

@@ -1,6 +1,9 @@
 /// @file What this version can do, as data: for `cognate list`, for the documents, for the tests.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -22,8 +25,17 @@ struct Metric {
   std::string_view meaning;
 };
 
-/// The values of `kind`.
-std::span<const Entry> problem_kinds();
+/// A list with the declared quantities over the cycle between its parts.
+template <class Row, std::size_t First, std::size_t Last, class Declared>
+constexpr auto with_cycle_quantities(const Row (&first)[First], const Declared& declared,
+                                     const Row (&last)[Last]) {
+  std::array<Row, First + problems::kCycleQuantities.size() + Last> all{};
+  std::ranges::copy(last,
+                    std::ranges::transform(problems::kCycleQuantities,
+                                           std::ranges::copy(first, all.begin()).out, declared)
+                        .out);
+  return all;
+}
 
 /// The keys of `[solve]`.
 std::span<const Entry> solve_options();
@@ -34,14 +46,7 @@ std::string_view meaning(problems::SolverChoice solver);
 /// Every key that may stand under `metrics` of a design that was found.
 std::span<const Metric> metrics();
 
-/// Every key that may stand under `facts` of a result.
-std::span<const Metric> facts();
-
-/// Every key that may stand under `metrics` of a mechanism that was analysed; what is written in
-/// capitals stands for a name of the file's.
-std::span<const Metric> analysis_metrics();
-
-/// The columns that an analysis may have, in the same way.
-std::span<const Metric> analysis_columns();
+/// Every key that may stand under `quantities` of a result.
+std::span<const Metric> quantities();
 
 }  // namespace cognate::app

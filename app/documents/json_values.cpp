@@ -41,26 +41,15 @@ ordered_json to_json(const Box& box) {
   return ordered_json::array({to_json(box.min), to_json(box.max)});
 }
 
-ordered_json to_json(const FourBar& linkage) {
-  ordered_json table = {
-      {"type", "four-bar"},
-      {"fixed_pivots", ordered_json::array({to_json(linkage.pivot_a), to_json(linkage.pivot_d)})},
-      {"crank", linkage.crank},
-      {"coupler", linkage.coupler},
-      {"rocker", linkage.rocker},
-      {"assembly", problems::to_string(linkage.assembly)}};
-  if (linkage.coupler_point) table["coupler_point"] = to_json(*linkage.coupler_point);
-  return table;
-}
-
-void add_facts(ordered_json& table, std::span<const problems::Fact> facts) {
-  for (const auto& fact : facts) {
-    const auto value = std::visit([](const auto& any) { return ordered_json(any); }, fact.value);
-    const auto dot = fact.name.find('.');
+void add_quantities(ordered_json& table, std::span<const problems::Quantity> quantities) {
+  for (const auto& quantity : quantities) {
+    const auto value =
+        std::visit([](const auto& any) { return ordered_json(any); }, quantity.value);
+    const auto dot = quantity.name.find('.');
     if (dot == std::string::npos) {
-      table[fact.name] = value;
+      table[quantity.name] = value;
     } else {
-      table[fact.name.substr(0, dot)][fact.name.substr(dot + 1)] = value;
+      table[quantity.name.substr(0, dot)][quantity.name.substr(dot + 1)] = value;
     }
   }
 }

@@ -6,10 +6,9 @@
 #include <span>
 #include <string>
 
-#include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/vec2.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/basics/fact.hpp"
+#include "problems/basics/quantity.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
 namespace cognate::app {
@@ -29,11 +28,8 @@ nlohmann::ordered_json to_json_deg(const problems::Range& range);
 /// [[xmin, ymin], [xmax, ymax]]; where a side is infinite, {"x": range, "y": range}.
 nlohmann::ordered_json to_json(const problems::Box& box);
 
-/// The `[mechanism]` table of a four-bar.
-nlohmann::ordered_json to_json(const FourBar& linkage);
-
-/// Each fact under its name in `table`; one named "a.b" in its table "a" under "b".
-void add_facts(nlohmann::ordered_json& table, std::span<const problems::Fact> facts);
+/// Each quantity under its name in `table`; one named "a.b" in its table "a" under "b".
+void add_quantities(nlohmann::ordered_json& table, std::span<const problems::Quantity> quantities);
 
 /// The path (/designs/0/error/rms) of the first number in `document` that is NaN or infinite, which
 /// JSON cannot hold; empty when every number is finite.

@@ -1,63 +1,38 @@
 #include "app/documents/mechanism_catalogue.hpp"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "problems/mechanism/mechanism_types.hpp"
+
 namespace cognate::app {
 namespace {
 
-constexpr Entry kPivot{"pivot", "[x, y] of the crank's pivot A (default [0, 0])"};
-constexpr Entry kCrank{"crank", "length A-B"};
-constexpr Entry kOffset{"offset", "of the slide line from A, positive to its left (default 0)"};
-constexpr Entry kDirection{"direction_deg", "of the slide line (default 0)"};
+template <class Type>
+constexpr auto kKeysOf = [] {
+  constexpr auto& keys = problems::TypeTraits<Type>::kKeys;
+  std::array<Entry, std::size(keys)> entries;
+  std::ranges::transform(keys, entries.begin(), [](const auto& key) {
+    return Entry{key.name, key.meaning};
+  });
+  return entries;
+}();
 
-constexpr Entry kFourBar[] = {
-    {"fixed_pivots", "[[x, y], [x, y]] of A and D"},
-    kCrank,
-    {"coupler", "length B-C"},
-    {"rocker", "length C-D"},
-    {"assembly", "\"open\" (default): C to the left of the line from B to D; or \"crossed\""},
-    {"coupler_point", "[u, v] of P: origin B, first axis from B to C"}};
+template <>
+constexpr std::array<Entry, 3> kKeysOf<problems::ChainDescription> = {
+    {{"[[pivot]]", "points of the frame"},
+     {"[crank] or [slider]", "what drives"},
+     {"[[dyad]]", "pairs of bodies, each joined to what is there before"}}};
 
-constexpr Entry kSliderCrank[] = {
-    kPivot,  kCrank,     {"coupler", "length B-C"},
-    kOffset, kDirection, {"assembly", "\"open\" (default): C ahead of B; or \"crossed\""}};
-
-constexpr Entry kGuideBar[] = {
-    {"fixed_pivots", "[[x, y], [x, y]] of the crank (A) and of the guide or block (D)"},
-    kCrank,
-    {"offset", "of the guide line from its pivot, positive to its left (default 0)"},
-    {"assembly", "with an offset: \"open\" (default) or \"crossed\""}};
-
-constexpr Entry kScotchYoke[] = {
-    kPivot, kCrank, kOffset, kDirection, {"slot_deg", "of the slot from the slide (default 90)"}};
-
-constexpr Entry kTangentGenerator[] = {{"pivot", "[x, y] of the lever's pivot A (default [0, 0])"},
-                                       {"offset", "of the slide line from A, positive to its left"},
-                                       kDirection};
-
-constexpr Entry kEllipticTrammel[] = {
-    {"centre", "[x, y] where the lines cross (default [0, 0])"},
-    {"length", "of the link, A-B"},
-    {"direction_deg", "of the line of A (default 0)"},
-    {"second_line_deg", "of the line of B from that of A (default 90)"}};
-
-constexpr Entry kOldhamCoupling[] = {
-    {"fixed_pivots", "[[x, y], [x, y]] of the shafts, A and D"},
-    {"slot_deg", "of the second tongue from the first (default 90)"}};
-
-constexpr Entry kChain[] = {{"[[pivot]]", "points of the frame"},
-                            {"[crank] or [slider]", "what drives"},
-                            {"[[dyad]]", "pairs of bodies, each joined to what is there before"}};
-
-constexpr KeyedEntry kMechanisms[] = {
-    {"four-bar", "four links and four hinges: A-B-C-D", kFourBar},
-    {"slider-crank", "a crank A-B, a coupler B-C, a slider at C", kSliderCrank},
-    {"guide-bar", "a crank whose block slides on a bar that swings or turns", kGuideBar},
-    {"oscillating-block", "a crank whose rod slides through a block that swings", kGuideBar},
-    {"fixed-block", "a slider-crank stood on its slider: a hand pump", kSliderCrank},
-    {"scotch-yoke", "a crank whose pin runs in the slot of a slide", kScotchYoke},
-    {"tangent-generator", "a slotted lever moves the pin of a slider", kTangentGenerator},
-    {"elliptic-trammel", "a link with both ends on slides", kEllipticTrammel},
-    {"oldham-coupling", "two parallel shafts and a disc between them", kOldhamCoupling},
-    {"chain", "a drive and any number of dyads", kChain}};
+std::vector<KeyedEntry> all_mechanisms() {
+  std::vector<KeyedEntry> all;
+  problems::for_each_mechanism_type([&]<class Type>(std::type_identity<Type>) {
+    using Traits = problems::TypeTraits<Type>;
+    all.push_back({Traits::kWord, Traits::kMeaning, kKeysOf<Type>});
+  });
+  return all;
+}
 
 constexpr Entry kSlide{"slide", "{through = point or [x, y], direction_deg, offset, on = body}"};
 constexpr Entry kNew{"new", "name of the joint between its two bodies"};
@@ -119,7 +94,7 @@ constexpr Entry kOutputTable[] = {
     {"want", "a list of these quantities and of points"},
     {"position, velocity, acceleration, transmission", "true by default"},
     {"curvature", "of the points' paths; cusps, inflections, double points (default false)"},
-    {"instant_geometry", "bodies whose poles, inflection circles, Ball's points are wanted"},
+    {"instant_geometry", "bodies whose poles, inflection circles and Ball's points are computed"},
     {"curve", "length, area, widths... of a four-bar's coupler curve, as metrics (default false)"},
     {"cognates", "Roberts' cognates of a four-bar with a coupler point (default false)"},
     {"reactions, torque", "true by default where there are masses or loads"},
@@ -134,11 +109,12 @@ constexpr KeyedEntry kAnalysisTables[] = {
     {"[[load]]", "a force or a torque on a body", kLoadTable},
     {"gravity", "[gx, gy] in m/s2 (default [0, 0]); a key, not a table", {}},
     {"[drive]", "how the crank, or the driving slider, moves", kDriveTable},
-    {"[output]", "what is wanted; what is not is not computed", kOutputTable}};
+    {"[output]", "what is computed; the rest is skipped", kOutputTable}};
 
 }  // namespace
 
 std::span<const KeyedEntry> mechanisms() {
+  static const auto kMechanisms = all_mechanisms();
   return kMechanisms;
 }
 

@@ -8,9 +8,6 @@
 
 namespace cognate::app {
 
-/// The kinds of synthesis problems with the keys of their tables, each as `table.key`.
-std::span<const KeyedEntry> synthesis_problems();
-
 /// The tables with the same keys in every synthesis problem for which they have a meaning.
 std::span<const KeyedEntry> common_tables();
 

@@ -1,50 +1,42 @@
 #include "app/documents/problem_tables.hpp"
 
-#include "app/documents/turn_tables.hpp"
+#include "app/documents/cycle_tables.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 
 namespace cognate::app {
 
 using nlohmann::ordered_json;
 using problems::to_string;
 
-void set(ordered_json& table, const char* key, const std::optional<double>& value) {
-  if (value) table[key] = *value;
+void set(ordered_json& table, std::string_view key, const std::optional<double>& value) {
+  if (value) table[std::string(key)] = *value;
 }
 
-void set_deg(ordered_json& table, const char* key, const std::optional<double>& value) {
-  if (value) table[key] = degrees(*value);
+void set_deg(ordered_json& table, std::string_view key, const std::optional<double>& value) {
+  if (value) table[std::string(key)] = degrees(*value);
 }
 
-void set_deg(ordered_json& table, const char* key, const std::optional<problems::Range>& value) {
-  if (value) table[key] = to_json_deg(*value);
+void set_deg(ordered_json& table, std::string_view key,
+             const std::optional<problems::Range>& value) {
+  if (value) table[std::string(key)] = to_json_deg(*value);
 }
 
 ordered_json mechanism_table(const problems::Given& given) {
   ordered_json table = {{"type", "four-bar"}};
-  set(table, "crank", given.crank);
-  set(table, "coupler", given.coupler);
-  set(table, "rocker", given.rocker);
-  set(table, "frame", given.frame);
+  for (const auto& link : problems::kLinkKeys) set(table, link.key, given.*link.given);
   set_deg(table, "frame_angle_deg", given.frame_angle);
-  set_json(table, "pivot_a", given.pivot_a);
-  set_json(table, "pivot_d", given.pivot_d);
-  set_json(table, "coupler_point", given.coupler_point);
+  for (const auto& place : problems::kPlaceKeys) set_json(table, place.key, given.*place.given);
   if (given.assembly) table["assembly"] = to_string(*given.assembly);
   return table;
 }
 
 ordered_json bounds_table(const problems::Bounds& given) {
   ordered_json table = ordered_json::object();
-  set_json(table, "crank", given.crank);
-  set_json(table, "coupler", given.coupler);
-  set_json(table, "rocker", given.rocker);
-  set_json(table, "frame", given.frame);
+  for (const auto& link : problems::kLinkKeys) set_json(table, link.key, given.*link.bounds);
   set_deg(table, "frame_angle_deg", given.frame_angle);
-  set_json(table, "pivot_a", given.pivot_a);
-  set_json(table, "pivot_d", given.pivot_d);
-  set_json(table, "coupler_point", given.coupler_point);
+  for (const auto& place : problems::kPlaceKeys) set_json(table, place.key, given.*place.bounds);
   return table;
 }
 
@@ -55,7 +47,7 @@ ordered_json constraints_table(const problems::Constraints& given) {
   set(table, "link_ratio_max", given.link_ratio_max);
   set_json(table, "time_ratio", given.time_ratio);
   set_json(table, "pivot_region", given.pivot_region);
-  add_turn_limits(given, table);
+  add_cycle_limits(given, table);
   if (given.error) {
     const auto& [of, most] = *given.error;
     table[std::string(to_string(of))] = problems::shown_error(of, most);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/documents/json_values.hpp"
-#include "app/documents/problem_json.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/evaluation/problem_json.hpp"
 #include "problems/basics/names.hpp"
@@ -30,14 +29,14 @@ ordered_json error_json(const problems::TargetError& error, bool angular) {
   return table;
 }
 
-void set_finite(ordered_json& table, const char* key, const std::optional<double>& value) {
+void set_finite(ordered_json& table, const std::string& key, const std::optional<double>& value) {
   if (value && std::isfinite(*value)) table[key] = *value;
 }
 
 ordered_json metrics_json(const problems::Metrics& metrics) {
   ordered_json table = ordered_json::object();
   if (metrics.mobility) table["class"] = to_string(*metrics.mobility);
-  add_finite_facts(table, metrics.facts);
+  add_finite_quantities(table, metrics.quantities);
   table["change_point"] = metrics.change_point;
   table["transmission_angle_deg"] = {{"min", degrees(metrics.transmission_min)},
                                      {"max", degrees(metrics.transmission_max)},
@@ -45,11 +44,9 @@ ordered_json metrics_json(const problems::Metrics& metrics) {
   table["time_ratio"] = metrics.time_ratio ? ordered_json(*metrics.time_ratio) : nullptr;
   table["defects"] = ordered_json::array();
   for (const auto defect : metrics.defects) table["defects"].push_back(to_string(defect));
-  set_finite(table, "peak_acceleration", metrics.peak_acceleration);
-  set_finite(table, "torque_ripple", metrics.torque_ripple);
-  set_finite(table, "speed_fluctuation", metrics.speed_fluctuation);
-  set_finite(table, "flywheel_inertia", metrics.flywheel_inertia);
-  set_finite(table, "motor_power", metrics.motor_power);
+  for (const problems::CycleDeclaration& quantity : problems::kCycleQuantities) {
+    set_finite(table, std::string(quantity.key()), metrics.cycle[quantity.id]);
+  }
   if (metrics.input_start) table["input_start_deg"] = degrees(*metrics.input_start);
   if (metrics.output_start) table["output_start_deg"] = degrees(*metrics.output_start);
   set_finite(table, "precision_residual", metrics.precision_residual);
@@ -65,27 +62,6 @@ struct CheckedValue {
   ordered_json operator()(const std::string& value) const { return value; }
   ordered_json operator()(const problems::Range& value) const { return to_json(value); }
 };
-
-bool is_angular(const problems::Problem& problem) {
-  const auto* function = std::get_if<problems::FunctionProblem>(&problem);
-  return function && function->type == problems::MechanismType::four_bar;
-}
-
-ordered_json design_json(const problems::Design& design, bool angular) {
-  ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
-  const bool slides =
-      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
-  auto& stations = table[slides ? "slide" : "crank_deg"] = ordered_json::array();
-  for (const double at : design.crank_angles) stations.push_back(slides ? at : degrees(at));
-  table["error"] = error_json(design.error, angular);
-  table["metrics"] = metrics_json(design.metrics);
-  table["constraints"] = ordered_json::array();
-  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
-  table["origin"] = design.origin;
-  if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
-  if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
-  return table;
-}
 
 /// A branch ends where a point is not finite, and another begins after it.
 ordered_json locus_json(const problems::Locus& locus) {
@@ -114,26 +90,6 @@ ordered_json family_json(const problems::Family& family) {
     columns.push_back({{"name", column.name}, {"values", values}});
   }
   return {{"name", family.name}, {"columns", columns}};
-}
-
-/// What a synthesis tells of itself in single numbers; tables that would be empty are left out.
-void add_facts_and_proof(ordered_json& document, const problems::Result& result) {
-  if (!result.facts.empty()) add_finite_facts(document["facts"], result.facts);
-  if (const auto& proof = result.certificate) {
-    document["certificate"] = {{"lower_bound", proof->lower_bound},
-                               {"upper_bound", proof->upper_bound},
-                               {"gap_relative", proof->gap_relative},
-                               {"complete", proof->complete},
-                               {"boxes", proof->boxes},
-                               {"domain", proof->domain}};
-  }
-}
-
-/// What a synthesis tells besides its designs; tables that would be empty are left out.
-void add_findings(ordered_json& document, const problems::Result& result) {
-  for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
-  for (const auto& family : result.families) document["families"].push_back(family_json(family));
-  add_facts_and_proof(document, result);
 }
 
 bool is_row(const ordered_json& value) {
@@ -165,41 +121,65 @@ void append_json(std::string& text, const ordered_json& value, const std::string
 
 }  // namespace
 
-tl::expected<ordered_json, std::string> result_document(const problems::Problem& problem,
-                                                        const problems::Result& result,
-                                                        std::uint64_t seed) {
-  const bool angular = is_angular(problem);
-  ordered_json document = {{"format", "cognate-result/1"},
-                           {"version", version()},
-                           {"seed", seed},
-                           {"status", to_string(result.status)},
-                           {"problem", to_json(problem)}};
-  document["designs"] = ordered_json::array();
-  for (const auto& design : result.designs) {
-    document["designs"].push_back(design_json(design, angular));
-  }
-  add_findings(document, result);
-  document["notes"] = result.notes;
-  document["work"] = to_json(result.work);
+ordered_json document_head(problems::Status status, std::uint64_t seed, ordered_json problem) {
+  return {{"format", "cognate-result/1"},
+          {"version", version()},
+          {"seed", seed},
+          {"status", to_string(status)},
+          {"problem", std::move(problem)}};
+}
+
+tl::expected<ordered_json, std::string> finished_document(ordered_json document,
+                                                          const std::vector<std::string>& notes,
+                                                          const problems::Work& work) {
+  document["notes"] = notes;
+  document["work"] = to_json(work);
   if (const auto where = find_non_finite(document)) {
     return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
   }
   return document;
 }
 
-ordered_json best_design_json(const problems::Problem& problem, const problems::Result& result) {
-  ordered_json table = ordered_json::object();
-  if (!result.designs.empty()) table = design_json(result.designs.front(), is_angular(problem));
-  add_facts_and_proof(table, result);
+ordered_json design_json(const problems::Design& design, bool angular) {
+  ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
+  const bool slides =
+      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
+  auto& stations = table[slides ? "slide" : "crank_deg"] = ordered_json::array();
+  for (const double at : design.crank_angles) stations.push_back(slides ? at : degrees(at));
+  table["error"] = error_json(design.error, angular);
+  table["metrics"] = metrics_json(design.metrics);
+  table["constraints"] = ordered_json::array();
+  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
+  table["origin"] = design.origin;
+  if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
+  if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
   return table;
 }
 
-void add_finite_facts(ordered_json& table, std::vector<problems::Fact> facts) {
-  std::erase_if(facts, [](const problems::Fact& fact) {
-    const auto* number = std::get_if<double>(&fact.value);
+void add_linkage_facts(ordered_json& document, const problems::Result& result) {
+  if (!result.quantities.empty()) add_finite_quantities(document["facts"], result.quantities);
+  if (const auto& proof = result.certificate) {
+    document["certificate"] = {{"lower_bound", proof->lower_bound},
+                               {"upper_bound", proof->upper_bound},
+                               {"gap_relative", proof->gap_relative},
+                               {"complete", proof->complete},
+                               {"boxes", proof->boxes},
+                               {"domain", proof->domain}};
+  }
+}
+
+void add_linkage_findings(ordered_json& document, const problems::Result& result) {
+  for (const auto& locus : result.loci) document["loci"].push_back(locus_json(locus));
+  for (const auto& family : result.families) document["families"].push_back(family_json(family));
+  add_linkage_facts(document, result);
+}
+
+void add_finite_quantities(ordered_json& table, std::vector<problems::Quantity> quantities) {
+  std::erase_if(quantities, [](const problems::Quantity& quantity) {
+    const auto* number = std::get_if<double>(&quantity.value);
     return number != nullptr && !std::isfinite(*number);
   });
-  add_facts(table, facts);
+  add_quantities(table, quantities);
 }
 
 ordered_json to_json(const problems::ConstraintCheck& check) {

@@ -22,7 +22,7 @@ std::string graph_text(std::string_view text) {
 }
 
 /// The link's name, and how far its joints are from one another.
-std::string label_of(const ShownLink& link) {
+std::string label_of(const LinkShape& link) {
   std::string text = link.name;
   for (std::size_t i = 0; i < link.places.size(); ++i) {
     for (std::size_t k = i + 1; k < link.places.size(); ++k) {
@@ -35,14 +35,14 @@ std::string label_of(const ShownLink& link) {
 
 }  // namespace
 
-std::string chain_sketch(const std::string& title, const ShownLinks& shown) {
+std::string chain_sketch(const std::string& title, const LinkShapes& shown) {
   std::string text = "graph " + graph_text(title) +
                      " {\n  node [shape=box, style=rounded];\n  edge [fontsize=11];\n";
   for (std::size_t i = 0; i < shown.links.size(); ++i) {
     text += fmt::format("  link{} [label={}{}];\n", i, graph_text(label_of(shown.links[i])),
                         i == 0 ? ", peripheries=2, style=filled, fillcolor=lightgrey" : "");
   }
-  for (const ShownJoint& joint : shown.joints) {
+  for (const JointShape& joint : shown.joints) {
     const bool slides = joint.type == JointType::prismatic;
     text += fmt::format("  link{} -- link{} [label={}{}];\n", joint.first, joint.second,
                         graph_text(slides ? joint.name + "\nslides" : joint.name),

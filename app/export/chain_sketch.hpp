@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "app/export/shown_links.hpp"
+#include "app/drawing/link_shapes.hpp"
 
 namespace cognate::app {
 
 /// The chain in the language of Graphviz: a node for each link with the distances of its joints,
 /// the frame marked, and an edge for each joint, dashed where it slides.
-std::string chain_sketch(const std::string& title, const ShownLinks& shown);
+std::string chain_sketch(const std::string& title, const LinkShapes& shown);
 
 }  // namespace cognate::app

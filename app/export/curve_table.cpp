@@ -8,7 +8,7 @@
 
 namespace cognate::app {
 
-std::string csv_text(const DrawnCurve& curve) {
+std::string csv_text(const CamOutline& curve) {
   std::array<problems::Column, 6> columns;
   constexpr std::array kNames = {"cam_deg",  "x",        "y",
                                  "normal_x", "normal_y", "radius_of_curvature"};

@@ -1,16 +1,80 @@
 #include <fmt/core.h>
 
-#include "app/export/cam_plan.hpp"
+#include "app/drawing/cam_plan.hpp"
 #include "app/export/curve_table.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/svg.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/cam/extremes.hpp"
 
 namespace cognate::app {
 namespace {
 
-std::string named_after_curve(std::string name, ExportedCurve curve) {
-  if (curve == ExportedCurve::pitch) name += ".pitch";
-  if (curve == ExportedCurve::cutter) name += ".cutter";
+using Refusal = std::optional<std::string>;
+
+constexpr double kDefaultCamTolerance = 1e-4;  // of the base radius
+constexpr double kLeastCamTolerance = 1e-9;    // as many points as can be handled
+constexpr double kGreatestCutter = 1e6;        // of the base radius
+
+/// Why a cutter cannot cut `cam`; empty where it can.
+Refusal gouging(const problems::CamProblem& problem, const cam::Cam& cam, double cutter) {
+  const double roller = cam.system.follower.dimensions.roller_radius;
+  if (problem.second.closure == cam::Closure::groove && cutter > roller) {
+    return fmt::format("--cutter-radius: {} does not fit into the groove; allowed is at most {}",
+                       cutter, roller);
+  }
+  const auto hollow = problems::CamExtremes(cam).concave_radius();
+  if (!hollow || cutter <= hollow->value) return std::nullopt;
+  return fmt::format(
+      "--cutter-radius: {} would gouge the profile, whose least concave radius is {:.6g}, at "
+      "{:.4g} deg of the cam; allowed is at most that",
+      cutter, hollow->value, problems::degrees(hollow->angle));
+}
+
+/// Why the drawing is not possible for this cam; empty where it is.
+Refusal refused_cam(const ResultCam& given, const CamDrawingOptions& wanted) {
+  const auto& dimensions = given.design.cam.system.follower.dimensions;
+  if (wanted.kind == CamCurveKind::pitch && dimensions.roller_radius == 0) {
+    return "--curve: this follower has no roller, so there is no pitch curve; allowed is profile "
+           "or cutter";
+  }
+  const double size = dimensions.base_radius, tolerance = wanted.chord_tolerance;
+  if (!(tolerance >= kLeastCamTolerance * size && tolerance <= size)) {
+    return fmt::format(
+        "--chord-tolerance: {} is not possible for a base radius of {}; allowed is a length from "
+        "{:.3g} to {:.6g}",
+        tolerance, size, kLeastCamTolerance * size, size);
+  }
+  if (wanted.kind != CamCurveKind::cutter) return std::nullopt;
+  if (wanted.cutter_radius > kGreatestCutter * size) {
+    return fmt::format(
+        "--cutter-radius: {} is too large for a base radius of {}; allowed is at most {:.6g}",
+        wanted.cutter_radius, size, kGreatestCutter * size);
+  }
+  auto why = gouging(given.problem, given.design.cam, wanted.cutter_radius);
+  if (!why && given.design.second) {
+    why = gouging(given.problem, *given.design.second, wanted.cutter_radius);
+  }
+  return why;
+}
+
+/// The drawing of the cam; the error says which option is not possible and what is allowed.
+tl::expected<CamDrawing, std::string> drawing_of(const ResultCam& given,
+                                                 const ExportOptions& wanted) {
+  const double size = given.design.cam.system.follower.dimensions.base_radius;
+  const CamDrawingOptions options{wanted.curve, wanted.cutter_radius.value_or(0),
+                                  wanted.chord_tolerance.value_or(kDefaultCamTolerance * size)};
+  if (const auto why = refused_cam(given, options)) return tl::unexpected(*why);
+  if (auto drawing = cam_drawing(given.problem, given.design, options)) return *std::move(drawing);
+  return tl::unexpected(
+      fmt::format("--chord-tolerance: {:.3g} would take more than {} points; allowed is a greater "
+                  "length",
+                  options.chord_tolerance, kMostCamPoints));
+}
+
+std::string named_after_curve(std::string name, CamCurveKind curve) {
+  if (curve == CamCurveKind::pitch) name += ".pitch";
+  if (curve == CamCurveKind::cutter) name += ".cutter";
   return name;
 }
 
@@ -28,6 +92,16 @@ std::vector<ExportedFile> files_of(const CamDrawing& drawing, const std::string&
         {stem + (curve.name.empty() ? "" : "." + curve.name) + ".csv", csv_text(curve)});
   }
   return files;
+}
+
+std::vector<std::string> notes_of(const CamDrawing& drawing) {
+  std::vector<std::string> notes;
+  for (const auto& curve : drawing.curves) {
+    if (!curve.crosses_itself) continue;
+    notes.push_back(fmt::format("the curve{}{} crosses itself: the cam is undercut there",
+                                curve.name.empty() ? "" : " ", curve.name));
+  }
+  return notes;
 }
 
 std::size_t point_count(const CamDrawing& drawing) {
@@ -49,12 +123,12 @@ tl::expected<Exported, std::string> export_cam(const ResultCam& given, const Exp
     return tl::unexpected(wanted.of_linkages +
                           ": is for linkages; of a cam --curve and --cutter-radius are allowed");
   }
-  const auto drawing = cam_drawing(given.problem, given.design, wanted.order);
+  const auto drawing = drawing_of(given, wanted);
   if (!drawing) return tl::unexpected(drawing.error());
   const std::size_t points = point_count(*drawing);
   return Exported{
-      files_of(*drawing, given.problem.title, wanted, named_after_curve(stem, wanted.order.kind)),
-      drawing->notes,
+      files_of(*drawing, given.problem.title, wanted, named_after_curve(stem, wanted.curve)),
+      notes_of(*drawing),
       fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
                   drawing->chord_tolerance),
       {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};

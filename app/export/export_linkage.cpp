@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -7,10 +8,11 @@
 #include "app/documents/csv.hpp"
 #include "app/documents/json_values.hpp"
 #include "app/documents/result_json.hpp"
+#include "app/drawing/drive_position.hpp"
+#include "app/drawing/linkage_plan.hpp"
 #include "app/export/chain_sketch.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/linkage_json.hpp"
-#include "app/export/linkage_plan.hpp"
 #include "app/export/svg.hpp"
 #include "problems/basics/names.hpp"
 
@@ -57,14 +59,14 @@ tl::expected<std::string, std::string> written(const ordered_json& document) {
 
 class LinkageExporter {
  public:
-  LinkageExporter(const ResultLinkage& linkage, const ExportOptions& wanted, std::string stem,
+  LinkageExporter(const LinkageScene& linkage, const ExportOptions& wanted, std::string stem,
                   const Options& options)
       : linkage_(linkage),
         wanted_(wanted),
         stem_(std::move(stem)),
         options_(options),
-        motion_(linkage.problem.mechanism.mechanism, course_of(linkage)),
-        shown_(shown_links(linkage)) {
+        motion_(linkage.problem.mechanism.mechanism, assembly_ranges_of(linkage)),
+        shown_(link_shapes(linkage)) {
     if (wanted.steps) linkage_.problem.drive.steps = *wanted.steps;
   }
 
@@ -75,12 +77,12 @@ class LinkageExporter {
                             "--parts are allowed");
     }
     if (const auto idle = idle_tolerance()) return tl::unexpected(*idle);
-    const auto position = shown_position(linkage_, wanted_.position, motion_);
-    if (!position) return tl::unexpected(position.error());
+    const auto drive = drive_position(linkage_, wanted_.position, motion_);
+    if (!drive) return tl::unexpected(unplaced());
     if (wanted_.parts) return parts();
     if (wanted_.format == ExportFormat::csv) return table();
     if (wanted_.format == ExportFormat::dot) return sketch();
-    return drawing(*position);
+    return drawing(shown_drive(linkage_, *drive));
   }
 
  private:
@@ -88,27 +90,51 @@ class LinkageExporter {
   std::optional<std::string> idle_tolerance() const {
     const bool has_paths = !wanted_.parts && wanted_.format != ExportFormat::csv &&
                            wanted_.format != ExportFormat::dot;
-    if (has_paths || !wanted_.order.chord_tolerance) return std::nullopt;
-    return "--chord-tolerance: is that of the paths of a linkage; --format dxf, svg or json "
-           "without --parts is wanted with it";
+    if (has_paths || !wanted_.chord_tolerance) return std::nullopt;
+    return "--chord-tolerance: is that of the paths of a linkage; expected --format dxf, svg or "
+           "json "
+           "without --parts with it";
   }
 
-  static Course course_of(const ResultLinkage& linkage) {
+  /// Why there is no position to draw.
+  std::string unplaced() const {
+    if (!wanted_.position) {
+      return "the linkage can be assembled nowhere on the way of its drive; expected one that can "
+             "be";
+    }
+    const auto& runs = motion_.assembly_ranges().runs;
+    return fmt::format(
+        "--position: at {} the linkage cannot be shown; allowed is {}", *wanted_.position,
+        runs.empty() ? "another linkage, as this one can be assembled nowhere" : ranges(runs));
+  }
+
+  /// Ranges of the drive: "10 to 80 or 100 to 170".
+  std::string ranges(const std::vector<AssemblyRange>& runs) const {
+    constexpr std::size_t kMost = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(runs.size(), kMost); ++i) {
+      text += fmt::format("{}{:.6g} to {:.6g}", i > 0 ? " or " : "",
+                          shown_drive(linkage_, runs[i].from), shown_drive(linkage_, runs[i].to));
+    }
+    return text + (runs.size() > kMost ? " or further on" : "");
+  }
+
+  static AssemblyRanges assembly_ranges_of(const LinkageScene& linkage) {
     const auto& drive = linkage.problem.drive;
     return follow(linkage.problem.mechanism.mechanism, drive.start, drive.end);
   }
 
   Result file(tl::expected<std::string, std::string> text, std::string summary,
-              ordered_json facts = ordered_json::object()) {
+              ordered_json quantities = ordered_json::object()) {
     if (!text) return tl::unexpected(text.error());
     const std::string name = stem_ + (wanted_.parts ? ".parts" : "") + ending(wanted_.format);
-    return Exported{{{name, *std::move(text)}}, notes_, std::move(summary), std::move(facts)};
+    return Exported{{{name, *std::move(text)}}, notes_, std::move(summary), std::move(quantities)};
   }
 
   /// Lets a drive that goes a hair beyond what can be assembled start and end with a position.
   void pull_in_drive() {
     constexpr double kInside = 1e-9;  // of the range: at its very ends rounding decides
-    const auto& runs = motion_.course().runs;
+    const auto& runs = motion_.assembly_ranges().runs;
     if (!linkage_.beyond || runs.empty()) return;
     const double from = runs.front().from, to = runs.back().to;
     linkage_.problem.drive.start = std::lerp(from, to, kInside);
@@ -140,7 +166,7 @@ class LinkageExporter {
   /// The tolerance wanted, or what is wrong with it.
   tl::expected<double, std::string> tolerance() const {
     const double size = size_of(shown_);
-    const double wanted = wanted_.order.chord_tolerance.value_or(kDefaultTolerance * size);
+    const double wanted = wanted_.chord_tolerance.value_or(kDefaultTolerance * size);
     if (size == 0 || (wanted >= kLeastTolerance * size && wanted <= size)) return wanted;
     return tl::unexpected(fmt::format(
         "--chord-tolerance: {} is not possible for a linkage of this size; allowed is a length "
@@ -148,37 +174,42 @@ class LinkageExporter {
         wanted, kLeastTolerance * size, size));
   }
 
-  Result drawing(const ShownPosition& position) {
+  /// In the position `drive`, degrees or a length.
+  Result drawing(double drive) {
     const auto chord = tolerance();
     if (!chord) return tl::unexpected(chord.error());
-    const auto paths = linkage_paths(linkage_, motion_.course(), *chord);
-    if (!paths) return tl::unexpected(paths.error());
-    const std::string where = fmt::format("shown with the drive at {:.6g}{}", position.value,
+    const auto paths = linkage_paths(linkage_, motion_.assembly_ranges(), *chord);
+    if (!paths) {
+      return tl::unexpected(fmt::format(
+          "--chord-tolerance: {:.3g} would take more than {} points; allowed is a greater length",
+          *chord, kMostPathCorners));
+    }
+    const std::string where = fmt::format("shown with the drive at {:.6g}{}", drive,
                                           is_driven_by_slider(linkage_) ? "" : " deg");
-    const ordered_json facts = {{"position", position.value}, {"chord_tolerance", *chord}};
+    const ordered_json quantities = {{"position", drive}, {"chord_tolerance", *chord}};
     if (wanted_.format != ExportFormat::json) {
       return file(drawn(linkage_plan(linkage_, shown_, motion_.bodies(), *paths), wanted_), where,
-                  facts);
+                  quantities);
     }
     ordered_json document = {{"format", "cognate-linkage/1"}};
-    document.update(linkage_json(linkage_, shown_, motion_.bodies(), position, *paths));
+    document.update(linkage_json(linkage_, shown_, motion_.bodies(), drive, *paths));
     document["positions"] = columns_json(positions().columns);
-    return file(written(document), where, facts);
+    return file(written(document), where, quantities);
   }
 
   Result parts() {
     const PartOrder& order = *wanted_.parts;
     const auto made = link_parts(shown_, order);
     if (!made) return tl::unexpected(made.error());
-    const auto planes = part_planes(shown_, *made, order);
-    auto sheet = part_sheet(*made, planes, order);
+    const auto layers = part_layers(shown_, *made, order);
+    auto sheet = part_sheet(*made, layers, order);
     if (!linkage_.problem.title.empty()) sheet.plan.title = linkage_.problem.title + ": parts";
     notes_ = made->notes;
-    notes_.insert(notes_.end(), planes.notes.begin(), planes.notes.end());
-    const ordered_json told = parts_json({*made, planes, sheet, order});
-    std::string summary = fmt::format("{} parts in {} planes", made->parts.size(), planes.count);
+    notes_.insert(notes_.end(), layers.notes.begin(), layers.notes.end());
+    const ordered_json told = parts_json({*made, layers, sheet, order});
+    std::string summary = fmt::format("{} parts in {} layers", made->parts.size(), layers.count);
     if (order.thickness) {
-      summary += fmt::format(", {:.6g} high", planes.count * *order.thickness);
+      summary += fmt::format(", {:.6g} high", layers.count * *order.thickness);
     }
     if (wanted_.format != ExportFormat::json) {
       return file(drawn(sheet.plan, wanted_), summary, {{"sheet", told}});
@@ -188,18 +219,18 @@ class LinkageExporter {
     return file(written(document), summary);
   }
 
-  ResultLinkage linkage_;
+  LinkageScene linkage_;
   const ExportOptions& wanted_;
   std::string stem_;
   const Options& options_;
   FollowedMotion<0> motion_;
-  ShownLinks shown_;
+  LinkShapes shown_;
   std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-tl::expected<Exported, std::string> export_linkage(const ResultLinkage& linkage,
+tl::expected<Exported, std::string> export_linkage(const LinkageScene& linkage,
                                                    const ExportOptions& wanted,
                                                    const std::string& stem,
                                                    const Options& options) {

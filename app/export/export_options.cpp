@@ -30,10 +30,10 @@ tl::expected<DxfVersion, std::string> parse_version(std::string_view text) {
   return refusal("--dxf-version", text, "r12 or 2000");
 }
 
-tl::expected<ExportedCurve, std::string> parse_curve(std::string_view text) {
-  if (text == "profile") return ExportedCurve::profile;
-  if (text == "pitch") return ExportedCurve::pitch;
-  if (text == "cutter") return ExportedCurve::cutter;
+tl::expected<CamCurveKind, std::string> parse_curve(std::string_view text) {
+  if (text == "profile") return CamCurveKind::profile;
+  if (text == "pitch") return CamCurveKind::pitch;
+  if (text == "cutter") return CamCurveKind::cutter;
   return refusal("--curve", text, "profile, pitch or cutter");
 }
 
@@ -77,9 +77,9 @@ class OptionReader {
       take(parse_count("--design", *texts_.design, kMostDesigns), options_.design);
     }
     if (texts_.dxf_version) take(parse_version(*texts_.dxf_version), options_.version);
-    read_length("--chord-tolerance", texts_.chord_tolerance, options_.order.chord_tolerance);
-    if (texts_.curve) take(parse_curve(*texts_.curve), options_.order.kind);
-    read_length("--cutter-radius", texts_.cutter_radius, options_.order.cutter_radius);
+    read_length("--chord-tolerance", texts_.chord_tolerance, options_.chord_tolerance);
+    if (texts_.curve) take(parse_curve(*texts_.curve), options_.curve);
+    read_length("--cutter-radius", texts_.cutter_radius, options_.cutter_radius);
     if (texts_.position) take(parse_position(*texts_.position), options_.position);
     if (texts_.steps) take(parse_count("--steps", *texts_.steps, kMostSteps), options_.steps);
     if (texts_.parts) read_parts();
@@ -114,7 +114,7 @@ class OptionReader {
       if (*text) {
         take(parse_length(name, **text), *value);
       } else {
-        faults_.push_back(fmt::format("--parts: {0} is missing; {0} LENGTH is wanted", name));
+        faults_.push_back(fmt::format("--parts: {0} is missing; expected {0} LENGTH", name));
       }
     }
     if (texts_.clearance) {
@@ -134,32 +134,32 @@ class OptionReader {
 
   /// What each option wants of others.
   void check_together() {
-    const bool cuts = options_.order.kind == ExportedCurve::cutter;
+    const bool cuts = options_.curve == CamCurveKind::cutter;
     if (cuts != texts_.cutter_radius.has_value()) {
       faults_.emplace_back(
-          cuts ? "--curve: 'cutter' wants the cutter's radius; --cutter-radius R is missing"
-               : "--cutter-radius: only the path of a cutter has one; --curve cutter is wanted "
+          cuts ? "--curve: 'cutter' needs the cutter's radius; --cutter-radius R is missing"
+               : "--cutter-radius: only the path of a cutter has one; expected --curve cutter "
                  "with it");
     }
     if (texts_.dxf_version && options_.format != ExportFormat::dxf) {
-      faults_.emplace_back("--dxf-version: only DXF has one; --format dxf is wanted with it");
+      faults_.emplace_back("--dxf-version: only DXF has one; expected --format dxf with it");
     }
     const bool tabled =
         options_.format == ExportFormat::csv || options_.format == ExportFormat::json;
     if (options_.steps && (!tabled || options_.parts)) {
-      faults_.emplace_back("--steps: are those of a table; --format csv or json is wanted with it");
+      faults_.emplace_back("--steps: are those of a table; expected --format csv or json with it");
     }
     const bool shown = options_.format != ExportFormat::csv && options_.format != ExportFormat::dot;
     if (options_.position && (!shown || options_.parts)) {
       faults_.emplace_back(
-          "--position: is that of a drawing; --format dxf, svg or json is wanted with it");
+          "--position: is that of a drawing; expected --format dxf, svg or json with it");
     }
     check_parts(shown);
   }
 
   void check_parts(bool shown) {
     if (options_.parts && !shown) {
-      faults_.emplace_back("--parts: are drawn; --format dxf, svg or json is wanted with it");
+      faults_.emplace_back("--parts: are drawn; expected --format dxf, svg or json with it");
     }
     if (options_.parts && !(options_.parts->hole < options_.parts->width)) {
       faults_.push_back(
@@ -177,7 +177,7 @@ class OptionReader {
                                            {"--gap", &texts_.gap},
                                            {"--thickness", &texts_.thickness}});
     if (!options_.parts && !stray.empty()) {
-      faults_.push_back(stray + ": is that of parts; --parts is wanted with it");
+      faults_.push_back(stray + ": is that of parts; expected --parts with it");
     }
   }
 

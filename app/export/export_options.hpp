@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "app/export/cam_drawing.hpp"
+#include "app/drawing/cam_drawing.hpp"
 #include "app/export/dxf.hpp"
 #include "app/export/link_parts.hpp"
 
@@ -32,12 +32,14 @@ struct ExportOptions {
   ExportFormat format = ExportFormat::dxf;
   int design = 1;  ///< counted from 1
   DxfVersion version = DxfVersion::r2000;
-  DrawingOrder order;              ///< of a cam; of others the chord tolerance alone
-  std::optional<double> position;  ///< of the drive: degrees, or a length
-  std::optional<int> steps;        ///< of the drive
-  std::optional<PartOrder> parts;  ///< where links are to be drawn as parts
-  std::string of_cams;             ///< an option that is for cams alone; empty where none is given
-  std::string of_linkages;         ///< the same for linkages
+  std::optional<double> chord_tolerance;
+  CamCurveKind curve = CamCurveKind::profile;  ///< of a cam
+  std::optional<double> cutter_radius;         ///< where `curve` is cutter
+  std::optional<double> position;              ///< of the drive: degrees, or a length
+  std::optional<int> steps;                    ///< of the drive
+  std::optional<PartOrder> parts;              ///< where links are to be drawn as parts
+  std::string of_cams;      ///< an option that is for cams alone; empty where none is given
+  std::string of_linkages;  ///< the same for linkages
 };
 
 /// What `texts` say, or every fault in them: what is wrong; what is allowed.

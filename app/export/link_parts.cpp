@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/numbers/segment.hpp"
-#include "app/report/convex_hull.hpp"
+#include "app/drawing/convex_hull.hpp"
 
 namespace cognate::app {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double kThinWall = 0.1;  // of a hole
 
 /// A slider that bears nothing but its joint.
-bool is_mere_pin(const ShownLink& link) {
+bool is_mere_pin(const LinkShape& link) {
   return link.shape.block && link.shape.rails.empty() && link.places.size() <= 1;
 }
 
@@ -34,7 +34,7 @@ bool runs_into(const PartSlot& slot, const PartHole& hole, const PartOrder& orde
 
 class PartsMaker {
  public:
-  PartsMaker(const ShownLinks& shown, const PartOrder& order)
+  PartsMaker(const LinkShapes& shown, const PartOrder& order)
       : shown_(shown), order_(order), part_of_(shown.links.size(), -1) {}
 
   LinkParts make() {
@@ -48,11 +48,11 @@ class PartsMaker {
   }
 
  private:
-  const ShownLink& link(int number) const { return shown_.links[static_cast<std::size_t>(number)]; }
+  const LinkShape& link(int number) const { return shown_.links[static_cast<std::size_t>(number)]; }
   int part_of(int number) const { return part_of_[static_cast<std::size_t>(number)]; }
 
   void add_part(int number) {
-    const ShownLink& given = link(number);
+    const LinkShape& given = link(number);
     if (number > 0 && is_mere_pin(given)) {
       made_.notes.push_back(
           fmt::format("{} is no part but the pin that runs in a slot", given.name));
@@ -125,7 +125,7 @@ class PartsMaker {
 
   /// The parts that a joint's pin goes through: those that it connects, and for a mere pin the
   /// links in whose slots it runs.
-  std::vector<int> parts_at(const ShownJoint& joint) const {
+  std::vector<int> parts_at(const JointShape& joint) const {
     std::vector<int> parts;
     for (const int number : {joint.first, joint.second}) {
       if (part_of(number) >= 0) {
@@ -144,7 +144,7 @@ class PartsMaker {
 
   /// One pin for each name of turning joints: joints at one place share it.
   void add_joint_pins() {
-    for (const ShownJoint& joint : shown_.joints) {
+    for (const JointShape& joint : shown_.joints) {
       if (joint.type == JointType::prismatic) continue;
       auto pin = std::ranges::find(made_.pins, joint.name, &PartPin::name);
       if (pin == made_.pins.end()) {
@@ -161,7 +161,7 @@ class PartsMaker {
     }
   }
 
-  const ShownLinks& shown_;
+  const LinkShapes& shown_;
   const PartOrder& order_;
   std::vector<int> part_of_;  ///< of each link; −1 of a mere pin
   LinkParts made_;
@@ -226,7 +226,7 @@ void note_thin_rims(const PartOrder& order, std::vector<std::string>& notes) {
 
 }  // namespace
 
-tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const PartOrder& order) {
+tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order) {
   LinkParts made = PartsMaker(shown, order).make();
   for (const LinkPart& part : made.parts) {
     if (const auto why = overlap(part, order)) return tl::unexpected(*why);

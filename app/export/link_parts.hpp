@@ -6,8 +6,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "app/export/plan.hpp"
-#include "app/export/shown_links.hpp"
+#include "app/drawing/link_shapes.hpp"
+#include "app/drawing/plan.hpp"
 
 namespace cognate::app {
 
@@ -59,7 +59,7 @@ struct LinkParts {
 /// slider with nothing but one joint is no part: it is a pin in the slot. One with more has two
 /// pins of its own in the slot, which keep its direction. The error says which holes would overlap
 /// and what is allowed.
-tl::expected<LinkParts, std::string> link_parts(const ShownLinks& shown, const PartOrder& order);
+tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order);
 
 /// The outline at `distance` about the convex polygon `hull`: lines and arcs. None of a mere point.
 PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& hull,

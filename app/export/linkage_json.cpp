@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json link_json(const ShownLinks& shown, const ShownLink& link) {
+ordered_json link_json(const LinkShapes& shown, const LinkShape& link) {
   ordered_json places = ordered_json::array(), lengths = places, slots = places;
   for (std::size_t i = 0; i < link.places.size(); ++i) {
     const LinkPlace& place = link.places[i];
@@ -32,7 +32,7 @@ ordered_json link_json(const ShownLinks& shown, const ShownLink& link) {
   return {{"name", link.name}, {"places", places}, {"lengths", lengths}, {"slots", slots}};
 }
 
-ordered_json joint_json(const ShownLinks& shown, const ShownJoint& joint) {
+ordered_json joint_json(const LinkShapes& shown, const JointShape& joint) {
   const auto name = [&](int link) { return shown.links[static_cast<std::size_t>(link)].name; };
   return {{"name", joint.name},
           {"type", joint.type == JointType::revolute ? "turning" : "sliding"},
@@ -40,7 +40,7 @@ ordered_json joint_json(const ShownLinks& shown, const ShownJoint& joint) {
 }
 
 /// Where every place is, each once.
-ordered_json places_json(const ShownLinks& shown, std::span<const BodyMotion<double, 0>> bodies) {
+ordered_json places_json(const LinkShapes& shown, std::span<const BodyMotion<double, 0>> bodies) {
   ordered_json places = ordered_json::object();
   for (std::size_t i = 0; i < shown.links.size(); ++i) {
     for (const LinkPlace& place : shown.links[i].places) {
@@ -57,7 +57,7 @@ ordered_json path_json(const PointPath& path) {
   return {{"point", path.point}, {"closed", path.closed}, {"corners", corners}};
 }
 
-ordered_json part_json(const ToldParts& told, std::size_t i) {
+ordered_json part_json(const PartOptions& told, std::size_t i) {
   const LinkPart& part = told.made.parts[i];
   const PartPlace& place = told.sheet.places[i];
   ordered_json holes = ordered_json::array(), slots = holes;
@@ -70,17 +70,17 @@ ordered_json part_json(const ToldParts& told, std::size_t i) {
                      {"to", to_json(on_sheet(place, slot.to))}});
   }
   return {
-      {"name", part.name}, {"plane", told.planes.planes[i]}, {"holes", holes}, {"slots", slots}};
+      {"name", part.name}, {"plane", told.layers.layers[i]}, {"holes", holes}, {"slots", slots}};
 }
 
-ordered_json pin_json(const ToldParts& told, const PartPin& pin) {
-  int low = told.planes.count, high = 1;
+ordered_json pin_json(const PartOptions& told, const PartPin& pin) {
+  int low = told.layers.count, high = 1;
   ordered_json names = ordered_json::array();
   for (const int part : pin.parts) {
     const auto i = static_cast<std::size_t>(part);
     names.push_back(told.made.parts[i].name);
-    low = std::min(low, told.planes.planes[i]);
-    high = std::max(high, told.planes.planes[i]);
+    low = std::min(low, told.layers.layers[i]);
+    high = std::max(high, told.layers.layers[i]);
   }
   ordered_json table = {{"name", pin.name}, {"parts", names}, {"planes", {low, high}}};
   if (told.order.thickness) table["length"] = (high - low + 1) * *told.order.thickness;
@@ -89,9 +89,9 @@ ordered_json pin_json(const ToldParts& told, const PartPin& pin) {
 
 }  // namespace
 
-ordered_json linkage_json(const ResultLinkage& linkage, const ShownLinks& shown,
-                          std::span<const BodyMotion<double, 0>> bodies,
-                          const ShownPosition& position, const std::vector<PointPath>& paths) {
+ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
+                          std::span<const BodyMotion<double, 0>> bodies, double drive,
+                          const std::vector<PointPath>& paths) {
   const auto& mechanism = linkage.problem.mechanism;
   ordered_json document = {{"type", problems::to_string(mechanism.type)},
                            {"dimensions", ordered_json::object()}};
@@ -102,7 +102,7 @@ ordered_json linkage_json(const ResultLinkage& linkage, const ShownLinks& shown,
   for (const auto& link : shown.links) document["links"].push_back(link_json(shown, link));
   for (const auto& joint : shown.joints) document["joints"].push_back(joint_json(shown, joint));
   for (const auto& path : paths) document["paths"].push_back(path_json(path));
-  document["position"] = {{is_driven_by_slider(linkage) ? "slide" : "crank_deg", position.value},
+  document["position"] = {{is_driven_by_slider(linkage) ? "slide" : "crank_deg", drive},
                           {"places", places_json(shown, bodies)}};
   return document;
 }
@@ -119,9 +119,9 @@ ordered_json columns_json(const std::vector<problems::Column>& columns) {
   return list;
 }
 
-ordered_json parts_json(const ToldParts& told) {
+ordered_json parts_json(const PartOptions& told) {
   ordered_json table = {{"hole", told.order.hole},           {"width", told.order.width},
-                        {"clearance", told.order.clearance}, {"planes", told.planes.count},
+                        {"clearance", told.order.clearance}, {"planes", told.layers.count},
                         {"parts", ordered_json::array()},    {"pins", ordered_json::array()}};
   for (std::size_t i = 0; i < told.made.parts.size(); ++i) {
     table["parts"].push_back(part_json(told, i));
@@ -129,7 +129,7 @@ ordered_json parts_json(const ToldParts& told) {
   for (const PartPin& pin : told.made.pins) table["pins"].push_back(pin_json(told, pin));
   if (told.order.thickness) {
     table["thickness"] = *told.order.thickness;
-    table["height"] = told.planes.count * *told.order.thickness;
+    table["height"] = told.layers.count * *told.order.thickness;
   }
   return table;
 }

@@ -7,38 +7,36 @@
 #include <vector>
 
 #include "analysis/mechanism/motion_state.hpp"
-#include "app/export/linkage_paths.hpp"
-#include "app/export/part_planes.hpp"
+#include "app/drawing/link_shapes.hpp"
+#include "app/drawing/linkage_paths.hpp"
+#include "app/export/part_layers.hpp"
 #include "app/export/part_sheet.hpp"
-#include "app/export/shown_links.hpp"
-#include "app/export/shown_position.hpp"
 #include "problems/evaluation/result.hpp"
 
 namespace cognate::app {
 
 /// What a document tells of parts.
-struct ToldParts {
+struct PartOptions {
   const LinkParts& made;
-  const PartPlanes& planes;
+  const PartLayers& layers;
   const PartSheet& sheet;
   const PartOrder& order;
 };
 
 /// `type`; `dimensions`; `links` (name, places of their joints and points in their own axes, the
-/// distances of these, slots); `joints` (name, type, links); `position` (the drive, and where every
-/// place is there); `paths` (polygons).
-nlohmann::ordered_json linkage_json(const ResultLinkage& linkage, const ShownLinks& shown,
-                                    std::span<const BodyMotion<double, 0>> bodies,
-                                    const ShownPosition& position,
+/// distances of these, slots); `joints` (name, type, links); `position` (`drive`, in degrees or a
+/// length, and where every place is there); `paths` (polygons).
+nlohmann::ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
+                                    std::span<const BodyMotion<double, 0>> bodies, double drive,
                                     const std::vector<PointPath>& paths);
 
 /// The columns of a table: each `name`, `unit` and `values`, null where the linkage cannot be
 /// assembled.
 nlohmann::ordered_json columns_json(const std::vector<problems::Column>& columns);
 
-/// `hole`, `width`, `clearance`, `parts` (name, plane, where their holes and slots are on the
-/// sheet), `planes`, and `pins` (name, planes that they go through; with a thickness their length
+/// `hole`, `width`, `clearance`, `parts` (name, layer, where their holes and slots are on the
+/// sheet), `planes`, and `pins` (name, layers that they go through; with a thickness their length
 /// and the height of the stack).
-nlohmann::ordered_json parts_json(const ToldParts& told);
+nlohmann::ordered_json parts_json(const PartOptions& told);
 
 }  // namespace cognate::app

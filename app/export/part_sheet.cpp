@@ -74,8 +74,8 @@ std::vector<Vec2d> rows_of(const std::vector<Box>& boxes, double gap) {
 
 class SheetMaker {
  public:
-  SheetMaker(const LinkParts& made, const PartPlanes& planes, const PartOrder& order)
-      : made_(made), planes_(planes), order_(order) {}
+  SheetMaker(const LinkParts& made, const PartLayers& layers, const PartOrder& order)
+      : made_(made), layers_(layers), order_(order) {}
 
   PartSheet make() {
     sheet_.plan.title = "Parts";
@@ -130,7 +130,7 @@ class SheetMaker {
   }
 
   std::string label_text(std::size_t i) const {
-    return fmt::format("{} (plane {})", made_.parts[i].name, planes_.planes[i]);
+    return fmt::format("{} (layer {})", made_.parts[i].name, layers_.layers[i]);
   }
 
   /// Room for a label below the part of `box`, which becomes greater by it.
@@ -151,7 +151,7 @@ class SheetMaker {
   }
 
   const LinkParts& made_;
-  const PartPlanes& planes_;
+  const PartLayers& layers_;
   const PartOrder& order_;
   PartSheet sheet_;
   std::vector<PartLabel> labels_;  ///< of each part, in its turned axes
@@ -159,8 +159,8 @@ class SheetMaker {
 
 }  // namespace
 
-PartSheet part_sheet(const LinkParts& made, const PartPlanes& planes, const PartOrder& order) {
-  return SheetMaker(made, planes, order).make();
+PartSheet part_sheet(const LinkParts& made, const PartLayers& layers, const PartOrder& order) {
+  return SheetMaker(made, layers, order).make();
 }
 
 Vec2d on_sheet(const PartPlace& place, const Vec2d& at) {

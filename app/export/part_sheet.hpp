@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "app/drawing/plan.hpp"
 #include "app/export/link_parts.hpp"
-#include "app/export/part_planes.hpp"
-#include "app/export/plan.hpp"
+#include "app/export/part_layers.hpp"
 
 namespace cognate::app {
 
@@ -22,8 +22,8 @@ struct PartSheet {
 
 /// The parts each turned so that its longest side lies along x, in rows, at least the gap apart:
 /// outlines on the layer OUTLINES, holes on HOLES, slots on SLOTS, and on LABELS the name of each
-/// with its plane, on the part where it has room for it, else below.
-PartSheet part_sheet(const LinkParts& made, const PartPlanes& planes, const PartOrder& order);
+/// with its layer, on the part where it has room for it, else below.
+PartSheet part_sheet(const LinkParts& made, const PartLayers& layers, const PartOrder& order);
 
 /// A point of a part on the sheet.
 Vec2d on_sheet(const PartPlace& place, const Vec2d& at);

@@ -70,14 +70,14 @@ tl::expected<ResultCam, std::string> result_cam(const ResultDesign& given) {
     return tl::unexpected(
         fmt::format("{}: designs[{}].mechanism: {}", given.name, given.design - 1, what));
   };
-  const auto problem = problems::parse_cam(toml_text(problem_tables(given)));
+  const auto problem = problems::parse_task<problems::CamProblem>(toml_text(problem_tables(given)));
   if (!problem) return refuse(problem.error().front().message);
   if (!is_whole(*problem)) {
-    return refuse("it is not whole; a table with every dimension of the follower is wanted");
+    return refuse("it is not whole; expected a table with every dimension of the follower");
   }
   auto cam = made_of(*problem);
   if (!cam) {
-    return refuse("its dimensions cannot be put together; a cam that exists is wanted");
+    return refuse("its dimensions cannot be put together; expected a cam that exists");
   }
   return ResultCam{*problem, *std::move(cam)};
 }

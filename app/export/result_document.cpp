@@ -24,20 +24,20 @@ tl::expected<std::string, std::string> text_in(const fs::path& file) {
   std::error_code error;
   const auto status = fs::status(file, error);
   if (!fs::exists(status)) {
-    return refusal(file.string(),
-                   "the file does not exist or cannot be reached; the path of a result file is "
-                   "wanted");
+    return refusal(
+        file.string(),
+        "the file does not exist or cannot be reached; expected the path of a result file");
   }
   if (fs::is_directory(status)) {
-    return refusal(file.string(), "this is a directory; the path of a result file is wanted");
+    return refusal(file.string(), "this is a directory; expected the path of a result file");
   }
   if (fs::is_block_file(status) || fs::is_socket(status)) {
     return refusal(file.string(),
-                   "this is a device or a socket; a regular file or a pipe is wanted");
+                   "this is a device or a socket; expected a regular file or a pipe");
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
-    return refusal(file.string(), "the file cannot be opened; a file that can be read is wanted");
+    return refusal(file.string(), "the file cannot be opened; expected a file that can be read");
   }
   std::string text;
   std::array<char, 1 << 16> part{};
@@ -48,7 +48,7 @@ tl::expected<std::string, std::string> text_in(const fs::path& file) {
     }
   }
   if (stream.bad()) {
-    return refusal(file.string(), "the file cannot be read to its end; a whole file is wanted");
+    return refusal(file.string(), "the file cannot be read to its end; expected a whole file");
   }
   return text;
 }
@@ -77,14 +77,14 @@ tl::expected<ordered_json, std::string> parse_json(std::string_view text, const 
   try {
     ordered_json document = ordered_json::parse(text, keep);
     if (!too_deep) return document;
-    return refusal(name, "its values are nested too deep; a cognate-result/1 is wanted");
+    return refusal(name, "its values are nested too deep; expected a cognate-result/1");
   } catch (const ordered_json::parse_error& error) {
     return refusal(
         fmt::format("{}:{}", name, place(text, error.byte)),
-        fmt::format("not valid JSON: {}; a cognate-result/1 is wanted", reason(error.what())));
+        fmt::format("not valid JSON: {}; expected a cognate-result/1", reason(error.what())));
   } catch (const ordered_json::exception& error) {
-    return refusal(name, fmt::format("not valid JSON: {}; a cognate-result/1 is wanted",
-                                     reason(error.what())));
+    return refusal(
+        name, fmt::format("not valid JSON: {}; expected a cognate-result/1", reason(error.what())));
   }
 }
 
@@ -102,12 +102,12 @@ tl::expected<ResultDesign, std::string> parse_result_design(std::string_view tex
   if (!document) return tl::unexpected(document.error());
   if (text_under(*document, "format") != "cognate-result/1") {
     return refusal(name,
-                   "this is no result of Cognate; a document with \"format\": "
-                   "\"cognate-result/1\" is wanted");
+                   "this is no result of Cognate; expected a document with \"format\": "
+                   "\"cognate-result/1\"");
   }
   auto designs = document->value("designs", ordered_json());
   if (!designs.is_array() || designs.empty()) {
-    return refusal(name, "this result has no design; a result with a design is wanted");
+    return refusal(name, "this result has no design; expected a result with a design");
   }
   const auto index = static_cast<std::size_t>(design - 1);
   if (index >= designs.size()) {
@@ -118,7 +118,7 @@ tl::expected<ResultDesign, std::string> parse_result_design(std::string_view tex
   if (!wanted.is_object() ||
       text_under(wanted.value("mechanism", ordered_json()), "type").empty()) {
     return refusal(name,
-                   fmt::format("designs[{}] has no mechanism with a type; one is wanted", index));
+                   fmt::format("designs[{}] has no mechanism with a type; expected one", index));
   }
   return ResultDesign{document->value("problem", ordered_json()), std::move(wanted), design, name};
 }

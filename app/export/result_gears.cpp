@@ -60,12 +60,12 @@ void note_undercut(ResultGears& gears) {
 }
 
 Made gear_of(const ResultDesign& given) {
-  const auto problem = problems::parse_gear(problem_text(given, "gear"));
+  const auto problem = problems::parse_task<problems::GearProblem>(problem_text(given, "gear"));
   if (!problem) return tl::unexpected(problem.error().front().message);
   const gear::SpurGear section = gear::transverse(problem->gear);
   if (const char* fault = fault_of(section)) {
     return tl::unexpected(
-        fmt::format("the gear has no outline, since {}; a gear that can be made is wanted", fault));
+        fmt::format("the gear has no outline, since {}; expected a gear that can be made", fault));
   }
   ResultGears made{problem->title, std::string(problems::to_string(problem->gearing)), {}, {}};
   made.gears = {{"", section, {}, 0, gear::reference_radius(section)}};
@@ -78,8 +78,8 @@ std::string missing(const GearPairProblem& problem) {
                      problem.profile_shift[0] && problem.profile_shift[1] &&
                      problem.centre_distance;
   if (whole) return {};
-  return "it is not whole; teeth, module, both values of profile_shift and centre_distance are "
-         "wanted";
+  return "it is not whole; expected teeth, module, both values of profile_shift and "
+         "centre_distance";
 }
 
 void note_contact(const gear::PairGeometry& contact, ResultGears& gears) {
@@ -98,7 +98,7 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
   const auto contact = gear::geometry_of_line(pair);
   if (!std::isfinite(mesh.wheel_angle)) {
     return tl::unexpected(std::string(
-        "its base circles overlap, so the gears do not mesh; a greater centre_distance is wanted"));
+        "its base circles overlap, so the gears do not mesh; expected a greater centre_distance"));
   }
   ResultGears made{problem.title, std::string(problems::to_string(problem.gearing)), {}, {}};
   made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
@@ -109,7 +109,8 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
 }
 
 Made pair_of(const ResultDesign& given) {
-  const auto problem = problems::parse_gear_pair(problem_text(given, "gear-pair"));
+  const auto problem =
+      problems::parse_task<problems::GearPairProblem>(problem_text(given, "gear-pair"));
   if (!problem) return tl::unexpected(problem.error().front().message);
   if (const auto what = missing(*problem); !what.empty()) return tl::unexpected(what);
   const problems::GearPairNumbers numbers{{*problem->teeth[0], *problem->teeth[1]},
@@ -120,7 +121,7 @@ Made pair_of(const ResultDesign& given) {
   for (const int i : {0, 1}) {
     if (const char* fault = fault_of(pair.gears[static_cast<std::size_t>(i)])) {
       return tl::unexpected(
-          fmt::format("the {} has no outline, since {}; gears that can be made are wanted",
+          fmt::format("the {} has no outline, since {}; expected gears that can be made",
                       i == 0 ? "pinion" : "wheel", fault));
     }
   }
@@ -130,14 +131,14 @@ Made pair_of(const ResultDesign& given) {
 /// Teeth of bevel gears and worms are no outline in a plane.
 std::string refusal_of(std::string_view gearing) {
   if (gearing == "bevel") {
-    return "the teeth of bevel gears lie on cones and have no outline in a plane; spur or helical "
-           "gears are wanted (kind = \"gear\" with the virtual_teeth of one, rounded, comes near "
+    return "the teeth of bevel gears lie on cones and have no outline in a plane; expected spur or "
+           "helical "
+           "gears (kind = \"gear\" with the virtual_teeth of one, rounded, comes near "
            "it)";
   }
   if (gearing == "worm") {
-    return "the teeth of a worm and its wheel have no outline in a plane; spur or helical gears "
-           "are wanted (kind = \"gear\" with wheel_teeth and wheel_shift is the wheel's middle "
-           "plane)";
+    return "the teeth of a worm and its wheel have no outline in a plane; expected spur or helical "
+           "gears (kind = \"gear\" with wheel_teeth and wheel_shift is the wheel's middle plane)";
   }
   return {};
 }

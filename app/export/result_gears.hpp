@@ -5,26 +5,16 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "analysis/gear/spur_gear.hpp"
-#include "analysis/numbers/vec2.hpp"
+#include "app/drawing/gear_plan.hpp"
 #include "app/export/result_document.hpp"
 
 namespace cognate::app {
-
-/// A gear by its transverse section, and where it stands.
-struct PlacedGear {
-  std::string name;  ///< "pinion" or "wheel"; empty of a gear alone
-  gear::SpurGear section;
-  Vec2d centre{};
-  double angle = 0;         ///< that its first tooth has turned counter-clockwise from the y axis
-  double pitch_radius = 0;  ///< of the circle on which the pair rolls; alone the reference circle
-};
 
 /// A gear, or the two of a pair in mesh.
 struct ResultGears {
   std::string title;
   std::string gearing;
-  std::vector<PlacedGear> gears;
+  std::vector<GearPose> gears;
   std::vector<std::string> notes;  ///< what is wrong with them
 };
 

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "analysis/numbers/constants.hpp"
+#include "app/drawing/drive_span.hpp"
 #include "app/export/toml_text.hpp"
-#include "app/report/drive_span.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {
@@ -79,16 +79,16 @@ ordered_json analysis_tables(const ResultDesign& given) {
 }
 
 /// Lets the drive of a synthesised linkage run where it can be assembled; the error says why not.
-tl::expected<void, std::string> choose_span(ResultLinkage& linkage) {
+tl::expected<void, std::string> choose_span(LinkageScene& linkage) {
   const auto span = drive_span(linkage.problem.mechanism.mechanism, linkage.stations);
   if (!span && is_driven_by_slider(linkage)) {
     return tl::unexpected(
-        std::string("its slider has no two positions between which it could be shown; the "
-                    "result of an analysis is wanted"));
+        std::string("its slider has no two positions between which it could be shown; expected the "
+                    "result of an analysis"));
   }
   if (!span) {
     return tl::unexpected(
-        std::string("it can be assembled nowhere; a mechanism that can be is wanted"));
+        std::string("it can be assembled nowhere; expected a mechanism that can be"));
   }
   linkage.problem.drive.start = span->from;
   linkage.problem.drive.end = span->to;
@@ -99,17 +99,13 @@ tl::expected<void, std::string> choose_span(ResultLinkage& linkage) {
 
 }  // namespace
 
-bool is_driven_by_slider(const ResultLinkage& linkage) {
-  return std::holds_alternative<DrivingSlider<double>>(linkage.problem.mechanism.mechanism.drive);
-}
-
-tl::expected<ResultLinkage, std::string> result_linkage(const ResultDesign& given) {
+tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given) {
   const auto refuse = [&](std::string_view what) {
     return tl::unexpected(fmt::format("{}: designs[{}]: {}", given.name, given.design - 1, what));
   };
-  auto problem = problems::parse_analysis(toml_text(analysis_tables(given)));
+  auto problem = problems::parse_task<problems::AnalysisProblem>(toml_text(analysis_tables(given)));
   if (!problem) return refuse(problem.error().front().message);
-  ResultLinkage linkage{*std::move(problem), false, false, {}, targets(given.problem)};
+  LinkageScene linkage{*std::move(problem), false, false, {}, targets(given.problem)};
   const bool slides = is_driven_by_slider(linkage);
   linkage.stations = stations(given, slides);
   const problems::DriveSweep& drive = linkage.problem.drive;

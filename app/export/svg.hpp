@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/export/plan.hpp"
+#include "app/drawing/plan.hpp"
 
 namespace cognate::app {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/console/messages.hpp"
-#include "app/mpi/mpi_crew.hpp"
+#include "app/mpi/mpi_worker_pool.hpp"
 #include "app/study/processes.hpp"
 
 namespace cognate::app {

@@ -1,8 +1,11 @@
-# Puts the page together from its parts and writes it as a C++ source.
-# OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; STYLES and
-# SCRIPTS in order; WORDS: the texts, a file for each language; LICENCE, LIBRARY and LIBRARY_STYLES:
-# files of the plotting library, or empty; KERNEL: the analysis kernel in base64, or empty.
+# Puts the page together from its parts and writes it as a C++ source, with the modules read in
+# OUTPUT.d for the build.
+# OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; MAIN: the
+# module of the page that imports all others; STYLES in order; WORDS: the texts, a file for each
+# language; LICENCE, LIBRARY and LIBRARY_STYLES: files of the plotting library, or empty; KERNEL: the
+# analysis kernel in base64, or empty.
 cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/modules.cmake")
 
 # join(VARIABLE FILES...): the text of all.
 function(join variable)
@@ -17,7 +20,7 @@ endfunction()
 file(READ page/index.html page)
 file(READ ${CONTENT} content)
 join(style ${STYLES})
-join(script ${SCRIPTS})
+join_modules(${MAIN} script modules)
 
 join(library_style ${LIBRARY_STYLES})
 set(library "")
@@ -32,8 +35,9 @@ set(words "")
 foreach(file IN LISTS WORDS)
   get_filename_component(language ${file} NAME_WE)
   file(READ ${file} text)
-  string(APPEND words "${language}: ${text},")
+  string(APPEND words ",\"${language}\": ${text}")
 endforeach()
+string(SUBSTRING "${words}" 1 -1 words)
 
 string(REPLACE "@CONTENT@" "${content}" page "${page}")
 string(REPLACE "@STYLE@" "${library_style}\n${style}" page "${page}")
@@ -66,3 +70,5 @@ while(left GREATER 0)
 endwhile()
 string(APPEND source "  return text;\n}\n\n}  // namespace cognate::app\n")
 file(WRITE "${OUTPUT}" "${source}")
+list(JOIN modules " " modules)
+file(WRITE "${OUTPUT}.d" "${OUTPUT}: ${modules}\n")

@@ -8,7 +8,7 @@
 namespace cognate::app {
 namespace {
 
-/// More pieces than this have no rows of their own: their borders cannot be told apart.
+/// More pieces than this have no rows of their own: their borders cannot be distinguished.
 constexpr std::size_t kManyPieces = 200;
 
 }  // namespace

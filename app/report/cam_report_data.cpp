@@ -5,10 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/constants.hpp"
-#include "app/report/cam_drawing.hpp"
+#include "app/drawing/cam_drawing.hpp"
+#include "app/report/cam_json.hpp"
 #include "app/report/checks_json.hpp"
-#include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -48,9 +49,9 @@ ordered_json factors_json(const std::optional<cam::PeakFactors>& factors) {
           {"jerk", drawn(factors->jerk)}};
 }
 
-/// The segments of `design`; `facts` are those of their laws, or empty.
+/// The segments of `design`; `quantities` are those of their laws, or empty.
 ordered_json segments_json(const CamDesign& design,
-                           const std::vector<problems::SegmentFacts>& facts) {
+                           const std::vector<problems::SegmentQuantities>& quantities) {
   const bool swings = is_oscillating(design.cam.system.follower.type);
   ordered_json list = ordered_json::array();
   double from = 0;
@@ -61,9 +62,9 @@ ordered_json segments_json(const CamDesign& design,
                     {"over_deg", drawn(kDegreesInRadian * segment.over)},
                     {"rise", drawn((swings ? kDegreesInRadian : 1) * segment.rise)}});
     from += segment.over;
-    if (i >= facts.size()) continue;
-    list.back()["factors"] = factors_json(facts[i].factors);
-    list.back()["handbook"] = factors_json(facts[i].handbook);
+    if (i >= quantities.size()) continue;
+    list.back()["factors"] = factors_json(quantities[i].factors);
+    list.back()["handbook"] = factors_json(quantities[i].handbook);
   }
   return list;
 }
@@ -119,27 +120,25 @@ ordered_json jumps_json(const CamResult& result) {
 ordered_json design_json(const CamProblem& problem, const CamResult& result, std::size_t index) {
   const CamDesign& design = result.designs[index];
   const CamFineness fineness = cam_fineness(result.designs.size());
-  ordered_json entry = drawn_cam(design.cam, problem, design.operation, fineness);
-  if (problem.second.closure == cam::Closure::groove) {
-    entry["outer"] =
-        drawn_curve(design.cam, design.cam.system.follower.dimensions.roller_radius, fineness);
-  }
+  ordered_json entry = cam_json(design.cam, problem, design.operation, fineness);
+  const auto walls = parallel_curves(problem, design.cam, CamCurveKind::profile);
+  if (walls.size() > 1) entry["outer"] = curve_json(design.cam, walls[1].distance, fineness);
   if (design.second) {
     // Of a translating follower the other cam's roller is on the far side of the shaft.
-    entry["second"] = drawn_cam(*design.second, problem, design.operation, fineness);
+    entry["second"] = cam_json(*design.second, problem, design.operation, fineness);
     entry["second"]["turn_deg"] = is_oscillating(problem.follower) ? 0 : 180;
   }
   entry["strokes"] = strokes_json(design.cam.programme);
-  // The laws' facts are those of the best design, and of the others where no law is free.
+  // The laws' quantities are those of the best design, and of the others where no law is free.
   const bool known = index == 0 || problem.free_motion.empty();
   entry["segments"] =
-      segments_json(design, known ? result.segments : std::vector<problems::SegmentFacts>{});
+      segments_json(design, known ? result.segments : std::vector<problems::SegmentQuantities>{});
   entry["segment_count"] = design.motion.size();
   const double speed = design.operation.speed;
   entry["speed"] = speed > 0 ? drawn(speed) : ordered_json(nullptr);
   entry["preload"] =
       problem.has_operation ? drawn(design.operation.preload) : ordered_json(nullptr);
-  entry["metrics"] = facts_json(design.metrics);
+  entry["metrics"] = quantities_json(design.metrics);
   entry["constraints"] = constraints_json(design.constraints);
   entry["proof"] = proof_json(design.proof);
   entry["origin"] = design.origin;

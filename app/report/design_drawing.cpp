@@ -5,15 +5,16 @@
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/report/convex_hull.hpp"
-#include "app/report/design_motion.hpp"
-#include "app/report/drive_span.hpp"
+#include "app/drawing/convex_hull.hpp"
+#include "app/drawing/design_motion.hpp"
+#include "app/drawing/drive_span.hpp"
+#include "app/drawing/mechanism_poses.hpp"
+#include "app/drawing/mechanism_shapes.hpp"
 #include "app/report/guided_body.hpp"
 #include "app/report/mechanism_json.hpp"
-#include "app/report/mechanism_poses.hpp"
-#include "app/report/mechanism_shapes.hpp"
 #include "app/report/report_data.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/guidance/design.hpp"
 
 namespace cognate::app {
 namespace {
@@ -83,13 +84,12 @@ ordered_json outline_json(const Design& design, const GuidedBody& guided) {
 /// else as they were found from where the body stands.
 Pose body_axes(const Design& design, const GuidedBody& guided) {
   const auto& points = design.mechanism.points;
-  const auto& facts = design.metrics.facts;
   const auto origin = std::ranges::find(points, "P", &problems::NamedPoint::name);
-  const auto angle = std::ranges::find(facts, "body_angle_in_link_deg", &problems::Fact::name);
-  if (origin == points.end() || origin->at.body != guided.body || angle == facts.end()) {
+  const auto angle = find_quantity(design.metrics.quantities, problems::kBodyAngleKey);
+  if (origin == points.end() || origin->at.body != guided.body || !angle) {
     return guided.target_in_body;
   }
-  return {origin->at.at, std::get<double>(angle->value) * kPi / 180};
+  return {origin->at.at, *angle};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t kPoints = 6000, kRows = 400;
 
 /// About `most` of `count` indices in equal steps, first and last among them.
-std::vector<std::size_t> thinned(std::size_t count, std::size_t most) {
+std::vector<std::size_t> coarsened(std::size_t count, std::size_t most) {
   std::vector<std::size_t> kept;
   if (count == 0) return kept;
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
@@ -50,7 +50,7 @@ ordered_json drawn_loci(std::span<const problems::Locus> loci) {
       const auto most = std::max<std::size_t>(
           32, static_cast<std::size_t>(share * static_cast<double>(branch.size())));
       ordered_json points = ordered_json::array();
-      for (const std::size_t i : thinned(branch.size(), most))
+      for (const std::size_t i : coarsened(branch.size(), most))
         points.push_back(point_or_gap(branch[i]));
       branches.push_back(points);
     }
@@ -65,7 +65,7 @@ ordered_json drawn_families(std::span<const problems::Family> families) {
     ordered_json columns = ordered_json::array();
     for (const auto& column : family.columns) {
       ordered_json values = ordered_json::array();
-      for (const std::size_t i : thinned(column.values.size(), kRows)) {
+      for (const std::size_t i : coarsened(column.values.size(), kRows)) {
         values.push_back(drawn(column.values[i]));
       }
       columns.push_back({{"name", column.name}, {"values", values}});

@@ -34,9 +34,9 @@ std::string filled_page(std::string page, const ordered_json& data) {
 }
 
 std::string without_kernel(std::string page) {
-  constexpr std::string_view kBefore = "const KERNEL = `";
+  constexpr std::string_view kBefore = R"(id="kernel">)";
   const auto begin = page.find(kBefore) + kBefore.size();
-  return page.erase(begin, page.find('`', begin) - begin);
+  return page.erase(begin, page.find('<', begin) - begin);
 }
 
 bool is_large(const ordered_json& table, const char* member) {

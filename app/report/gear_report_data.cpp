@@ -6,9 +6,9 @@
 
 #include "analysis/gear/line_of_action.hpp"
 #include "app/report/checks_json.hpp"
-#include "app/report/fact_json.hpp"
-#include "app/report/gear_drawing.hpp"
+#include "app/report/gear_json.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/gear/pair_design.hpp"
 
@@ -39,7 +39,7 @@ ordered_json pair_json(const gear::SpurPair& pair, double fineness) {
                         {"centre_distance", drawn(pair.centre_distance)}};
   bool can_be_made = true;
   for (const auto& gear : pair.gears) {
-    entry["gears"].push_back(drawn_gear(gear, fineness));
+    entry["gears"].push_back(gear_json(gear, fineness));
     can_be_made = can_be_made && gear::tooth_fault(gear) == gear::ToothFault::none;
   }
   entry["working_angle"] = drawn(gear::working_pressure_angle(pair));
@@ -85,7 +85,7 @@ ordered_json worm_json(const gear::WormPair& pair, double fineness) {
                                 {"root", drawn(geometry.worm_root_diameter / 2)},
                                 {"pressure_angle", drawn(pair.rack.pressure_angle)},
                                 {"centre_distance", drawn(geometry.centre_distance)}};
-  return {{"gears", ordered_json::array({drawn_gear(wheel, fineness)})}, {"worm", section}};
+  return {{"gears", ordered_json::array({gear_json(wheel, fineness)})}, {"worm", section}};
 }
 
 ordered_json design_json(const GearPairDesign& design, Gearing gearing, double fineness) {
@@ -103,7 +103,7 @@ ordered_json design_json(const GearPairDesign& design, Gearing gearing, double f
   entry["teeth"] = teeth;
   entry["shifts"] = shifts;
   entry["module"] = drawn(is_worm ? settled.worm.module : settled.module.value_or(0));
-  entry["metrics"] = facts_json(design.metrics);
+  entry["metrics"] = quantities_json(design.metrics);
   entry["constraints"] = constraints_json(design.constraints);
   entry["origin"] = design.origin;
   return entry;
@@ -115,14 +115,14 @@ ordered_json gear_report_data(const problems::GearProblem& problem,
                               const problems::GearResult& result) {
   const gear::SpurGear section = gear::transverse(problem.gear);
   const double fineness = gear_fineness(1);
-  ordered_json gear = drawn_gear(section, fineness);
-  gear["rack"] = drawn_rack(section, fineness);
+  ordered_json gear = gear_json(section, fineness);
+  gear["rack"] = rack_json(section, fineness);
   const ordered_json design = {
       {"gears", ordered_json::array({gear})},
       {"teeth", ordered_json::array({drawn(problem.gear.normal.teeth)})},
       {"shifts", ordered_json::array({drawn(problem.gear.normal.profile_shift)})},
       {"module", drawn(problem.gear.normal.module)},
-      {"metrics", facts_json(result.metrics)}};
+      {"metrics", quantities_json(result.metrics)}};
   return {{"kind", "gear"},
           {"gearing", problems::to_string(problem.gearing)},
           {"columns", columns_json(result.columns)},
@@ -138,7 +138,7 @@ ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,
   }
   return {{"kind", "pair"},
           {"gearing", problems::to_string(problem.gearing)},
-          {"facts", facts_json(result.facts)},
+          {"facts", quantities_json(result.quantities)},
           {"designs", designs}};
 }
 

@@ -14,7 +14,7 @@ nlohmann::ordered_json gear_report_data(const problems::GearProblem& problem,
 
 /// For each design its gears, the path of contact on the line of action (from the point where this
 /// touches the pinion's base circle), metrics and constraints; of bevel gears their cones, of a
-/// worm its section; `facts` of the enumeration.
+/// worm its section; `quantities` of the enumeration.
 nlohmann::ordered_json gear_pair_report_data(const problems::GearPairProblem& problem,
                                              const problems::GearPairResult& result);
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/drawn_rows.hpp"
-#include "app/report/fact_json.hpp"
 #include "app/report/mechanism_json.hpp"
+#include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -48,7 +48,7 @@ ordered_json machine_report_data(const MachineProblem& problem, const MachineRes
   ordered_json data = {{"mechanism", nullptr},
                        {"drive", nullptr},
                        {"motions", ordered_json::array()},
-                       {"facts", facts_json(result.facts)}};
+                       {"facts", quantities_json(result.quantities)}};
   for (const MachineMotion& motion : result.motions) data["motions"].push_back(motion_json(motion));
   if (problem.mechanism) {
     problems::AnalysisProblem shown = *problem.mechanism;

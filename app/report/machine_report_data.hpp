@@ -7,7 +7,7 @@
 
 namespace cognate::app {
 
-/// The table of each motion, with the rows thinned that cannot be seen, the facts, and the
+/// The table of each motion, with the rows thinned that cannot be seen, the quantities, and the
 /// mechanism over a turn of its drive (null where the file gives none). Numbers that are only drawn
 /// are rounded to seven significant digits.
 nlohmann::ordered_json machine_report_data(const problems::MachineProblem& problem,

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
-#include "app/report/mechanism_poses.hpp"
-#include "app/report/mechanism_shapes.hpp"
+#include "app/drawing/mechanism_poses.hpp"
+#include "app/drawing/mechanism_shapes.hpp"
 #include "app/report/report_data.hpp"
 
 namespace cognate::app {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/report/drive_span.hpp"
+#include "app/drawing/drive_span.hpp"
 #include "problems/evaluation/problem.hpp"
 
 namespace cognate::app {

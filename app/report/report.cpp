@@ -2,13 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/analysis_report_data.hpp"
-#include "app/report/cam_report_data.hpp"
 #include "app/report/filled_page.hpp"
-#include "app/report/gear_report_data.hpp"
-#include "app/report/machine_report_data.hpp"
-#include "app/report/page.hpp"
-#include "app/report/report_data.hpp"
 
 namespace cognate::app {
 namespace {
@@ -45,51 +39,10 @@ ordered_json without_large_tables(const ordered_json& document) {
 
 }  // namespace
 
-std::string report_html(const ordered_json& result_document, const problems::Problem& problem,
-                        const problems::Result& result) {
-  ordered_json data = report_data(problem, result);
+std::string report_page(std::string page, ordered_json data, const ordered_json& result_document) {
   data["result"] = without_large_tables(result_document);
-  return filled_page(design_page(), data);
-}
-
-std::string report_html(const ordered_json& result_document,
-                        const problems::AnalysisProblem& problem,
-                        const problems::AnalysisResult& result) {
-  ordered_json data = analysis_report_data(problem, result);
-  data["result"] = without_large_tables(result_document);
-  const bool editable = problem.mechanism.type != problems::MechanismType::chain;
-  return filled_page(editable ? analysis_page() : without_kernel(analysis_page()), data);
-}
-
-std::string report_html(const ordered_json& result_document,
-                        const problems::MachineProblem& problem,
-                        const problems::MachineResult& result) {
-  ordered_json data = machine_report_data(problem, result);
-  data["result"] = without_large_tables(result_document);
-  data["thinned"] = are_motions_large(result_document);
-  return filled_page(machine_page(), data);
-}
-
-std::string report_html(const ordered_json& result_document, const problems::CamProblem& problem,
-                        const problems::CamResult& result) {
-  ordered_json data = cam_report_data(problem, result);
-  data["result"] = without_large_tables(result_document);
-  return filled_page(cam_page(), data);
-}
-
-std::string report_html(const ordered_json& result_document, const problems::GearProblem& problem,
-                        const problems::GearResult& result) {
-  ordered_json data = gear_report_data(problem, result);
-  data["result"] = without_large_tables(result_document);
-  return filled_page(gear_page(), data);
-}
-
-std::string report_html(const ordered_json& result_document,
-                        const problems::GearPairProblem& problem,
-                        const problems::GearPairResult& result) {
-  ordered_json data = gear_pair_report_data(problem, result);
-  data["result"] = without_large_tables(result_document);
-  return filled_page(gear_page(), data);
+  if (result_document.contains("machine")) data["thinned"] = are_motions_large(result_document);
+  return filled_page(std::move(page), data);
 }
 
 }  // namespace cognate::app

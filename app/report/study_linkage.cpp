@@ -43,7 +43,7 @@ ordered_json* number_at(ordered_json& file, const problems::KeyPath& path) {
 }  // namespace
 
 std::optional<ordered_json> study_linkage(const problems::Study& study) {
-  const auto base = problems::parse_analysis(study.base_text);
+  const auto base = problems::parse_task<problems::AnalysisProblem>(study.base_text);
   if (!base || !base->mechanism.four_bar) return std::nullopt;
   ordered_json file = {{"mechanism", dimensions(*base->mechanism.four_bar)}};
   for (std::size_t i = 0; i < study.variables.size(); ++i) {

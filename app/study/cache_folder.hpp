@@ -6,7 +6,7 @@
 namespace cognate::app {
 
 /// `$XDG_CACHE_HOME/cognate`, `$HOME/.cache/cognate` where that is not set (`%LOCALAPPDATA%` for
-/// want of both); empty where there is no such folder of the user's. It need not exist.
+/// lack of both); empty where there is no such folder of the user's. It need not exist.
 std::filesystem::path cache_folder();
 
 }  // namespace cognate::app

@@ -49,8 +49,8 @@ struct StudyCounts {
 };
 
 /// The one writer of a study file. Blocks are gathered into a transaction and committed half a
-/// second later or after some ten thousand rows: what has been committed survives whatever ends the
-/// process, and a block is there with all its rows or not at all. Every member throws a
+/// second later or after some ten thousand rows: what has been committed survives whichever way the
+/// process ends, and a block is there with all its rows or not at all. Every member throws a
 /// StudyFileError where the file cannot be read or written; what had been committed is then there.
 class StudyDatabase {
  public:

@@ -15,7 +15,7 @@
 
 namespace cognate::app {
 
-/// What a design came out as, and a value for each name asked for.
+/// What a design came out as, and a value for each name requested.
 struct DesignOutcome {
   problems::RunStatus status = problems::RunStatus::no_solution;
   std::vector<problems::Cell> values;
@@ -32,7 +32,7 @@ std::optional<DesignOutcome> evaluate(const problems::Task& task,
 /// value.
 problems::Cell value_at(const nlohmann::ordered_json& table, std::string_view name);
 
-/// What an analysis is asked for whose rows are of no interest: nothing.
+/// What an analysis is requested whose rows are of no interest: nothing.
 problems::AnalysisOutput no_columns();
 
 /// Appends the names, as `value_at` reads them, of all numbers and words within `value`, whose own

@@ -25,7 +25,7 @@ problems::BlockEvaluator study_evaluator(const problems::Study& study, std::uint
 
 std::int64_t block_size(const problems::Study& study) {
   if (problems::four_bar_evaluator(study, 0, nullptr)) return kBatch;
-  const auto base = problems::parse_analysis(study.base_text);
+  const auto base = problems::parse_task<problems::AnalysisProblem>(study.base_text);
   return base ? kAnalyses : kSolves;
 }
 

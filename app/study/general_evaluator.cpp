@@ -21,8 +21,8 @@ using problems::Study;
 using problems::StudyBlock;
 using problems::StudyFilter;
 
-/// A filter and the place of what it looks at among the variables or the values asked for.
-struct PlacedFilter {
+/// A filter and the place of what it looks at among the variables or the values requested.
+struct FilterRange {
   const StudyFilter* filter = nullptr;
   std::size_t place = 0;
 };
@@ -73,14 +73,14 @@ class GeneralEvaluator {
   /// Empty if interrupted. Without values where the numbers decide.
   std::optional<DesignOutcome> outcome_of(std::span<const double> numbers) {
     const bool allowed = std::ranges::all_of(
-        on_numbers_, [&](const PlacedFilter& on) { return passes(*on.filter, numbers[on.place]); });
+        on_numbers_, [&](const FilterRange& on) { return passes(*on.filter, numbers[on.place]); });
     if (!allowed) return DesignOutcome{RunStatus::filtered, {}};
     const auto task = base_.with(numbers);
     auto outcome = task ? evaluate(*task, names_, seed_, interrupted_)
                         : std::optional(DesignOutcome{RunStatus::invalid, {}});
     if (!outcome) return std::nullopt;
     outcome->values.resize(names_.size());
-    const bool passed = std::ranges::all_of(on_values_, [&](const PlacedFilter& on) {
+    const bool passed = std::ranges::all_of(on_values_, [&](const FilterRange& on) {
       return passes(*on.filter, outcome->values[on.place]);
     });
     if (!passed) outcome->status = RunStatus::filtered;
@@ -105,7 +105,7 @@ class GeneralEvaluator {
   problems::StudyBase base_;
   problems::DesignPoints points_;
   std::vector<std::string> names_;  ///< the metrics of the study, then those of filters alone
-  std::vector<PlacedFilter> on_numbers_, on_values_;
+  std::vector<FilterRange> on_numbers_, on_values_;
   std::vector<double> numbers_;
 };
 

@@ -5,10 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "app/documents/catalogue.hpp"
-#include "app/kinds/cam/catalogue.hpp"
-#include "app/kinds/gear/catalogue.hpp"
-#include "app/kinds/machine/catalogue.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/study/metrics.hpp"
 
 namespace cognate::app {
@@ -55,9 +52,9 @@ std::string metric_unit(std::string_view name) {
   if (ends_part(name, "_at_deg")) return "deg";
   if (ends_part(name, "_at")) return "length";
   name = of_gear(name);
-  for (const auto listed : {metrics(), cam_metrics(), analysis_metrics(), study_extras(),
-                            gear_metrics(), gear_pair_metrics(), machine_metrics()}) {
-    for (const Metric& metric : listed) {
+  for (const MetricList& list : metric_lists()) {
+    if (!list.of_design) continue;
+    for (const Metric& metric : list.metrics) {
       const auto keys = single_keys(metric.key);
       if (std::ranges::find(keys, name) == keys.end()) continue;
       const bool is_bare = metric.unit == "1" || metric.unit == "boolean";

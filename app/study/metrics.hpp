@@ -22,6 +22,10 @@ problems::MetricNames study_metrics(const problems::Task& base);
 tl::expected<problems::Study, std::vector<problems::Fault>> read_study(
     const std::filesystem::path& file);
 
+/// Appends the keys of `listed`, each behind `within`.
+void add_metrics(problems::MetricNames& names, std::span<const Metric> listed,
+                 std::string_view within = "");
+
 /// What a study may ask of the designs of a problem besides its metrics, for `cognate list`.
 std::span<const Metric> study_extras();
 

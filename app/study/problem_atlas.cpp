@@ -7,10 +7,9 @@
 namespace cognate::app {
 
 tl::expected<std::vector<problems::AtlasCurve>, std::vector<problems::Fault>> problem_atlas(
-    const problems::Problem& problem) {
-  const auto* const path = std::get_if<problems::PathProblem>(&problem);
-  if (!path || !path->atlas) return {};
-  const auto& atlas = *path->atlas;
+    const problems::PathProblem& problem) {
+  if (!problem.atlas) return {};
+  const auto& atlas = *problem.atlas;
   return read_atlas(atlas.file).map_error([&](const std::string& why) {
     return std::vector{problems::Fault{atlas.line, atlas.column,
                                        fmt::format("solve.atlas is \"{}\": {}", atlas.name, why)}};

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "app/console/messages.hpp"
-#include "app/console/pace.hpp"
 #include "app/console/paint.hpp"
+#include "app/console/rate_estimate.hpp"
 #include "app/console/text_table.hpp"
 #include "app/study/metric_unit.hpp"
 #include "app/study/summary.hpp"

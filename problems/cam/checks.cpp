@@ -4,14 +4,14 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/cam/extremes.hpp"
-#include "problems/cam/facts.hpp"
+#include "problems/cam/quantities.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
 
-using cam::Stretch;
+using cam::MotionPart;
 
 class Checks {
  public:
@@ -73,27 +73,29 @@ class Checks {
   void add_pressure() {
     const CamConstraints& c = problem_.constraints;
     const double radian = degrees(1);
-    const auto check = [&](const char* name, const std::optional<FoundAt>& found, double most) {
+    const auto check = [&](const char* name, const std::optional<ValueAt>& found, double most) {
       at_most(name, radian * (found ? found->value : 0), radian * most, radian);
     };
     if (c.pressure_angle_max) {
       check("pressure_angle_deg_max", extremes_.pressure_angle(), *c.pressure_angle_max);
     }
     if (c.pressure_angle_max_rise) {
-      check("pressure_angle_deg_max_rise", extremes_.pressure_angle(Stretch::rises),
+      check("pressure_angle_deg_max_rise", extremes_.pressure_angle(MotionPart::rises),
             *c.pressure_angle_max_rise);
     }
     if (c.pressure_angle_max_return) {
-      check("pressure_angle_deg_max_return", extremes_.pressure_angle(Stretch::falls),
+      check("pressure_angle_deg_max_return", extremes_.pressure_angle(MotionPart::falls),
             *c.pressure_angle_max_return);
     }
     if (c.pressure_angle_max_rise_working) {
-      check("pressure_angle_deg_max_rise_working", extremes_.working_pressure_angle(Stretch::rises),
+      check("pressure_angle_deg_max_rise_working",
+            extremes_.working_pressure_angle(MotionPart::rises),
             *c.pressure_angle_max_rise_working);
     }
     if (c.pressure_angle_max_return_working) {
       check("pressure_angle_deg_max_return_working",
-            extremes_.working_pressure_angle(Stretch::falls), *c.pressure_angle_max_return_working);
+            extremes_.working_pressure_angle(MotionPart::falls),
+            *c.pressure_angle_max_return_working);
     }
   }
 

@@ -88,7 +88,7 @@ std::optional<ExactCam> exact_roller(const CamProblem& problem,
 /// ρ = r₀ + s + s″ is least where s + s″ is.
 ExactCam exact_face(const CamProblem& problem, const cam::MotionProgramme& programme) {
   const auto sharpest = turn_extremes(
-      programme, cam::Stretch::whole,
+      programme, cam::MotionPart::whole,
       [](const cam::FollowerMotion<double>& m) { return m.displacement + m.acceleration; });
   const double bound = problem.constraints.curvature_radius_min.value_or(0);
   ExactCam exact;

@@ -1,4 +1,4 @@
-/// @file The extremes of a cam that facts and checks speak of.
+/// @file The extremes of a cam that quantities and checks speak of.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 namespace cognate::problems {
 
 /// A greatest or least value and the cam angle where it is, rad.
-struct FoundAt {
+struct ValueAt {
   double value = 0;
   double angle = 0;
 };
 
 /// The extremes of one cam, which must outlive this: each quantity is looked at over the turn once,
-/// when it is first asked for. One thread at a time.
+/// when it is first requested. One thread at a time.
 class CamExtremes {
  public:
   explicit CamExtremes(const cam::Cam& cam) : cam_(cam) {}
@@ -26,20 +26,20 @@ class CamExtremes {
   const cam::Cam& cam() const { return cam_; }
 
   /// The greatest pressure angle of either sign.
-  FoundAt pressure_angle() const;
+  ValueAt pressure_angle() const;
   /// The greatest of either sign over the rises, or over the falls, their ends included. Nothing
   /// where the motion has none.
-  std::optional<FoundAt> pressure_angle(cam::Stretch stretch) const;
+  std::optional<ValueAt> pressure_angle(cam::MotionPart stretch) const;
   /// The same only on the side to which the cam pushes in the rises; over the falls, only on the
   /// other.
-  std::optional<FoundAt> working_pressure_angle(cam::Stretch stretch) const;
+  std::optional<ValueAt> working_pressure_angle(cam::MotionPart stretch) const;
 
   /// Radii of curvature of the profile: the least where it is convex (negative: undercut, the
   /// profile would turn back on itself), and where it is concave. Nothing where it is nowhere so.
   /// Where the velocity drops suddenly the pitch curve has a corner, of radius 0, and the contact
   /// on a flat face jumps back by the drop.
-  std::optional<FoundAt> convex_radius() const;
-  std::optional<FoundAt> concave_radius() const;
+  std::optional<ValueAt> convex_radius() const;
+  std::optional<ValueAt> concave_radius() const;
 
   /// The least height of a roller above the cam's centre, seen along its travel, or of an arm's or
   /// a face's end likewise: not positive where the follower would pass the centre.
@@ -53,18 +53,18 @@ class CamExtremes {
   double face_width() const;
 
   /// The greatest contact force; `both_ways`, of a form-closed follower, the one of greatest size.
-  FoundAt contact_force(bool both_ways) const;
-  FoundAt least_demand() const;
-  FoundAt torque() const;        ///< of greatest size
-  FoundAt stress() const;        ///< infinite where the profile comes to a point or is undercut
-  FoundAt roller_speed() const;  ///< of greatest size
+  ValueAt contact_force(bool both_ways) const;
+  ValueAt least_demand() const;
+  ValueAt torque() const;        ///< of greatest size
+  ValueAt stress() const;        ///< infinite where the profile comes to a point or is undercut
+  ValueAt roller_speed() const;  ///< of greatest size
 
   /// A derivative of the motion by the cam angle, its greatest size.
-  FoundAt motion(double cam::FollowerMotion<double>::*derivative) const;
+  ValueAt motion(double cam::FollowerMotion<double>::*derivative) const;
 
  private:
-  const cam::TurnExtremes& whole(cam::Quantity quantity) const;
-  std::optional<FoundAt> smooth_convex_radius() const;
+  const cam::TurnExtremes& whole(cam::CamQuantity quantity) const;
+  std::optional<ValueAt> smooth_convex_radius() const;
   const std::vector<cam::Jump>& corners() const;
   const std::array<std::optional<cam::TurnExtremes>, 3>& pressure_of_strokes() const;
 

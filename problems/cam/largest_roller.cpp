@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "problems/cam/extremes.hpp"
-#include "problems/cam/facts.hpp"
+#include "problems/cam/quantities.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/linkage/verify.hpp"
 

@@ -6,7 +6,7 @@
 
 namespace cognate::problems {
 
-/// Whether the roller's radius is free and nothing that is asked for gets better with it: it then
+/// Whether the roller's radius is free and nothing that is requested gets better with it: it then
 /// follows from the cam, as the largest that keeps every limit. (A large roller bears more and
 /// turns more slowly.) Else it is a variable of the search.
 bool frees_roller(const CamProblem& problem);

@@ -6,19 +6,19 @@ namespace cognate::problems {
 namespace {
 
 void add_pressure(const CamConstraints& c, std::vector<CamLimit>& limits) {
-  using cam::Stretch;
-  const auto add = [&](Stretch stretch, const std::optional<double>& most,
+  using cam::MotionPart;
+  const auto add = [&](MotionPart stretch, const std::optional<double>& most,
                        std::initializer_list<double> signs) {
     if (!most) return;
     for (const double sign : signs) {
       limits.push_back({CamLimitKind::pressure, stretch, *most, sign});
     }
   };
-  add(Stretch::whole, c.pressure_angle_max, {1, -1});
-  add(Stretch::rises, c.pressure_angle_max_rise, {1, -1});
-  add(Stretch::falls, c.pressure_angle_max_return, {1, -1});
-  add(Stretch::rises, c.pressure_angle_max_rise_working, {1});
-  add(Stretch::falls, c.pressure_angle_max_return_working, {-1});
+  add(MotionPart::whole, c.pressure_angle_max, {1, -1});
+  add(MotionPart::rises, c.pressure_angle_max_rise, {1, -1});
+  add(MotionPart::falls, c.pressure_angle_max_return, {1, -1});
+  add(MotionPart::rises, c.pressure_angle_max_rise_working, {1});
+  add(MotionPart::falls, c.pressure_angle_max_return_working, {-1});
 }
 
 /// The limit of the file; where stress counts no undercut at least, which has no stress.
@@ -32,7 +32,7 @@ std::optional<double> least_convex_radius(const CamProblem& problem) {
 void add_shape(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const CamConstraints& c = problem.constraints;
   const auto add = [&](CamLimitKind kind, const std::optional<double>& bound) {
-    if (bound) limits.push_back({kind, cam::Stretch::whole, *bound, 1});
+    if (bound) limits.push_back({kind, cam::MotionPart::whole, *bound, 1});
   };
   const bool flat = is_flat(problem.follower);
   add(flat ? CamLimitKind::face_radius : CamLimitKind::convex_radius, least_convex_radius(problem));
@@ -61,7 +61,7 @@ double typical_demand(const CamProblem& problem) {
 void add_motion_limits(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const CamConstraints& c = problem.constraints;
   const auto add = [&](CamLimitKind kind, double bound, double sign = 1) {
-    limits.push_back({kind, cam::Stretch::whole, bound, sign});
+    limits.push_back({kind, cam::MotionPart::whole, bound, sign});
   };
   if (problem.has_operation && problem.preload && c.no_separation &&
       problem.second.closure == cam::Closure::force) {
@@ -76,7 +76,7 @@ void add_motion_limits(const CamProblem& problem, std::vector<CamLimit>& limits)
 void add_forces(const CamProblem& problem, std::vector<CamLimit>& limits) {
   const CamConstraints& c = problem.constraints;
   const auto add = [&](CamLimitKind kind, double bound, double sign = 1) {
-    limits.push_back({kind, cam::Stretch::whole, bound, sign});
+    limits.push_back({kind, cam::MotionPart::whole, bound, sign});
   };
   if (c.contact_force_max) {
     add(CamLimitKind::force, *c.contact_force_max);
@@ -101,7 +101,7 @@ std::vector<CamLimit> cam_limits(const CamProblem& problem) {
   add_forces(problem, limits);
   if (!problem.free_motion.empty()) add_motion_limits(problem, limits);
   if (problem.follower != cam::FollowerType::translating_flat) {
-    limits.push_back({CamLimitKind::assembly, cam::Stretch::whole, 0, 1});
+    limits.push_back({CamLimitKind::assembly, cam::MotionPart::whole, 0, 1});
   }
   return limits;
 }

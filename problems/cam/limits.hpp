@@ -29,7 +29,7 @@ enum class CamLimitKind {
 /// One constraint at every position of a stretch of the turn.
 struct CamLimit {
   CamLimitKind kind = CamLimitKind::pressure;
-  cam::Stretch stretch = cam::Stretch::whole;
+  cam::MotionPart stretch = cam::MotionPart::whole;
   double bound = 0;
   double sign = 1;
 };
@@ -43,12 +43,13 @@ template <class T>
 T stress_margin(const CamLimit& limit, const cam::CamSystem<T>& system,
                 const cam::FollowerMotion<T>& motion, double unit) {
   const double factor = hertz_factor(system.operation) / (limit.bound * limit.bound);
-  const T force = value_of(cam::Quantity::contact_force, system, motion);
+  const T force = value_of(cam::CamQuantity::contact_force, system, motion);
   if (is_flat(system.follower.type)) {
-    return (value_of(cam::Quantity::face_radius, system, motion) - T(factor) * force) * T(1 / unit);
+    return (value_of(cam::CamQuantity::face_radius, system, motion) - T(factor) * force) *
+           T(1 / unit);
   }
   const T& radius = system.follower.dimensions.roller_radius;
-  const T curvature = value_of(cam::Quantity::pitch_curvature, system, motion);
+  const T curvature = value_of(cam::CamQuantity::pitch_curvature, system, motion);
   return T(1) - T(limit.sign) * (radius * curvature + T(factor) * force / radius);
 }
 
@@ -57,8 +58,8 @@ T stress_margin(const CamLimit& limit, const cam::CamSystem<T>& system,
 template <class T>
 T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
          const cam::FollowerMotion<T>& motion, double unit) {
-  using cam::Quantity;
-  const auto value = [&](Quantity quantity) { return value_of(quantity, system, motion); };
+  using cam::CamQuantity;
+  const auto value = [&](CamQuantity quantity) { return value_of(quantity, system, motion); };
   switch (limit.kind) {
     case CamLimitKind::pressure: {
       const double tangent = std::tan(limit.bound);
@@ -67,29 +68,29 @@ T margin(const CamLimit& limit, const cam::CamSystem<T>& system,
              T(1 / (unit * std::hypot(1.0, tangent)));
     }
     case CamLimitKind::convex_radius:
-      return T(1) - value(Quantity::pitch_curvature) *
+      return T(1) - value(CamQuantity::pitch_curvature) *
                         (system.follower.dimensions.roller_radius + T(limit.bound));
     case CamLimitKind::concave_radius: {
       const T beyond = T(limit.bound) - system.follower.dimensions.roller_radius;
       if (!(beyond > T(0))) return T(1);
-      return T(1) + value(Quantity::pitch_curvature) * beyond;
+      return T(1) + value(CamQuantity::pitch_curvature) * beyond;
     }
     case CamLimitKind::outer_wall:
-      return T(1) + value(Quantity::pitch_curvature) *
+      return T(1) + value(CamQuantity::pitch_curvature) *
                         (system.follower.dimensions.roller_radius + T(limit.bound));
     case CamLimitKind::face_radius:
-      return (value(Quantity::face_radius) - T(limit.bound)) * T(1 / unit);
+      return (value(CamQuantity::face_radius) - T(limit.bound)) * T(1 / unit);
     case CamLimitKind::profile_min:
-      return (value(Quantity::squared_radius) - T(limit.bound * limit.bound)) *
+      return (value(CamQuantity::squared_radius) - T(limit.bound * limit.bound)) *
              T(1 / (unit * unit));
     case CamLimitKind::profile_max:
-      return T(1) - value(Quantity::squared_radius) * T(1 / (limit.bound * limit.bound));
+      return T(1) - value(CamQuantity::squared_radius) * T(1 / (limit.bound * limit.bound));
     case CamLimitKind::force:
-      return T(1) - T(limit.sign) * value(Quantity::contact_force) * T(1 / limit.bound);
+      return T(1) - T(limit.sign) * value(CamQuantity::contact_force) * T(1 / limit.bound);
     case CamLimitKind::separation:
-      return value(Quantity::demand) * T(1 / limit.bound);
+      return value(CamQuantity::demand) * T(1 / limit.bound);
     case CamLimitKind::torque:
-      return T(1) - T(limit.sign) * value(Quantity::torque) * T(1 / limit.bound);
+      return T(1) - T(limit.sign) * value(CamQuantity::torque) * T(1 / limit.bound);
     case CamLimitKind::stress:
       return stress_margin(limit, system, motion, unit);
     case CamLimitKind::assembly:

@@ -20,16 +20,16 @@ constexpr double kClearOfCentre = 1 + 1e-3;
 template <class T>
 T objective_value(CamObjective objective, const cam::CamSystem<T>& system,
                   const cam::FollowerMotion<T>& m) {
-  using cam::Quantity;
+  using cam::CamQuantity;
   switch (objective) {
     case CamObjective::pressure_angle:
-      return value_of(Quantity::pressure_angle, system, m);
+      return value_of(CamQuantity::pressure_angle, system, m);
     case CamObjective::contact_force:
-      return value_of(Quantity::contact_force, system, m);
+      return value_of(CamQuantity::contact_force, system, m);
     case CamObjective::torque:
-      return value_of(Quantity::torque, system, m);
+      return value_of(CamQuantity::torque, system, m);
     case CamObjective::contact_stress:
-      return value_of(Quantity::squared_stress, system, m);
+      return value_of(CamQuantity::squared_stress, system, m);
     case CamObjective::size:
       break;
   }
@@ -179,8 +179,8 @@ void CamModel::evaluate_constraints(std::span<const T> x, std::span<T> c) const 
     }
   }
   for (std::size_t i = 0; i < places_.face.size(); ++i, place += 2) {
-    const T width = value_of(cam::Quantity::reach, system, motion[place]) -
-                    value_of(cam::Quantity::reach, system, motion[place + 1]);
+    const T width = value_of(cam::CamQuantity::reach, system, motion[place]) -
+                    value_of(cam::CamQuantity::reach, system, motion[place + 1]);
     c[k++] = T(1) - width * T(1 / *problem.constraints.face_width_max);
   }
 }

@@ -44,9 +44,9 @@ void add_other_side(const CamProblem& problem, const CamDesign& design,
   const CamConstraints& c = problem.constraints;
   if (c.pressure_angle_max) return;
   const CamExtremes extremes(design.cam);
-  FoundAt greatest;
+  ValueAt greatest;
   double strictest = 0;
-  const auto add = [&](cam::Stretch stretch, const std::optional<double>& both,
+  const auto add = [&](cam::MotionPart stretch, const std::optional<double>& both,
                        const std::optional<double>& working, double most) {
     const auto here = extremes.pressure_angle(stretch);
     const double limit = both ? *both : working.value_or(most);
@@ -58,8 +58,9 @@ void add_other_side(const CamProblem& problem, const CamDesign& design,
   };
   const double rise = most_of(c.pressure_angle_max_rise, c.pressure_angle_max_rise_working);
   const double fall = most_of(c.pressure_angle_max_return, c.pressure_angle_max_return_working);
-  add(cam::Stretch::rises, c.pressure_angle_max_rise, c.pressure_angle_max_rise_working, fall);
-  add(cam::Stretch::falls, c.pressure_angle_max_return, c.pressure_angle_max_return_working, rise);
+  add(cam::MotionPart::rises, c.pressure_angle_max_rise, c.pressure_angle_max_rise_working, fall);
+  add(cam::MotionPart::falls, c.pressure_angle_max_return, c.pressure_angle_max_return_working,
+      rise);
   if (strictest == 0) return;
   notes.push_back(fmt::format(
       "At {:.6g}° the pressure angle is {:.4g}°, on the side that the limits of rise and return do "
@@ -133,7 +134,7 @@ std::optional<std::string> motion_impossibility(const CamProblem& problem,
   if (problem.follower != cam::FollowerType::oscillating_flat) return std::nullopt;
   const double sign = sign_of(problem.side);
   const auto fastest =
-      turn_extremes(programme, cam::Stretch::whole,
+      turn_extremes(programme, cam::MotionPart::whole,
                     [sign](const cam::FollowerMotion<double>& m) { return -sign * m.velocity; });
   if (fastest->greatest.value < 1) return std::nullopt;
   return fmt::format(

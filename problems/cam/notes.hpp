@@ -9,7 +9,7 @@
 
 namespace cognate::problems {
 
-/// Why the motion of `problem` cannot be had from any cam of the kind asked for; nothing where it
+/// Why the motion of `problem` cannot be had from any cam of the kind requested; nothing where it
 /// can.
 std::optional<std::string> motion_impossibility(const CamProblem& problem,
                                                 const cam::MotionProgramme& programme);

@@ -4,11 +4,13 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "analysis/cam/follower.hpp"
 #include "analysis/cam/motion_law.hpp"
 #include "analysis/cam/operation.hpp"
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
@@ -97,6 +99,13 @@ struct CamProblem {
   /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }
   CamLength& length(CamDimension d) { return lengths[static_cast<int>(d)]; }
+};
+
+template <>
+struct KindTraits<CamProblem> {
+  static constexpr std::string_view kWord = "cam";
+  static CamProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<CamProblem, std::vector<std::string>> checked(const CamProblem& problem);
 };
 
 template <>

@@ -1,7 +1,6 @@
-#include "problems/cam/read.hpp"
-
 #include <fmt/core.h>
 
+#include "problems/cam/problem.hpp"
 #include "problems/cam/read_bounds.hpp"
 #include "problems/cam/read_constraints.hpp"
 #include "problems/cam/read_follower.hpp"
@@ -9,6 +8,7 @@
 #include "problems/cam/read_motion.hpp"
 #include "problems/cam/read_operation.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -28,10 +28,10 @@ void read_solve(TableReader& solve, CamProblem& problem) {
   if (!solve.has("designs")) problem.solve.designs = 1;
   const SolverChoice solver = problem.solve.solver;
   if (solver != SolverChoice::ceres && solver != SolverChoice::gauss_newton) return;
-  solve.fault("solver", fmt::format("is \"{}\", which minimises sums of squares, and a cam's "
-                                    "objective is none; \"auto\" or a solver of NLopt or Ipopt is "
-                                    "wanted",
-                                    to_string(solver)));
+  solve.fault("solver",
+              fmt::format("is \"{}\", which minimises sums of squares, and a cam's objective is "
+                          "none; expected \"auto\" or a solver of NLopt or Ipopt",
+                          to_string(solver)));
 }
 
 void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
@@ -56,7 +56,13 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
 
 }  // namespace
 
-CamProblem read_cam_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+CamProblem KindTraits<CamProblem>::read(reading::TableReader& document,
+                                        const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   CamProblem problem;
   Tables tables{document.table("follower"), document.table("mechanism"),   document.table("bounds"),
                 document.table("target"),   document.table("constraints"), document.table("solve")};
@@ -68,4 +74,4 @@ CamProblem read_cam_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -97,10 +97,11 @@ bool may_grow(const CamProblem& problem) {
 
 void check_cam_size(TableReader& mechanism, const CamProblem& problem) {
   if (lacks_length(problem)) {
-    mechanism.fault(kBase,
-                    "is free and so is every other length, and angles alone do not say how large "
-                    "a cam is; one of base_radius, centre_distance and arm, or a lower bound of "
-                    "one, is wanted");
+    mechanism.fault(
+        kBase,
+        "is free and so is every other length, and angles alone do not say how large "
+        "a cam is; expected one of base_radius, centre_distance and arm, or a lower bound of "
+        "one");
     return;
   }
   if (may_shrink(problem)) {
@@ -110,9 +111,10 @@ void check_cam_size(TableReader& mechanism, const CamProblem& problem) {
                     "profile_radius_min, the roller's radius with no_undercut, or a lower bound");
   }
   if (may_grow(problem)) {
-    mechanism.fault(kBase,
-                    "is free, and the objective is the less the larger the cam is; an upper "
-                    "bound, bounds.base_radius or constraints.profile_radius_max, is wanted");
+    mechanism.fault(
+        kBase,
+        "is free, and the objective is the less the larger the cam is; expected an upper "
+        "bound, bounds.base_radius or constraints.profile_radius_max");
   }
 }
 

@@ -32,18 +32,19 @@ std::optional<int> order_of(TableReader& table, const Orders& keys) {
     ++count;
   }
   if (count == 1) return order;
-  table.fault(keys[0], fmt::format("{}, or velocity, acceleration or jerk instead; one of them is "
-                                   "wanted",
-                                   count == 0 ? "is missing" : "is given beside another"));
+  table.fault(keys[0],
+              fmt::format("{}, or velocity, acceleration or jerk instead; expected one of them",
+                          count == 0 ? "is missing" : "is given beside another"));
   return std::nullopt;
 }
 
 std::optional<MotionCondition> read_condition(TableReader& table, bool oscillating,
                                               const cam::MotionSegment& segment, double over_deg) {
   if (!table.has("at_deg")) {
-    table.fault("at_deg", fmt::format("is missing; an angle in degrees from 0 to {} from the "
-                                      "segment's beginning is wanted",
-                                      over_deg));
+    table.fault("at_deg",
+                fmt::format("is missing; expected an angle in degrees from 0 to {} from the "
+                            "segment's beginning",
+                            over_deg));
   }
   const auto at = table.number("at_deg", kPlaceInSegment);
   const Orders keys = orders(oscillating);
@@ -53,9 +54,9 @@ std::optional<MotionCondition> read_condition(TableReader& table, bool oscillati
   table.finish();
   if (!at || !value) return std::nullopt;
   if (*at > over_deg) {
-    table.fault("at_deg", fmt::format("is {}, beyond the segment; an angle from 0 to {} degrees "
-                                      "is wanted",
-                                      *at, over_deg));
+    table.fault("at_deg",
+                fmt::format("is {}, beyond the segment; expected an angle from 0 to {} degrees",
+                            *at, over_deg));
     return std::nullopt;
   }
   const bool angle = oscillating && *order == 0;
@@ -88,18 +89,19 @@ bool check_conditions(TableReader& table, const cam::MotionSegment& segment) {
   }
   const std::size_t count = count_with_ends(segment);
   if (count > kMostConditions) {
-    table.fault(kConditions, fmt::format("are {} with the displacements of both ends; at most {} "
-                                         "are wanted",
-                                         count, kMostConditions));
+    table.fault(kConditions,
+                fmt::format("are {} with the displacements of both ends; expected at most {}",
+                            count, kMostConditions));
     return false;
   }
   std::vector<cam::MotionPiece<double>> pieces;
   if (cam::append_pieces(segment, 0, 0, 0, pieces)) return true;
-  table.fault(kConditions,
-              fmt::format("have no polynomial of degree {} that meets them all, or many; "
-                          "conditions that differ in angle or derivative and do not leave a "
-                          "lower derivative open everywhere are wanted",
-                          count - 1));
+  table.fault(
+      kConditions,
+      fmt::format("have no polynomial of degree {} that meets them all, or many; "
+                  "expected conditions that differ in angle or derivative and do not leave a "
+                  "lower derivative open everywhere",
+                  count - 1));
   return false;
 }
 
@@ -112,7 +114,7 @@ std::optional<Two> read_ends(TableReader& table, std::string_view key) {
 void refuse(TableReader& table, std::initializer_list<std::string_view> keys,
             std::string_view why) {
   for (const std::string_view key : keys) {
-    if (table.has(key)) table.fault(key, fmt::format("is given, but {}; leave it out", why));
+    if (table.has(key)) table.fault(key, fmt::format("is given, but {}; remove it", why));
   }
 }
 
@@ -121,7 +123,7 @@ bool read_points(TableReader& table, bool oscillating, double over_deg,
   const std::string_view form =
       oscillating ? "[at_deg, displacement_deg]" : "[at_deg, displacement]";
   if (!table.has(kPoints)) {
-    table.fault(kPoints, fmt::format("is missing; an array of {} is wanted", form));
+    table.fault(kPoints, fmt::format("is missing; expected an array of {}", form));
     return false;
   }
   const auto points = table.twos(kPoints, kQuantity, form, {1, kMostPoints, "points"});
@@ -131,10 +133,11 @@ bool read_points(TableReader& table, bool oscillating, double over_deg,
     const auto& [at, displacement] = (*points)[i];
     const double share = radians(at) / segment.over;
     if (!(share > last) || !(share < 1)) {
-      table.faults().add(table.where(kPoints, i),
-                         fmt::format("entry {} of {} stands at {} degrees; angles that increase, "
-                                     "above 0 and below {}, are wanted",
-                                     i + 1, table.name(kPoints), at, over_deg));
+      table.faults().add(
+          table.where(kPoints, i),
+          fmt::format("entry {} of {} stands at {} degrees; expected angles that increase, "
+                      "above 0 and below {}",
+                      i + 1, table.name(kPoints), at, over_deg));
       return false;
     }
     segment.points.push_back({share, oscillating ? radians(displacement) : displacement});
@@ -149,7 +152,7 @@ bool read_degree(TableReader& table, cam::MotionSegment& segment) {
   if (table.has(kDegree) && !degree) return false;
   segment.degree = degree.value_or(segment.degree);
   if (segment.degree != 4) return true;
-  table.fault(kDegree, "is 4; 3 or 5 is wanted");
+  table.fault(kDegree, "is 4; expected 3 or 5");
   return false;
 }
 
@@ -158,17 +161,18 @@ bool check_periodic(TableReader& table, double over_deg, const cam::MotionSegmen
   refuse(table, {"velocity", "acceleration"}, "the ends of a periodic spline follow");
   if (over_deg == 360 && segment.rise == 0) return true;
   table.fault("periodic",
-              "is true, but the segment is no whole turn without rise; over_deg = 360 "
-              "and a rise of 0 are wanted");
+              "is true, but the segment is no whole turn without rise; expected over_deg = 360 "
+              "and a rise of 0");
   return false;
 }
 
 bool check_spline(TableReader& table, const cam::MotionSegment& segment) {
   std::vector<cam::MotionPiece<double>> pieces;
   if (cam::append_pieces(segment, 0, 0, 0, pieces)) return true;
-  table.fault(kPoints, fmt::format("have no spline of degree {} that can be computed; points "
-                                   "farther apart are wanted",
-                                   segment.degree));
+  table.fault(kPoints,
+              fmt::format("have no spline of degree {} that can be computed; expected points "
+                          "farther apart",
+                          segment.degree));
   return false;
 }
 
@@ -177,9 +181,9 @@ bool check_spline(TableReader& table, const cam::MotionSegment& segment) {
 bool read_conditions(TableReader& table, bool oscillating, double over_deg,
                      cam::MotionSegment& segment) {
   if (!table.has(kConditions)) {
-    table.fault(kConditions,
-                "is missing; an array of {at_deg, displacement | velocity | acceleration | jerk} "
-                "is wanted");
+    table.fault(
+        kConditions,
+        "is missing; expected an array of {at_deg, displacement | velocity | acceleration | jerk}");
     return false;
   }
   const std::size_t before = table.faults().size();
@@ -189,8 +193,8 @@ bool read_conditions(TableReader& table, bool oscillating, double over_deg,
     const auto same = [&](const auto& other) { return same_place(other, *condition); };
     if (std::ranges::any_of(segment.conditions, same)) {
       row.fault("at_deg",
-                "is that of another condition on the same derivative; each at an angle "
-                "once is wanted");
+                "is that of another condition on the same derivative; expected each at an angle "
+                "once");
     }
     segment.conditions.push_back(*condition);
   }

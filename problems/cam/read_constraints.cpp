@@ -48,7 +48,7 @@ void read_undercut(TableReader& table, CamConstraints& constraints) {
 void refuse_where(TableReader& table, std::string_view key, bool meaningless, FollowerType follower,
                   std::string_view why) {
   if (!meaningless || !table.has(key)) return;
-  table.fault(key, fmt::format("is given, but {} {}; leave it out", in_words(follower), why));
+  table.fault(key, fmt::format("is given, but {} {}; remove it", in_words(follower), why));
 }
 
 void read_profile(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
@@ -62,9 +62,9 @@ void read_profile(TableReader& table, const CamProblem& problem, CamConstraints&
   const auto& least = constraints.profile_radius_min;
   const auto& greatest = constraints.profile_radius_max;
   if (least && greatest && *least > *greatest) {
-    table.fault(kLeast, fmt::format("is {}, more than profile_radius_max = {}; at most that is "
-                                    "wanted",
-                                    *least, *greatest));
+    table.fault(kLeast,
+                fmt::format("is {}, more than profile_radius_max = {}; expected at most that",
+                            *least, *greatest));
   }
 }
 
@@ -72,7 +72,7 @@ void check_known(TableReader& table, std::string_view key, const CamProblem& pro
   if (!table.has(key)) return;
   const std::string missing = missing_for_forces(problem, stress);
   if (missing.empty()) return;
-  table.fault(key, fmt::format("is given without what it follows from; {} is wanted", missing));
+  table.fault(key, fmt::format("is given without what it follows from; expected {}", missing));
 }
 
 // Of two contacts of constant breadth the angle of the first face is also that of the second, but
@@ -87,7 +87,7 @@ void check_contact(TableReader& table, std::string_view key, const CamProblem& p
   if (!hides_second_contact(problem, stress)) return check_known(table, key, problem, stress);
   if (!table.has(key)) return;
   table.fault(key, fmt::format("is given, but with closure = \"constant-breadth\" the {} of the "
-                               "second contact is not judged; leave it out",
+                               "second contact is not judged; remove it",
                                stress ? "curvature" : "pressure angle"));
 }
 
@@ -97,11 +97,11 @@ void check_contact_objective(TableReader& target, std::string_view key, const Ca
   if (!pair && !hides_second_contact(problem, stress)) {
     return check_known(target, key, problem, stress);
   }
-  target.fault(key, fmt::format("is \"{}\", but with closure = \"{}\" {}; another objective is "
-                                "wanted",
-                                to_string(problem.objective), to_string(problem.second.closure),
-                                pair ? "only the first of both cams would be judged"
-                                     : "the second contact would not be judged"));
+  target.fault(key,
+               fmt::format("is \"{}\", but with closure = \"{}\" {}; expected another objective",
+                           to_string(problem.objective), to_string(problem.second.closure),
+                           pair ? "only the first of both cams would be judged"
+                                : "the second contact would not be judged"));
 }
 
 void read_forces(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
@@ -117,7 +117,7 @@ void read_forces(TableReader& table, const CamProblem& problem, CamConstraints& 
   if (!table.has(kSeparation)) return;
   if (problem.second.closure != cam::Closure::force) {
     table.fault(kSeparation, fmt::format("is given, but closure = \"{}\" lets nothing separate; "
-                                         "leave it out",
+                                         "remove it",
                                          to_string(problem.second.closure)));
     return;
   }
@@ -149,8 +149,8 @@ void read_cam_objective(TableReader& target, CamProblem& problem) {
       return;
     case CamObjective::pressure_angle:
       if (!has_no_pressure_angle(problem)) return;
-      target.fault(kObjective, fmt::format("is \"pressure-angle\", which is 0 for {} whatever its "
-                                           "cam; another objective is wanted",
+      target.fault(kObjective, fmt::format("is \"pressure-angle\", which is 0 for {} for any "
+                                           "cam; expected another objective",
                                            in_words(problem.follower)));
       return;
     case CamObjective::contact_force:
@@ -161,7 +161,7 @@ void read_cam_objective(TableReader& target, CamProblem& problem) {
       if (problem.follower == FollowerType::translating_knife) {
         target.fault(kObjective,
                      "is \"contact-stress\", which is infinite under a knife edge; "
-                     "another objective, or a roller, is wanted");
+                     "expected another objective, or a roller");
         return;
       }
       return check_contact_objective(target, kObjective, problem, true);

@@ -17,8 +17,8 @@ constexpr std::string_view kType = "type", kSide = "side", kClosure = "closure",
 void read_side(TableReader& follower, CamProblem& problem) {
   const auto side = follower.choice<cam::ArmSide>(kSide);
   if (follower.has(kSide) && !is_oscillating(problem.follower)) {
-    follower.fault(kSide, fmt::format("is given, but {} has no arm; leave it out",
-                                      in_words(problem.follower)));
+    follower.fault(
+        kSide, fmt::format("is given, but {} has no arm; remove it", in_words(problem.follower)));
   }
   problem.side = side.value_or(problem.side);
 }
@@ -32,11 +32,11 @@ std::string_view only_for(Closure closure, FollowerType type) {
       return {};
     case Closure::groove:
     case Closure::conjugate:
-      return roller ? "" : "a roller, translating or oscillating, is wanted for it";
+      return roller ? "" : "expected a roller, translating or oscillating";
     case Closure::constant_breadth:
       return type == FollowerType::translating_flat || type == FollowerType::translating_roller
                  ? ""
-                 : "a translating flat face or a translating roller is wanted for it";
+                 : "expected a translating flat face or a translating roller";
   }
   return {};
 }
@@ -51,15 +51,15 @@ void read_breadth(TableReader& follower, CamProblem& problem) {
   if (follower.has(kBreadth) && (!two || swings)) {
     follower.fault(kBreadth,
                    "is given, but belongs to a translating follower with closure = \"conjugate\" "
-                   "or \"constant-breadth\"; leave it out");
+                   "or \"constant-breadth\"; remove it");
   }
   if (follower.has(kArms) && (!two || !swings)) {
     follower.fault(kArms,
                    "is given, but belongs to an oscillating follower with closure = "
-                   "\"conjugate\"; leave it out");
+                   "\"conjugate\"; remove it");
   }
   if (two && swings && !follower.has(kArms)) {
-    follower.fault(kArms, fmt::format("is missing; the angle between the two arms, {}, is wanted",
+    follower.fault(kArms, fmt::format("is missing; expected the angle between the two arms, {}",
                                       kArmsAngle.allowed));
   }
   second.breadth = breadth;
@@ -69,7 +69,7 @@ void read_breadth(TableReader& follower, CamProblem& problem) {
 void read_closure(TableReader& follower, CamProblem& problem) {
   const auto closure = follower.choice<Closure>(kClosure);
   problem.second.closure = closure.value_or(Closure::force);
-  if (follower.has(kClosure) && !closure) {  // what else belongs to it cannot be told
+  if (follower.has(kClosure) && !closure) {  // what else belongs to it cannot be known
     follower.know({kBreadth, kArms});
     return;
   }
@@ -111,7 +111,7 @@ bool read_follower(TableReader& follower, CamProblem& problem) {
   if (!follower.has(kType)) {
     std::vector<std::string_view> types;
     for (const auto& named : names<FollowerType>()) types.push_back(named.name);
-    follower.fault(kType, fmt::format("is missing; {} is wanted", quoted_list(types)));
+    follower.fault(kType, fmt::format("is missing; expected {}", quoted_list(types)));
     return false;
   }
   const auto type = follower.choice<FollowerType>(kType);

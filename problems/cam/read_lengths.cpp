@@ -53,7 +53,7 @@ void refuse(TableReader& table, CamDimension dimension, FollowerType type) {
   const std::string_view key = to_string(dimension);
   if (!table.contains(key)) return;
   table.know({key});
-  table.fault(key, fmt::format("is given, but {} has none; leave it out", in_words(type)));
+  table.fault(key, fmt::format("is given, but {} has none; remove it", in_words(type)));
 }
 
 Range read_bounds(TableReader& bounds, CamDimension dimension) {
@@ -63,7 +63,7 @@ Range read_bounds(TableReader& bounds, CamDimension dimension) {
   }
   const auto range = bounds.range(key, kCamLengthLimit);
   if (range && range->max == 0) {
-    bounds.fault(key, "is [0, 0]; lengths are positive, [min, max] with max > 0 is wanted");
+    bounds.fault(key, "is [0, 0]; lengths are positive, expected [min, max] with max > 0");
   }
   return range.value_or(Range{0, kInfinity});
 }
@@ -75,7 +75,7 @@ std::optional<double> read_given(TableReader& table, CamDimension dimension, Fol
   }
   const auto radius = table.number(key, kRadiusOrNone);
   if (radius.value_or(0) != 0) {
-    table.fault(key, fmt::format("is {}, but a knife edge has none; 0 is wanted, or type = "
+    table.fault(key, fmt::format("is {}, but a knife edge has none; expected 0, or type = "
                                  "\"translating-roller\"",
                                  *radius));
   }
@@ -119,7 +119,7 @@ void check_opposite_roller(CamLengthTables& tables, const CamProblem& problem) {
   tables.mechanism.fault("offset",
                          fmt::format("is {}, but the second roller of closure = "
                                      "\"constant-breadth\" would stand at the other side of the "
-                                     "cam's centre; 0 is wanted",
+                                     "cam's centre; expected 0",
                                      offset));
 }
 
@@ -127,11 +127,11 @@ void check_offset(CamLengthTables& tables, const CamProblem& problem) {
   const auto& base = problem.length(CamDimension::base_radius).given;
   const auto& offset = problem.length(CamDimension::offset).given;
   if (!base || !offset || std::abs(*offset) < *base) return;
-  tables.mechanism.fault("offset",
-                         fmt::format("is {}, so that the follower's line passes the base circle "
-                                     "of radius {} without meeting it; less than {} of either "
-                                     "sign is wanted",
-                                     *offset, *base, *base));
+  tables.mechanism.fault(
+      "offset", fmt::format("is {}, so that the follower's line passes the base circle "
+                            "of radius {} without meeting it; expected less than {} of either "
+                            "sign",
+                            *offset, *base, *base));
 }
 
 void check_roller(CamLengthTables& tables, const CamProblem& problem) {
@@ -141,7 +141,7 @@ void check_roller(CamLengthTables& tables, const CamProblem& problem) {
   table_of(tables, CamDimension::roller_radius)
       .fault("roller_radius",
              fmt::format("is {}, and base_radius, of the roller's centre, is {}, so that nothing "
-                         "is left of the cam; less than {} is wanted",
+                         "is left of the cam; expected less than {}",
                          *roller, *base, *base));
 }
 
@@ -151,10 +151,10 @@ void check_swing(CamLengthTables& tables, const CamProblem& problem, double star
   if (end < limit) return;
   tables.mechanism.fault(
       "centre_distance",
-      fmt::format("and the other lengths put the follower at {:.6g} degrees from the line of "
-                  "centres on the base circle and at {:.6g} when it has risen; less than {} is "
-                  "wanted",
-                  degrees(start), degrees(end), degrees(limit)));
+      fmt::format(
+          "and the other lengths put the follower at {:.6g} degrees from the line of centres on "
+          "the base circle and at {:.6g} when it has risen; expected less than {}",
+          degrees(start), degrees(end), degrees(limit)));
 }
 
 void check_arm(CamLengthTables& tables, const CamProblem& problem) {
@@ -167,7 +167,7 @@ void check_arm(CamLengthTables& tables, const CamProblem& problem) {
     tables.mechanism.fault(
         "base_radius",
         fmt::format("is {}, but an arm of {} about a pivot {} from the cam's centre carries its "
-                    "roller from {} to {} from there; a base radius between these is wanted",
+                    "roller from {} to {} from there; expected a base radius between these",
                     *base, *arm, *centre, least, most));
     return;
   }
@@ -185,7 +185,7 @@ void check_face(CamLengthTables& tables, const CamProblem& problem) {
     tables.mechanism.fault(
         "base_radius",
         fmt::format("is {} with a face_offset of {}, so that a face about a pivot {} from the "
-                    "cam's centre cannot touch the base circle; a sum of less than {} is wanted",
+                    "cam's centre cannot touch the base circle; expected a sum of less than {}",
                     *base, *offset, *centre, *centre));
     return;
   }
@@ -207,7 +207,7 @@ void check_cam_assembly(CamLengthTables& tables, const CamProblem& problem) {
   if (swing >= kPi) {
     tables.follower.fault("type",
                           fmt::format("is \"{}\", which the motion swings by {:.6g} degrees; "
-                                      "less than 180 is wanted",
+                                      "expected less than 180",
                                       to_string(type), degrees(swing)));
     return;
   }

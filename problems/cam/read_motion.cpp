@@ -43,11 +43,11 @@ void check_angles(TableReader& document, const std::vector<CamSegment>& segments
   const double rounding = kSame * static_cast<double>(segments.size());
   if (most < kTurn - rounding) {
     document.fault(kMotion, fmt::format("has angles that add up to {}{:.12g} degrees, {:.12g} are "
-                                        "missing; a whole turn of 360 is wanted",
+                                        "missing; expected a whole turn of 360",
                                         least < most ? "at most " : "", most, kTurn - most));
   } else if (least > kTurn + rounding) {
     document.fault(kMotion, fmt::format("has angles that add up to {}{:.12g} degrees, {:.12g} too "
-                                        "many; a whole turn of 360 is wanted",
+                                        "many; expected a whole turn of 360",
                                         least < most ? "at least " : "", least, least - kTurn));
   }
 }
@@ -109,8 +109,7 @@ void check_moves(TableReader& document, const std::vector<CamSegment>& segments)
   const auto rests = [](const CamSegment& s) { return s.segment.law == MotionLaw::dwell; };
   if (!std::ranges::all_of(segments, rests)) return;
   document.fault(kMotion,
-                 "has dwells only, and a round disc would do; a rise and a return are "
-                 "wanted");
+                 "has dwells only, and a round disc would do; expected a rise and a return");
 }
 
 void check_periodic(TableReader& document, const std::vector<CamSegment>& segments) {
@@ -130,7 +129,7 @@ void read_cam_motion(TableReader& document, CamProblem& problem) {
   const bool oscillating = is_oscillating(problem.follower);
   if (!document.has(kMotion)) {
     document.fault(kMotion,
-                   "is missing; tables [[motion]], each with law, over_deg and rise, are wanted");
+                   "is missing; expected tables [[motion]], each with law, over_deg and rise");
     return;
   }
   const std::size_t before = document.faults().size();

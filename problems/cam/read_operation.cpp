@@ -16,9 +16,10 @@ bool read_inertia(TableReader& follower, CamProblem& problem) {
   const std::string_view other = swings ? kMassKey : kInertia;
   if (follower.contains(other)) {
     follower.know({other});
-    follower.fault(other, swings ? "is given, but the follower oscillates; inertia about its "
-                                   "pivot is wanted"
-                                 : "is given, but the follower translates; mass is wanted");
+    follower.fault(other, swings
+                              ? "is given, but the follower oscillates; expected inertia about its "
+                                "pivot"
+                              : "is given, but the follower translates; expected mass");
   }
   problem.operation.inertia = follower.number(key, kMass).value_or(0);
   return follower.has(key);
@@ -39,7 +40,7 @@ bool read_masses_and_forces(TableReader& follower, CamProblem& problem) {
 }
 
 void require(TableReader& contact, std::string_view key, std::string_view wanted) {
-  if (!contact.has(key)) contact.fault(key, fmt::format("is missing; {} is wanted", wanted));
+  if (!contact.has(key)) contact.fault(key, fmt::format("is missing; expected {}", wanted));
 }
 
 void read_contact(TableReader& contact, CamProblem& problem) {
@@ -88,7 +89,7 @@ void read_cam_operation(TableReader& document, TableReader& follower, CamProblem
   problem.has_operation = read_masses_and_forces(follower, problem);
   if (problem.operation.inertia > 0 && !drive.has(kSpeed)) {
     drive.fault(kSpeed, fmt::format("is missing, without which follower.{} presses on nothing; "
-                                    "{} is wanted",
+                                    "expected {}",
                                     is_oscillating(problem.follower) ? kInertia : kMassKey,
                                     kTurningSpeed.allowed));
   }
@@ -97,12 +98,12 @@ void read_cam_operation(TableReader& document, TableReader& follower, CamProblem
   TableReader contact = document.table("contact");
   if (problem.follower == cam::FollowerType::translating_knife) {
     document.fault("contact",
-                   "is given, but a knife edge presses without limit; leave it out, or "
+                   "is given, but a knife edge presses without limit; remove it, or "
                    "take a roller");
   }
   if (!problem.has_operation) {
     document.fault("contact", fmt::format("is given, but nothing presses the follower on the cam; "
-                                          "{} is wanted besides",
+                                          "expected {} as well",
                                           missing_for_forces(problem, false)));
   }
   read_contact(contact, problem);
@@ -112,9 +113,10 @@ void read_cam_operation(TableReader& document, TableReader& follower, CamProblem
 
 void check_preload(TableReader& follower, const CamProblem& problem) {
   if (problem.preload || problem.free_motion.empty() || !judges_forces(problem)) return;
-  follower.fault(kPreload,
-                 "is missing; with free angles or shares of the motion and forces to be judged a "
-                 "preload is wanted (the least one would change with the motion)");
+  follower.fault(
+      kPreload,
+      "is missing; expected a number, since forces are limited and angles or shares of the motion "
+      "are free (the least preload would change with the motion)");
 }
 
 std::string missing_for_forces(const CamProblem& problem, bool stress) {

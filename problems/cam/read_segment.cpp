@@ -29,8 +29,8 @@ std::optional<MotionLaw> read_law(TableReader& table) {
   constexpr std::string_view kLaw = "law";
   if (!table.has(kLaw)) {
     table.fault(kLaw,
-                "is missing; \"dwell\", \"harmonic\", \"cycloidal\", \"3-4-5\" or another "
-                "that 'cognate list' names is wanted");
+                "is missing; expected \"dwell\", \"harmonic\", \"cycloidal\", \"3-4-5\" or another "
+                "that 'cognate list' names");
     return std::nullopt;
   }
   if (table.has_text(kLaw)) {
@@ -46,7 +46,7 @@ bool has_fixed_places(MotionLaw law) {
 
 std::optional<Range> read_over(TableReader& table, std::optional<MotionLaw> law) {
   if (!table.has(kOver)) {
-    table.fault(kOver, fmt::format("is missing; {}, or [min, max], is wanted", kCamAngle.allowed));
+    table.fault(kOver, fmt::format("is missing; expected {}, or [min, max]", kCamAngle.allowed));
     return std::nullopt;
   }
   if (!table.has_array(kOver)) {
@@ -56,7 +56,7 @@ std::optional<Range> read_over(TableReader& table, std::optional<MotionLaw> law)
   const auto range = table.range(kOver, kCamAngle);
   if (range && law && has_fixed_places(*law) && range->min < range->max) {
     table.fault(kOver, fmt::format("is a range, but what a {} goes through stands at fixed angles; "
-                                   "{} is wanted",
+                                   "expected {}",
                                    to_string(*law), kCamAngle.allowed));
     return std::nullopt;
   }
@@ -68,22 +68,22 @@ std::optional<double> read_rise(TableReader& table, MotionLaw law, bool oscillat
   const std::string_view other = oscillating ? "rise" : "rise_deg";
   if (table.contains(other)) {
     table.know({other});
-    table.fault(other, oscillating ? "is a length, but the follower oscillates; rise_deg is wanted"
-                                   : "is an angle, but the follower translates; rise, a length, is "
-                                     "wanted");
+    table.fault(other, oscillating
+                           ? "is a length, but the follower oscillates; expected rise_deg"
+                           : "is an angle, but the follower translates; expected rise, a length");
     return std::nullopt;
   }
   const auto rise = table.number(key, oscillating ? kSwingAngle : kQuantity);
   if (table.has(key) && !rise) return std::nullopt;
   if (law == MotionLaw::dwell) {
     if (rise.value_or(0) == 0) return 0.0;
-    table.fault(
-        key, fmt::format("is {} in a dwell, which has none; another law is wanted, or 0", *rise));
+    table.fault(key,
+                fmt::format("is {} in a dwell, which has none; expected another law, or 0", *rise));
     return std::nullopt;
   }
   if (has_fixed_places(law)) return rise.value_or(0);
   if (rise && *rise != 0) return rise;
-  table.fault(key, fmt::format("is {}; {} in a rise, negative in a return, is wanted (law = "
+  table.fault(key, fmt::format("is {}; expected {} in a rise, negative in a return, (law = "
                                "\"dwell\" stays where it is)",
                                rise ? "0" : "missing",
                                oscillating ? "the angle of the swing" : "the lift"));
@@ -136,15 +136,15 @@ bool read_shape(TableReader& table, CamSegment& read) {
   }
   constexpr double kRounding = 1e-12;
   if (least > 1 + kRounding) {
-    table.fault("sine", fmt::format("+ constant + cosine is {}{}; 1 at most is wanted, the rest "
+    table.fault("sine", fmt::format("+ constant + cosine is {}{}; expected 1 at most, the rest "
                                     "is constant velocity",
                                     least < most ? "at least " : "", least));
     return false;
   }
   if (most == 0) {
     table.fault("sine",
-                "+ constant + cosine is 0; shares of the segment in which the follower "
-                "accelerates, of 1 together at most, are wanted");
+                "+ constant + cosine is 0; expected shares of the segment in which the follower "
+                "accelerates, of 1 together at most");
     return false;
   }
   place_shares(ranges, read);

@@ -33,14 +33,14 @@ struct CamDesign {
   std::optional<cam::Cam> second;  ///< of conjugate cams the other, in its own upright position
   std::vector<cam::MotionSegment> motion;
   cam::Operation operation;  ///< with the preload that was found, where none is given
-  std::vector<Fact> metrics;
+  std::vector<Quantity> metrics;
   std::vector<ConstraintCheck> constraints;
   std::string origin;
   std::optional<SizeProof> proof;
 };
 
 /// Peak factors of a segment of the motion and the handbook's.
-struct SegmentFacts {
+struct SegmentQuantities {
   cam::PeakFactors factors;
   std::optional<cam::PeakFactors> handbook;
 };
@@ -49,7 +49,7 @@ struct SegmentFacts {
 struct CamResult {
   Status status = Status::no_solution;
   std::vector<CamDesign> designs;  ///< best first
-  std::vector<SegmentFacts> segments;
+  std::vector<SegmentQuantities> segments;
   std::vector<cam::Jump> jumps;  ///< of velocity and acceleration
   Work work;
   std::vector<std::string> notes;
@@ -57,5 +57,9 @@ struct CamResult {
 
 /// The best cams for `problem`; with all dimensions given, what the one given is like.
 CamResult solve(const CamProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
+std::vector<std::string> validate(const CamProblem& problem);
 
 }  // namespace cognate::problems

@@ -12,8 +12,8 @@ namespace cognate::problems {
 namespace {
 
 using cam::Cam;
+using cam::ExtremeAt;
 using cam::FollowerMotion;
-using cam::PlacedExtreme;
 
 constexpr int kMostRounds = 30;
 /// Local extremes that are taken of one limit in one round.
@@ -23,22 +23,22 @@ constexpr double kBroken = 0.3 * kCamFeasibility;
 /// A relaxation that ends with more is taken to have no solution near its start.
 constexpr double kHopeless = 1e-6;
 
-bool covers(cam::Stretch stretch, cam::Stroke stroke) {
-  using cam::Stretch, cam::Stroke;
-  return stretch == Stretch::whole || (stretch == Stretch::rises && stroke == Stroke::rise) ||
-         (stretch == Stretch::falls && stroke == Stroke::fall);
+bool covers(cam::MotionPart stretch, cam::Stroke stroke) {
+  using cam::MotionPart, cam::Stroke;
+  return stretch == MotionPart::whole || (stretch == MotionPart::rises && stroke == Stroke::rise) ||
+         (stretch == MotionPart::falls && stroke == Stroke::fall);
 }
 
-std::optional<cam::Quantity> quantity_of(CamObjective objective) {
+std::optional<cam::CamQuantity> quantity_of(CamObjective objective) {
   switch (objective) {
     case CamObjective::pressure_angle:
-      return cam::Quantity::pressure_angle;
+      return cam::CamQuantity::pressure_angle;
     case CamObjective::contact_force:
-      return cam::Quantity::contact_force;
+      return cam::CamQuantity::contact_force;
     case CamObjective::torque:
-      return cam::Quantity::torque;
+      return cam::CamQuantity::torque;
     case CamObjective::contact_stress:
-      return cam::Quantity::squared_stress;
+      return cam::CamQuantity::squared_stress;
     case CamObjective::size:
       break;
   }
@@ -148,7 +148,7 @@ class Exchange {
         return sign * value_of(*quantity_, cam.system, m);
       };
       const double floor = broken > 0 ? above : -kInfinity;
-      added |= add(cam, shares, local_maxima(cam.programme, cam::Stretch::whole, size, floor),
+      added |= add(cam, shares, local_maxima(cam.programme, cam::MotionPart::whole, size, floor),
                    places_.objective);
     }
     return added;
@@ -158,7 +158,7 @@ class Exchange {
     const auto& most = variables_.problem().constraints.face_width_max;
     if (!most) return false;
     const auto reach =
-        turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::reach);
+        turn_extremes(cam.programme, cam::MotionPart::whole, cam.system, cam::CamQuantity::reach);
     const double width = reach->greatest.value - reach->least.value;
     if (!(width - *most > broken * *most)) return false;
     places_.face.push_back(
@@ -166,15 +166,15 @@ class Exchange {
     return true;
   }
 
-  static bool add(const Cam& cam, const SegmentShares& shares, std::vector<PlacedExtreme> maxima,
+  static bool add(const Cam& cam, const SegmentShares& shares, std::vector<ExtremeAt> maxima,
                   std::vector<SegmentPlace>& places) {
     if (maxima.size() > kMostPlaces) {
       std::ranges::partial_sort(maxima, maxima.begin() + kMostPlaces, std::ranges::greater{},
-                                &PlacedExtreme::value);
+                                &ExtremeAt::value);
       maxima.resize(kMostPlaces);
     }
     bool added = false;
-    for (const PlacedExtreme& extreme : maxima) {
+    for (const ExtremeAt& extreme : maxima) {
       const auto place = shares.place(cam, extreme.place);
       if (std::ranges::find(places, place) != places.end()) continue;
       places.push_back(place);
@@ -226,7 +226,7 @@ class Exchange {
 
   /// Whether the objective is a stress, and the profile comes to a point.
   bool is_endless(const Cam& cam) const {
-    return quantity_ == cam::Quantity::squared_stress &&
+    return quantity_ == cam::CamQuantity::squared_stress &&
            !std::isfinite(CamExtremes(cam).stress().value);
   }
 
@@ -240,12 +240,12 @@ class Exchange {
   double objective(const Cam& cam) const {
     if (!quantity_) return cam.system.follower.dimensions.base_radius;
     if (is_endless(cam)) return kInfinity;
-    const auto all = turn_extremes(cam.programme, cam::Stretch::whole, cam.system, *quantity_);
+    const auto all = turn_extremes(cam.programme, cam::MotionPart::whole, cam.system, *quantity_);
     return std::max(std::abs(all->least.value), std::abs(all->greatest.value));
   }
 
   const CamVariables& variables_;
-  std::optional<cam::Quantity> quantity_;
+  std::optional<cam::CamQuantity> quantity_;
   synthesis::Backend backend_;
   const Deadline& deadline_;
   Work& work_;

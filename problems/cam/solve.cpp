@@ -6,14 +6,15 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/cam/exact.hpp"
-#include "problems/cam/facts.hpp"
 #include "problems/cam/largest_roller.hpp"
 #include "problems/cam/notes.hpp"
+#include "problems/cam/quantities.hpp"
 #include "problems/cam/result.hpp"
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/cam/starts.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/search/backend_choice.hpp"
 
@@ -48,7 +49,7 @@ CamDesign design_of(const CamProblem& problem, cam::Cam cam, std::vector<cam::Mo
     design.second = conjugate_cam(design.cam, problem.second);
   }
   const CamExtremes extremes(design.cam);
-  design.metrics = cam_facts(problem, design, extremes);
+  design.metrics = cam_quantities(problem, design, extremes);
   design.constraints = cam_checks(problem, design, extremes);
   design.origin = std::move(origin);
   return design;
@@ -242,7 +243,10 @@ Status status_of(const CamResult& result, const Deadline& deadline) {
 
 }  // namespace
 
-CamResult solve(const CamProblem& problem, const Run& run) {
+CamResult solve(const CamProblem& given, const Run& run) {
+  const auto valid = KindTraits<CamProblem>::checked(given);
+  if (!valid) return refused<CamResult>(valid.error());
+  const CamProblem& problem = *valid;
   const Deadline deadline(run);
   CamResult result;
   for (const auto& segment : problem.motion) {

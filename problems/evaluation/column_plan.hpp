@@ -9,7 +9,7 @@
 
 namespace cognate::problems {
 
-/// The place of a column in the table; `kNone` where it is not asked for.
+/// The place of a column in the table; `kNone` where it is not requested.
 using ColumnIndex = int;
 inline constexpr ColumnIndex kNone = -1;
 

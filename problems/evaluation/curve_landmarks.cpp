@@ -17,10 +17,11 @@ constexpr int kCoupler = 2;
 /// The drive's positions at which a motion takes a position of its linkage.
 class LandmarkPassages {
  public:
-  explicit LandmarkPassages(const Course& course) : course_(course) {}
+  explicit LandmarkPassages(const AssemblyRanges& assembly_ranges)
+      : assembly_ranges_(assembly_ranges) {}
 
   std::vector<double> of(const CrankPosition& position) const {
-    const auto [low, high] = std::minmax(course_.start, course_.end);
+    const auto [low, high] = std::minmax(assembly_ranges_.start, assembly_ranges_.end);
     std::vector<double> drives;
     const double first = std::ceil((low - kSlack - position.crank_angle) / kTurn);
     for (double turn = first;; ++turn) {
@@ -35,7 +36,7 @@ class LandmarkPassages {
   static constexpr double kSlack = 1e-9;
 
   bool takes(double drive, Assembly side) const {
-    return std::ranges::any_of(course_.runs, [&](const CourseRun& run) {
+    return std::ranges::any_of(assembly_ranges_.runs, [&](const AssemblyRange& run) {
       if (drive < run.from - kSlack || drive > run.to + kSlack) return false;
       const bool dead = (run.from_dyad >= 0 && drive < run.from + kSlack) ||
                         (run.to_dyad >= 0 && drive > run.to - kSlack);
@@ -43,15 +44,15 @@ class LandmarkPassages {
     });
   }
 
-  const Course& course_;
+  const AssemblyRanges& assembly_ranges_;
 };
 
 class CurveLandmarks {
  public:
-  CurveLandmarks(const AnalysisProblem& problem, const Course& course)
-      : passages_(course),
+  CurveLandmarks(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges)
+      : passages_(assembly_ranges),
         travel_(output_travel(problem.mechanism)),
-        motion_(problem.mechanism.mechanism, course) {}
+        motion_(problem.mechanism.mechanism, assembly_ranges) {}
 
   void add(const CurveFeatures& features, const std::string& point) {
     for (const CurvePoint& cusp : features.cusps) add_all("cusp", point, cusp);
@@ -103,11 +104,12 @@ bool is_reported(const AnalysisOutput& output, int point) {
 
 }  // namespace
 
-std::vector<Landmark> curve_landmarks(const AnalysisProblem& problem, const Course& course,
+std::vector<Landmark> curve_landmarks(const AnalysisProblem& problem,
+                                      const AssemblyRanges& assembly_ranges,
                                       const Deadline& deadline) {
   const auto& mechanism = problem.mechanism;
-  if (!problem.output.curvature || !mechanism.four_bar || course.runs.empty()) return {};
-  CurveLandmarks landmarks(problem, course);
+  if (!problem.output.curvature || !mechanism.four_bar || assembly_ranges.runs.empty()) return {};
+  CurveLandmarks landmarks(problem, assembly_ranges);
   for (std::size_t i = 0; i < mechanism.points.size() && !deadline.reached(); ++i) {
     const auto& [name, at] = mechanism.points[i];
     if (at.body != kCoupler || !is_reported(problem.output, static_cast<int>(i))) continue;

@@ -43,9 +43,9 @@ const std::vector<CurveMetric>& curve_metrics() {
       {"fourier_phase_deg.p2", descriptors, 11},
       {"fourier_phase_deg.p3", descriptors, 12},
       {"fourier_phase_deg.p4", descriptors, 13},
-      {"straight_length_at_0_001", stretches, 0},
-      {"straight_length_over_longest_link", stretches, 1},
-      {"straight_length_at_0_01", loose_stretches, 0},
+      {"straight_length_at_0_001", segments, 0},
+      {"straight_length_over_longest_link", segments, 1},
+      {"straight_length_at_0_01", loose_segments, 0},
       {"cusps", features, 0},
       {"double_points", features, 1},
       {"inflections", features, 2},
@@ -81,8 +81,8 @@ std::optional<double> CurveValues::operator()(const CurveMetric& metric) {
   return values(metric.group)[static_cast<std::size_t>(metric.index)];
 }
 
-const TurnTable& CurveValues::table(std::size_t count) {
-  const auto has_count = [count](const TurnTable& table) { return table.cos.size() == count; };
+const CycleTable& CurveValues::table(std::size_t count) {
+  const auto has_count = [count](const CycleTable& table) { return table.cos.size() == count; };
   const auto found = std::ranges::find_if(tables_, has_count);
   return found == tables_.end() ? tables_.emplace_back(count) : *found;
 }
@@ -100,12 +100,12 @@ void CurveValues::compute(CurveGroup group) {
       return find_widths();
     case CurveGroup::descriptors:
       return find_descriptors();
-    case CurveGroup::stretches:
-      values(group)[0] = longest_stretch(0.001);
+    case CurveGroup::segments:
+      values(group)[0] = longest_segment(0.001);
       values(group)[1] = *values(group)[0] / longest(lengths(linkage_));
       return;
-    case CurveGroup::loose_stretches:
-      values(group)[0] = longest_stretch(0.01);
+    case CurveGroup::loose_segments:
+      values(group)[0] = longest_segment(0.01);
       return;
     case CurveGroup::features:
       return find_features();
@@ -152,9 +152,9 @@ void CurveValues::find_descriptors() {
   }
 }
 
-double CurveValues::longest_stretch(double relative) {
-  sample_circuit(linkage_, circuit_, table(samples_for_stretches(relative)), stretch_room_);
-  return stretches_(stretch_room_.samples(), relative);
+double CurveValues::longest_segment(double relative) {
+  sample_circuit(linkage_, circuit_, table(samples_for_segments(relative)), segment_room_);
+  return segments_(segment_room_.samples(), relative);
 }
 
 void CurveValues::find_features() {
@@ -166,18 +166,18 @@ void CurveValues::find_features() {
   all[2] = static_cast<double>(found->inflections.size());
 }
 
-std::vector<Fact> curve_facts(const AnalysisProblem& problem) {
+std::vector<Quantity> curve_quantities(const AnalysisProblem& problem) {
   const auto& linkage = problem.mechanism.four_bar;
   if (!problem.output.curve || !linkage || !linkage->coupler_point) return {};
   if (!can_assemble(lengths(*linkage))) return {};
   CurveValues values;
   values.begin(*linkage, circuit_at(*linkage, problem.drive.start));
-  std::vector<Fact> facts;
+  std::vector<Quantity> quantities;
   for (const CurveMetric& metric : curve_metrics()) {
     const auto value = values(metric);
-    if (value && std::isfinite(*value)) facts.push_back({std::string(metric.key), *value});
+    if (value && std::isfinite(*value)) quantities.push_back({std::string(metric.key), *value});
   }
-  return facts;
+  return quantities;
 }
 
 }  // namespace cognate::problems

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/coupler_curve/closed_stretch.hpp"
+#include "analysis/coupler_curve/closed_segment.hpp"
 #include "analysis/coupler_curve/curve_measures.hpp"
 #include "analysis/coupler_curve/fourier_descriptors.hpp"
 #include "problems/evaluation/result.hpp"
@@ -21,8 +21,8 @@ enum class CurveGroup {
   sums,
   widths,
   descriptors,
-  stretches,
-  loose_stretches,
+  segments,
+  loose_segments,
   features
 };
 
@@ -39,7 +39,7 @@ const std::vector<CurveMetric>& curve_metrics();
 /// That of a key, if it is one.
 const CurveMetric* find_curve_metric(std::string_view key);
 
-/// The values of one curve after the other; computes a group when one of its values is asked for,
+/// The values of one curve after the other; computes a group when one of its values is requested,
 /// and keeps its room.
 class CurveValues {
  public:
@@ -47,7 +47,7 @@ class CurveValues {
   void begin(const FourBar& linkage, const CircuitChoice& circuit);
 
   /// Gives what is known already: the length and area of the curve, and samples that settle them,
-  /// which are used until the next `begin`. What is not given is found when it is wanted.
+  /// which are used until the next `begin`. What is not given is found when it is requested.
   void know_sums(double length, double area);
   void use(const CurveSamples& samples) { settled_ = samples; }
 
@@ -61,12 +61,12 @@ class CurveValues {
   std::array<std::optional<double>, 14>& values(CurveGroup group) {
     return values_[static_cast<std::size_t>(group)];
   }
-  const TurnTable& table(std::size_t count);
+  const CycleTable& table(std::size_t count);
   void find_links();
   void find_sums();
   void find_widths();
   void find_descriptors();
-  double longest_stretch(double relative);
+  double longest_segment(double relative);
   void find_features();
 
   FourBar linkage_;
@@ -74,15 +74,15 @@ class CurveValues {
   CurveSamples settled_;
   std::array<bool, kGroups> known_{};
   std::array<std::array<std::optional<double>, 14>, kGroups> values_;
-  std::vector<TurnTable> tables_;  ///< made once
-  CurveRoom room_, stretch_room_;
+  std::vector<CycleTable> tables_;  ///< made once
+  CurveRoom room_, segment_room_;
   CurveSums sums_;
   WidthFinder widths_;
   DescriptorFinder descriptors_;
-  ClosedStretchFinder stretches_;
+  ClosedSegmentFinder segments_;
 };
 
-/// The facts that `output.curve` asks for.
-std::vector<Fact> curve_facts(const AnalysisProblem& problem);
+/// The quantities that `output.curve` asks for.
+std::vector<Quantity> curve_quantities(const AnalysisProblem& problem);
 
 }  // namespace cognate::problems

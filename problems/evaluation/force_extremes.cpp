@@ -34,10 +34,10 @@ struct ForceSizes {
 /// The forces at any place of a motion under given loads.
 class ForceMotion {
  public:
-  ForceMotion(const AnalysisProblem& problem, const Course& course)
+  ForceMotion(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges)
       : problem_(problem),
         joints_(joints(problem.mechanism.mechanism)),
-        motion_(problem.mechanism.mechanism, course),
+        motion_(problem.mechanism.mechanism, assembly_ranges),
         dynamics_(problem.mechanism.mechanism, problem.inertias, problem.gravity),
         forces_(dynamics_.forces()) {}
 
@@ -149,8 +149,9 @@ class Collector {
  public:
   enum class Extremes { of_both_signs, of_magnitude };
 
-  Collector(const Course& course, const std::vector<SmoothPiece>& pieces, Extremes of)
-      : course_(course), pieces_(pieces), of_(of) {}
+  Collector(const AssemblyRanges& assembly_ranges, const std::vector<SmoothPiece>& pieces,
+            Extremes of)
+      : assembly_ranges_(assembly_ranges), pieces_(pieces), of_(of) {}
 
   /// Of `f(place, piece)`; `size_of(piece)` is that of its terms. With `squared` f is the square of
   /// what is judged at the ends.
@@ -202,7 +203,7 @@ class Collector {
     if (end == PieceEnd::smooth) return 0;
     const double place = at_from ? piece.from : piece.to;
     const EndDistances& distances = end == PieceEnd::dead ? kDead : kAtChange;
-    const double room = std::min(course_.scale, 10 * (piece.to - piece.from));
+    const double room = std::min(assembly_ranges_.scale, 10 * (piece.to - piece.from));
     const auto judged = [&](double distance) {
       const double step = distance * room;
       const double value = f(place + (at_from ? step : -step), piece);
@@ -226,7 +227,7 @@ class Collector {
     if (!bound.extreme || sense * (at.value - bound.extreme->value) > 0) bound.extreme = at;
   }
 
-  const Course& course_;
+  const AssemblyRanges& assembly_ranges_;
   const std::vector<SmoothPiece>& pieces_;
   Extremes of_;
 };
@@ -259,36 +260,37 @@ ForceBound magnitude(ForceBound least, ForceBound greatest, bool squared) {
 
 }  // namespace
 
-std::optional<ForceExtremes> force_extremes(const AnalysisProblem& problem, const Course& course,
+std::optional<ForceExtremes> force_extremes(const AnalysisProblem& problem,
+                                            const AssemblyRanges& assembly_ranges,
                                             std::span<const Stroke> strokes,
                                             const Deadline& deadline) {
-  const std::vector<SmoothPiece> pieces = smooth_pieces(problem, course, strokes);
-  ForceMotion motion(problem, course);
+  const std::vector<SmoothPiece> pieces = smooth_pieces(problem, assembly_ranges, strokes);
+  ForceMotion motion(problem, assembly_ranges);
   const auto sizes = [&](const SmoothPiece& piece) {
     return motion.sizes(std::midpoint(piece.from, piece.to), piece.loads);
   };
   ForceExtremes all;
   if (problem.output.torque) {
-    Collector drive(course, pieces, Collector::Extremes::of_both_signs);
+    Collector drive(assembly_ranges, pieces, Collector::Extremes::of_both_signs);
     drive.collect(
         [&](double place, const SmoothPiece& piece) { return motion.drive(place, piece.loads); },
         [&](const SmoothPiece& piece) { return sizes(piece).drive; }, false);
     all.least_drive = std::move(drive.least);
     all.greatest_drive = std::move(drive.greatest);
-    tidy(all.least_drive, course.scale);
-    tidy(all.greatest_drive, course.scale);
+    tidy(all.least_drive, assembly_ranges.scale);
+    tidy(all.greatest_drive, assembly_ranges.scale);
   }
   for (std::size_t i = 0; problem.output.reactions && i < motion.joint_count(); ++i) {
     if (deadline.reached()) return std::nullopt;
     const bool squared = !motion.slides(i);
-    Collector reaction(course, pieces, Collector::Extremes::of_magnitude);
+    Collector reaction(assembly_ranges, pieces, Collector::Extremes::of_magnitude);
     reaction.collect(
         [&](double place, const SmoothPiece& piece) {
           return motion.reaction(place, piece.loads, i);
         },
         [&](const SmoothPiece& piece) { return sizes(piece).reaction; }, squared);
     all.reactions.push_back(magnitude(reaction.least, reaction.greatest, squared));
-    tidy(all.reactions.back(), course.scale);
+    tidy(all.reactions.back(), assembly_ranges.scale);
   }
   if (deadline.reached()) return std::nullopt;
   return all;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/linkage/deadline.hpp"
@@ -34,15 +34,16 @@ struct ForceExtremes {
   std::vector<ForceBound> reactions;
 };
 
-/// Over `course`, to rounding: the motion is cut where loads begin and cease and at dead and change
-/// points, and each piece is represented by Chebyshev series (analysis/cam/extremes.hpp) with the
-/// loads that act inside it, so that values at jumps are those of either side. Towards a dead point
-/// the square root of the distance is the variable, over which the motion is smooth; a force that
-/// there, at 1e-10 of the drive's scale, still grows like 1/√distance or faster counts as
-/// unbounded. Within 5e-3 of the scale about a change point, where the closure is singular, only
+/// Over `assembly_ranges`, to rounding: the motion is cut where loads begin and cease and at dead
+/// and change points, and each piece is represented by Chebyshev series (analysis/cam/extremes.hpp)
+/// with the loads that act inside it, so that values at jumps are those of either side. Towards a
+/// dead point the square root of the distance is the variable, over which the motion is smooth; a
+/// force that there, at 1e-10 of the drive's scale, still grows like 1/√distance or faster counts
+/// as unbounded. Within 5e-3 of the scale about a change point, where the closure is singular, only
 /// the point itself is looked at. Reactions only with `output.reactions`. Nothing once `deadline`
 /// is reached.
-std::optional<ForceExtremes> force_extremes(const AnalysisProblem& problem, const Course& course,
+std::optional<ForceExtremes> force_extremes(const AnalysisProblem& problem,
+                                            const AssemblyRanges& assembly_ranges,
                                             std::span<const Stroke> strokes,
                                             const Deadline& deadline);
 

@@ -17,7 +17,7 @@ struct PowerCheck {
   double scale = 0;     ///< the drive, and the greatest that a reaction would need of it
 };
 
-/// Computes the driving torque or force and the reactions, as far as they are asked for. One for
+/// Computes the driving torque or force and the reactions, as far as they are requested. One for
 /// each thread.
 class ForceFiller {
  public:
@@ -25,7 +25,7 @@ class ForceFiller {
   ForceFiller(const AnalysisProblem& problem, std::span<const Stroke> strokes);
 
   /// Writes the columns of forces at `row`, where the bodies move as `bodies` says. Where reactions
-  /// are asked for the driving torque comes from them, and is held against virtual work; else it
+  /// are requested the driving torque comes from them, and is held against virtual work; else it
   /// comes from virtual work, and there is nothing to check.
   PowerCheck fill(ColumnPlan& plan, int row, std::span<const BodyMotion<double, 2>> bodies);
 

@@ -120,7 +120,7 @@ void InstantGeometryFiller::fill(ColumnPlan& plan, int row) {
   if (!motion_.move_to(drive_at(problem_.drive, row))) return;
   for (const auto& [number, first] : plan.instants) {
     const auto& body = motion_.bodies()[static_cast<std::size_t>(number)];
-    const double scale = motion_.course().scale;
+    const double scale = motion_.assembly_ranges().scale;
     const auto pole = cognate::pole(body, scale);
     const auto found = pole
                            ? std::optional(row_of(body, *pole, spin_of(*pole, problem_.drive.rate)))

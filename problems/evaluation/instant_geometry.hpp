@@ -25,9 +25,9 @@ bool is_inflection_line(const Column& column);
 /// Writes the columns of `ColumnPlan::instants`. One for each thread.
 class InstantGeometryFiller {
  public:
-  /// `course`: of the whole sweep.
-  InstantGeometryFiller(const AnalysisProblem& problem, const Course& course)
-      : problem_(problem), motion_(problem.mechanism.mechanism, course) {}
+  /// `assembly_ranges`: of the whole sweep.
+  InstantGeometryFiller(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges)
+      : problem_(problem), motion_(problem.mechanism.mechanism, assembly_ranges) {}
 
   /// Writes `row`. What is not defined there keeps its NaN: of a body that does not turn all but
   /// the inflection line and the acceleration pole, Ball's point and the cubic of one whose pole

@@ -16,12 +16,13 @@ namespace {
 /// Where the travel passes the value `target` in `run`. Between `limits` it goes one way.
 class Passages {
  public:
-  Passages(const Mechanism<double>& mechanism, const Course& course, const Travel& travel)
-      : motion_(mechanism, course), travel_(travel) {}
+  Passages(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges,
+           const Travel& travel)
+      : motion_(mechanism, assembly_ranges), travel_(travel) {}
 
-  void find(const CourseRun& run, const std::vector<OutputValue>& limits, double target,
+  void find(const AssemblyRange& run, const std::vector<OutputValue>& limits, double target,
             std::vector<double>& found) {
-    std::vector<double> places = crowded(run.from, run.to, motion_.course().cells(run));
+    std::vector<double> places = crowded(run.from, run.to, motion_.assembly_ranges().cells(run));
     for (const OutputValue& limit : limits) places.push_back(limit.drive);
     std::ranges::sort(places);
     const auto f = [&](double drive) { return beyond(drive, target); };
@@ -46,9 +47,9 @@ class Passages {
 };
 
 /// The ends of an interval of the drive, in every turn of a drive that turns.
-void add_interval_ends(const Course& course, bool turns, const std::pair<double, double>& interval,
-                       std::vector<double>& breaks) {
-  const auto [low, high] = std::minmax(course.start, course.end);
+void add_interval_ends(const AssemblyRanges& assembly_ranges, bool turns,
+                       const std::pair<double, double>& interval, std::vector<double>& breaks) {
+  const auto [low, high] = std::minmax(assembly_ranges.start, assembly_ranges.end);
   for (double end : {interval.first, interval.second}) {
     if (!turns) {
       breaks.push_back(end);
@@ -60,21 +61,23 @@ void add_interval_ends(const Course& course, bool turns, const std::pair<double,
 
 }  // namespace
 
-std::vector<double> load_breaks(const Mechanism<double>& mechanism, const Course& course,
-                                const LoadRule& rule, const Stroke& stroke) {
+std::vector<double> load_breaks(const Mechanism<double>& mechanism,
+                                const AssemblyRanges& assembly_ranges, const LoadRule& rule,
+                                const Stroke& stroke) {
   std::vector<double> breaks;
   const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
-  if (rule.between) add_interval_ends(course, turns, *rule.between, breaks);
+  if (rule.between) add_interval_ends(assembly_ranges, turns, *rule.between, breaks);
   if (rule.sense == LoadSense::always && !rule.within_stroke) return breaks;
   const Travel travel = travels(mechanism)[static_cast<std::size_t>(rule.at.body)];
-  const auto range = output_range(mechanism, course, travel);
+  const auto range = output_range(mechanism, assembly_ranges, travel);
   if (!range) return breaks;
   for (const OutputValue& limit : range->limits) breaks.push_back(limit.drive);
   if (!rule.within_stroke) return breaks;
-  Passages passages(mechanism, course, travel);
+  Passages passages(mechanism, assembly_ranges, travel);
   for (const double part : {rule.within_stroke->first, rule.within_stroke->second}) {
     const double target = stroke.least + part * (stroke.greatest - stroke.least);
-    for (const CourseRun& run : course.runs) passages.find(run, range->limits, target, breaks);
+    for (const AssemblyRange& run : assembly_ranges.runs)
+      passages.find(run, range->limits, target, breaks);
   }
   return breaks;
 }

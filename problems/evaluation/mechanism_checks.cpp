@@ -9,34 +9,45 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
+#include "problems/evaluation/type_quantities.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::problems {
 namespace {
 
-struct LengthsOf {
-  LinkLengths operator()(const FourBar& linkage) const {
-    return {linkage.crank, linkage.coupler, linkage.rocker, lengths(linkage).frame};
+/// Adds the length that a key of a type holds.
+template <class Type>
+struct AddLength {
+  const Type& dimensions;
+  LinkLengths& links;
+
+  void operator()(const LengthKey<Type>& length) const {
+    auto& link = length.role == LinkRole::crank     ? links.crank
+                 : length.role == LinkRole::coupler ? links.coupler
+                                                    : links.rocker;
+    link = dimensions.*length.of;
   }
-  LinkLengths operator()(const SliderCrank& m) const { return {m.crank, m.coupler, {}, {}}; }
-  LinkLengths operator()(const FixedBlock& m) const { return {m.crank, m.coupler, {}, {}}; }
-  LinkLengths operator()(const GuideBar& m) const {
-    return {m.crank, {}, {}, norm(m.pivot_c - m.pivot_a)};
+  void operator()(const PivotsKey<Type>& pivots) const {
+    links.frame = norm(dimensions.*pivots.second - dimensions.*pivots.first);
   }
-  LinkLengths operator()(const OscillatingBlock& m) const {
-    return {m.crank, {}, {}, norm(m.pivot_c - m.pivot_a)};
-  }
-  LinkLengths operator()(const ScotchYoke& m) const { return {m.crank, {}, {}, {}}; }
-  LinkLengths operator()(const TangentGenerator&) const { return {}; }
-  LinkLengths operator()(const EllipticTrammel& m) const { return {{}, m.length, {}, {}}; }
-  LinkLengths operator()(const OldhamCoupling& m) const {
-    return {{}, {}, {}, norm(m.pivot_d - m.pivot_a)};
-  }
-  LinkLengths operator()(const ChainDescription& chain) const {
-    const auto* crank = std::get_if<CrankDescription>(&chain.drive);
-    return crank ? LinkLengths{crank->length, {}, {}, {}} : LinkLengths{};
-  }
+  template <class Other>
+  void operator()(const Other&) const {}
 };
+
+template <class Type>
+LinkLengths lengths_of(const Type& dimensions) {
+  LinkLengths links;
+  for (const auto& key : TypeTraits<Type>::kKeys) {
+    std::visit(AddLength<Type>{dimensions, links}, key.holds);
+  }
+  return links;
+}
+
+LinkLengths lengths_of(const ChainDescription& chain) {
+  const auto* crank = std::get_if<CrankDescription>(&chain.drive);
+  return crank ? LinkLengths{crank->length, {}, {}, {}} : LinkLengths{};
+}
 
 std::vector<double> all_of(const LinkLengths& links) {
   std::vector<double> all;
@@ -67,8 +78,8 @@ class MechanismChecks {
   }
 
   void mobility(RequiredClass required) {
-    const auto turns = fact<bool>("crank_turns_fully").value_or(false);
-    const auto name = fact<std::string>("class").value_or("");
+    const auto turns = find_quantity(metrics_.quantities, kCrankTurnsKey).value_or(false);
+    const auto name = find_quantity(metrics_.quantities, kClassKey).value_or("");
     const bool rigid = name == "no-rotation";
     add("class", name, std::string(to_string(required)), has_class(required, turns, rigid));
   }
@@ -117,14 +128,6 @@ class MechanismChecks {
     }
   }
 
-  template <class T>
-  std::optional<T> fact(std::string_view name) const {
-    const auto found = std::ranges::find(metrics_.facts, name, &Fact::name);
-    if (found == metrics_.facts.end()) return std::nullopt;
-    const auto* value = std::get_if<T>(&found->value);
-    return value ? std::optional<T>(*value) : std::nullopt;
-  }
-
   void add(const std::string& name, Value value, Bound bound, bool satisfied) {
     checks_.push_back({name, std::move(value), std::move(bound), satisfied});
   }
@@ -165,7 +168,8 @@ class MechanismChecks {
 }  // namespace
 
 LinkLengths link_lengths(const NamedMechanism& mechanism) {
-  return std::visit(LengthsOf{}, mechanism.description);
+  return std::visit([](const auto& dimensions) { return lengths_of(dimensions); },
+                    mechanism.description);
 }
 
 double link_ratio(const LinkLengths& links) {

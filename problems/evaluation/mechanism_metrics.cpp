@@ -6,11 +6,11 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/motion_summary.hpp"
-#include "problems/evaluation/type_facts.hpp"
+#include "problems/evaluation/type_quantities.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -45,7 +45,7 @@ double reach(const Mechanism<double>& mechanism, States states) {
 
 /// The whole motion: a turn of what turns, cut where the mechanism cannot be assembled if there is
 /// such a place; a driving slider's way between the states and its reach beyond.
-Course whole_course(const Mechanism<double>& mechanism, States states) {
+AssemblyRanges whole_assembly_ranges(const Mechanism<double>& mechanism, States states) {
   if (slides(mechanism)) {
     const auto [least, greatest] = std::ranges::minmax(states, {}, &DriveState::drive);
     const double margin = reach(mechanism, states) + (greatest.drive - least.drive);
@@ -60,16 +60,18 @@ Course whole_course(const Mechanism<double>& mechanism, States states) {
   return follow(mechanism, start, start + kTurn);
 }
 
-bool is_full_turn(const Mechanism<double>& mechanism, const Course& course) {
-  return !slides(mechanism) && course.runs.size() == 1 &&
-         course.runs[0].to - course.runs[0].from >= kTurn - kSame;
+bool is_full_turn(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges) {
+  return !slides(mechanism) && assembly_ranges.runs.size() == 1 &&
+         assembly_ranges.runs[0].to - assembly_ranges.runs[0].from >= kTurn - kSame;
 }
 
-/// How states pass through the course of a motion.
+/// How states pass through the assembly ranges of a motion.
 class Passage {
  public:
-  Passage(const Mechanism<double>& mechanism, const Course& course, States states)
-      : mechanism_(mechanism), course_(course), full_(is_full_turn(mechanism, course)) {
+  Passage(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges, States states)
+      : mechanism_(mechanism),
+        assembly_ranges_(assembly_ranges),
+        full_(is_full_turn(mechanism, assembly_ranges)) {
     for (const DriveState& state : states) place(state);
   }
 
@@ -85,11 +87,11 @@ class Passage {
   std::span<const double> drives() const { return drives_; }
 
  private:
-  double tolerance() const { return kSame * course_.scale; }
+  double tolerance() const { return kSame * assembly_ranges_.scale; }
 
   /// The run that holds `drive` or ends no farther than the tolerance from it.
-  const CourseRun* run_near(double drive) const {
-    for (const CourseRun& run : course_.runs) {
+  const AssemblyRange* run_near(double drive) const {
+    for (const AssemblyRange& run : assembly_ranges_.runs) {
       if (drive >= run.from - tolerance() && drive <= run.to + tolerance()) return &run;
     }
     return nullptr;
@@ -98,9 +100,10 @@ class Passage {
   void place(const DriveState& state) {
     double drive = state.drive;
     if (!slides(mechanism_)) {
-      drive = course_.start + std::remainder(drive - course_.start - kPi, kTurn) + kPi;
+      drive = assembly_ranges_.start + std::remainder(drive - assembly_ranges_.start - kPi, kTurn) +
+              kPi;
     }
-    const CourseRun* run = run_near(drive);
+    const AssemblyRange* run = run_near(drive);
     if (run == nullptr || (run_ != nullptr && run != run_)) circuit_ = true;
     if (run_ == nullptr) run_ = run;
     if (run == nullptr) return;
@@ -109,7 +112,7 @@ class Passage {
     drives_.push_back(drive);
   }
 
-  void compare_sides(const DriveState& state, const CourseRun& run, double drive) {
+  void compare_sides(const DriveState& state, const AssemblyRange& run, double drive) {
     const auto sides = sides_at(run, drive);
     bool other = false;
     const bool at_end = drive - run.from <= tolerance() || run.to - drive <= tolerance();
@@ -155,44 +158,31 @@ class Passage {
   }
 
   const Mechanism<double>& mechanism_;
-  const Course& course_;
+  const AssemblyRanges& assembly_ranges_;
   bool full_;
-  const CourseRun* run_ = nullptr;
+  const AssemblyRange* run_ = nullptr;
   bool circuit_ = false;
   bool branch_ = false;
   std::vector<double> drives_;
   std::vector<bool> beyond_;
 };
 
-double number(const Fact& fact) {
-  return std::get<double>(fact.value);
-}
-
-void take_summary(const std::vector<Fact>& facts, Metrics& metrics) {
-  constexpr double kRadians = kPi / 180;
-  for (const Fact& fact : facts) {
-    if (fact.name == "transmission_angle_deg.min") {
-      metrics.transmission_min = kRadians * number(fact);
-    } else if (fact.name == "transmission_angle_deg.max") {
-      metrics.transmission_max = kRadians * number(fact);
-    } else if (fact.name == "transmission_angle_deg.acute_min") {
-      metrics.transmission_acute_min = kRadians * number(fact);
-    } else if (fact.name == "time_ratio") {
-      metrics.time_ratio = number(fact);
-    } else {
-      metrics.facts.push_back(fact);
-    }
+void take_summary(const MotionSummary& summary, Metrics& metrics) {
+  if (const auto& angles = summary.transmission) {
+    metrics.transmission_min = angles->min;
+    metrics.transmission_max = angles->max;
+    metrics.transmission_acute_min = angles->acute_min;
   }
+  metrics.time_ratio = summary.time_ratio;
+  std::ranges::copy(summary.quantities, std::back_inserter(metrics.quantities));
 }
 
 void take_type(const NamedMechanism& mechanism, double start, Metrics& metrics) {
-  for (Fact& fact : type_facts(mechanism, start)) {
-    if (fact.name == "change_point") {
-      metrics.change_point = std::get<bool>(fact.value);
-    } else if (fact.name != "mobility") {
-      metrics.facts.push_back(std::move(fact));
-    }
-  }
+  metrics.quantities = type_quantities(mechanism, start);
+  metrics.change_point = find_quantity(metrics.quantities, kChangePointKey).value_or(false);
+  std::erase_if(metrics.quantities, [](const Quantity& quantity) {
+    return quantity.name == kChangePointKey.name || quantity.name == kMobilityKey.name;
+  });
 }
 
 Metrics four_bar_metrics(const FourBar& linkage, States states, PointOrder order) {
@@ -208,7 +198,7 @@ Metrics four_bar_metrics(const FourBar& linkage, States states, PointOrder order
 
 Metrics mechanism_metrics(const NamedMechanism& mechanism, States states, PointOrder order) {
   if (mechanism.four_bar) return four_bar_metrics(*mechanism.four_bar, states, order);
-  const Course whole = whole_course(mechanism.mechanism, states);
+  const AssemblyRanges whole = whole_assembly_ranges(mechanism.mechanism, states);
   const Passage passage(mechanism.mechanism, whole, states);
 
   Metrics metrics;
@@ -224,11 +214,11 @@ Metrics mechanism_metrics(const NamedMechanism& mechanism, States states, PointO
   const bool sound =
       std::ranges::none_of(metrics.defects, [](Defect defect) { return defect != Defect::order; });
   if (passage.is_full() || !sound || passage.drives().empty()) {
-    take_summary(summarise(problem, whole, never).facts, metrics);
+    take_summary(summarise(problem, whole, never), metrics);
   } else {
     const auto [least, greatest] = std::ranges::minmax(passage.drives());
-    const Course used = follow(mechanism.mechanism, least, greatest);
-    take_summary(summarise(problem, used, never).facts, metrics);
+    const AssemblyRanges used = follow(mechanism.mechanism, least, greatest);
+    take_summary(summarise(problem, used, never), metrics);
   }
   return metrics;
 }

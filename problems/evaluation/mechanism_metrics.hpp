@@ -1,5 +1,5 @@
-/// @file What a finished mechanism of any type is, and whether it keeps to its problem, computed by
-/// the analysis kernel from the mechanism alone. Of a four-bar it is what `verify.hpp` says.
+/// @file What a finished mechanism of any type is, and whether it satisfies its problem, computed
+/// by the analysis kernel from the mechanism alone. Of a four-bar it is what `verify.hpp` says.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ struct DriveState {
   std::vector<double> sides;
 };
 
-/// Class (in `facts` for what is no four-bar), transmission angles, time ratio and defects of a
-/// mechanism that is to pass through `states` in `order`. It is described in the assembly of the
+/// Class (in `quantities` for what is no four-bar), transmission angles, time ratio and defects of
+/// a mechanism that is to pass through `states` in `order`. It is described in the assembly of the
 /// first of them.
 ///
 /// The motion used is the full turn of a drive that turns fully, else the range between the states;
@@ -32,7 +32,7 @@ struct DriveState {
 /// Drives closer than 1e-7 (of a radian, or of the drive's scale) count as equal. A mechanism
 /// without dyads, whose guided link is itself the drive, has the transmission angle 90°.
 ///
-/// `facts` add "class" and what `motion_summary.hpp` says of the output.
+/// `quantities` add "class" and what `motion_summary.hpp` says of the output.
 Metrics mechanism_metrics(const NamedMechanism& mechanism, std::span<const DriveState> states,
                           PointOrder order);
 

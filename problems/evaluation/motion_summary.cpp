@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -23,7 +24,7 @@
 namespace cognate::problems {
 namespace {
 
-using Facts = std::vector<Fact>;
+using Quantities = std::vector<Quantity>;
 
 /// The time ratio by the type's dimensions, where there is a formula; from the motion else, and at
 /// change points, where the formula's limits may be passed.
@@ -54,35 +55,36 @@ struct TimeRatio {
 
   std::optional<double> of_motion() const {
     const auto& mechanism = problem.mechanism.mechanism;
-    const Course course = whole_motion(problem, deadline);
-    const auto range = output_range(mechanism, course, travel);
-    return range ? time_ratio(mechanism, course, *range) : std::nullopt;
+    const AssemblyRanges assembly_ranges = whole_motion(problem, deadline);
+    const auto range = output_range(mechanism, assembly_ranges, travel);
+    return range ? time_ratio(mechanism, assembly_ranges, *range) : std::nullopt;
   }
 };
 
 /// Goes through one motion and collects what it says.
 class Summary {
  public:
-  Summary(const AnalysisProblem& problem, const Course& course, const Deadline& deadline)
+  Summary(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges,
+          const Deadline& deadline)
       : problem_(problem),
         deadline_(deadline),
         mechanism_(problem.mechanism.mechanism),
-        course_(course),
-        driven_(course),
+        assembly_ranges_(assembly_ranges),
+        driven_(assembly_ranges),
         travel_(output_travel(problem.mechanism)),
-        motion_(mechanism_, course) {
+        motion_(mechanism_, assembly_ranges) {
     driven_.runs = {range_driven()};
-    summary_.ranges = static_cast<int>(course.runs.size());
+    summary_.ranges = static_cast<int>(assembly_ranges.runs.size());
     summary_.from = driven_.runs.front().from;
     summary_.to = driven_.runs.front().to;
   }
 
   MotionSummary collect() {
-    add_course_points();
+    add_special_positions();
     add_transmission();
     add_output();
     std::ranges::stable_sort(summary_.landmarks, [this](const Landmark& a, const Landmark& b) {
-      return course_.start <= course_.end ? a.drive < b.drive : a.drive > b.drive;
+      return assembly_ranges_.start <= assembly_ranges_.end ? a.drive < b.drive : a.drive > b.drive;
     });
     return std::move(summary_);
   }
@@ -95,22 +97,22 @@ class Summary {
     summary_.landmarks.push_back({std::move(kind), of, drive, value});
   }
 
-  void add_course_points() {
+  void add_special_positions() {
     const auto names = dyad_names(problem_.mechanism);
-    for (const CoursePoint& point : course_.points) {
+    for (const SpecialPosition& point : assembly_ranges_.points) {
       add_landmark(kind_of(point), names[static_cast<std::size_t>(point.dyad)], point.drive);
     }
   }
 
-  static std::string kind_of(const CoursePoint& point) {
+  static std::string kind_of(const SpecialPosition& point) {
     switch (point.kind) {
-      case CoursePointKind::dead_point:
+      case SpecialPositionKind::dead_point:
         return "dead point";
-      case CoursePointKind::change_point:
+      case SpecialPositionKind::change_point:
         return "change point";
-      case CoursePointKind::undetermined:
+      case SpecialPositionKind::undetermined:
         return "undetermined change point";
-      case CoursePointKind::parallel_guides:
+      case SpecialPositionKind::parallel_guides:
         return "end of range";
     }
     return "";
@@ -122,7 +124,7 @@ class Summary {
     std::optional<double> pressure;
     for (std::size_t i = 0; i < mechanism_.dyads.size(); ++i) {
       if (deadline_.reached()) return;
-      const auto angles = transmission_extremes(mechanism_, course_, static_cast<int>(i));
+      const auto angles = transmission_extremes(mechanism_, assembly_ranges_, static_cast<int>(i));
       if (!angles) return;
       all = {std::min(all.min, angles->least.angle), std::max(all.max, angles->greatest.angle),
              std::min(all.acute_min, angles->acute_least())};
@@ -136,18 +138,16 @@ class Summary {
     }
     if (mechanism_.dyads.empty()) return;
     if (problem_.mechanism.four_bar) all = by_diagonal(*problem_.mechanism.four_bar);
-    add("transmission_angle_deg.min", kDegreesInRadian * all.min);
-    add("transmission_angle_deg.max", kDegreesInRadian * all.max);
-    add("transmission_angle_deg.acute_min", kDegreesInRadian * all.acute_min);
+    summary_.transmission = all;
     if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);
   }
 
-  /// The angles of a four-bar by its diagonal, over the ranges of the course.
+  /// The angles of a four-bar by its diagonal, over the ranges of the set of assembly ranges.
   TransmissionAngles by_diagonal(const FourBar& linkage) const {
     const auto links = lengths(linkage);
     const double frame = frame_angle(linkage);
     TransmissionAngles all{kPi, 0, kPi};
-    for (const CourseRun& run : course_.runs) {
+    for (const AssemblyRange& run : assembly_ranges_.runs) {
       const bool whole = run.to - run.from >= kTurn && crank_rotates(links);
       const auto part = whole ? transmission_angles(links)
                               : transmission_angles(links, {run.from - frame, run.to - frame});
@@ -159,35 +159,38 @@ class Summary {
 
   void add_output() {
     const auto& name = problem_.mechanism.bodies[static_cast<std::size_t>(travel_.body)];
-    const auto range = output_range(mechanism_, course_, travel_);
+    const auto range = output_range(mechanism_, assembly_ranges_, travel_);
     if (!range) return;
-    summary_.facts.push_back({"output", name});
+    summary_.quantities.push_back({"output", name});
     for (const OutputValue& limit : range->limits)
       add_landmark("limit position", name, limit.drive);
     add_strokes(*range);
     const auto ratio =
         std::visit(TimeRatio{problem_, travel_, deadline_}, problem_.mechanism.description);
-    if (ratio && std::isfinite(*ratio)) add("time_ratio", *ratio);
+    if (ratio && std::isfinite(*ratio)) summary_.time_ratio = ratio;
   }
 
-  /// The first range of the course. Where a crank begins within it and comes back a turn later in
-  /// the same assemblies, the way in which it came back is a part of it too.
-  CourseRun range_driven() const {
-    const double sense = course_.start <= course_.end ? 1 : -1;
-    const CourseRun& first = sense > 0 ? course_.runs.front() : course_.runs.back();
+  /// The first range of the set of assembly ranges. Where a crank begins within it and comes back a
+  /// turn later in the same assemblies, the way in which it came back is a part of it too.
+  AssemblyRange range_driven() const {
+    const double sense = assembly_ranges_.start <= assembly_ranges_.end ? 1 : -1;
+    const AssemblyRange& first =
+        sense > 0 ? assembly_ranges_.runs.front() : assembly_ranges_.runs.back();
     const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism_.drive);
     const bool from_start = (sense > 0 ? first.from_dyad : first.to_dyad) < 0;
-    if (!turns || !from_start || sense * (course_.end - course_.start) < kFullTurn) return first;
-    const double shift = sense * kTurn, back = course_.start + shift;
-    const CourseRun* again = course_.run_at(back);
+    if (!turns || !from_start ||
+        sense * (assembly_ranges_.end - assembly_ranges_.start) < kFullTurn)
+      return first;
+    const double shift = sense * kTurn, back = assembly_ranges_.start + shift;
+    const AssemblyRange* again = assembly_ranges_.range_at(back);
     if (again == nullptr || again == &first) return first;
-    if (sides_at(*again, back) != sides_at(first, course_.start)) return first;
-    CourseRun joined = first;
+    if (sides_at(*again, back) != sides_at(first, assembly_ranges_.start)) return first;
+    AssemblyRange joined = first;
     (sense > 0 ? joined.from : joined.to) = (sense > 0 ? again->from : again->to) - shift;
     (sense > 0 ? joined.from_dyad : joined.to_dyad) = sense > 0 ? again->from_dyad : again->to_dyad;
     for (Change change : again->changes) {
       change.drive -= shift;
-      const bool before_start = sense * (course_.start - change.drive) > 0;
+      const bool before_start = sense * (assembly_ranges_.start - change.drive) > 0;
       if (before_start) joined.changes.push_back(change);
     }
     std::ranges::stable_sort(joined.changes, {}, &Change::drive);
@@ -197,7 +200,7 @@ class Summary {
   /// The output's stroke or swing in the range driven and on the whole circuit; none where the
   /// range is a whole turn in which the output turns too, or where the stroke has no end.
   void add_strokes(const OutputRange& all) {
-    const bool is_one = course_.runs.size() == 1;
+    const bool is_one = assembly_ranges_.runs.size() == 1;
     const auto own = is_one ? all : output_range(mechanism_, driven_, travel_);
     if (!own || goes_to_infinity()) return;
     const double unit = travel_.slides ? 1 : kDegreesInRadian;
@@ -222,7 +225,7 @@ class Summary {
   bool goes_to_infinity() {
     constexpr double kNear = 1e-3, kFactor = 1e4;
     if (!travel_.slides) return false;
-    const CourseRun& run = driven_.runs.front();
+    const AssemblyRange& run = driven_.runs.front();
     const double middle = std::midpoint(run.from, run.to), step = kNear * (run.to - run.from);
     const auto value = [&](double drive) {
       motion_.move_to(drive);
@@ -241,13 +244,13 @@ class Summary {
 
   static constexpr double kFullTurn = kTurn * (1 - 1e-12);
 
-  void add(const char* name, double value) { summary_.facts.push_back({name, value}); }
+  void add(const char* name, double value) { summary_.quantities.push_back({name, value}); }
 
   const AnalysisProblem& problem_;
   const Deadline& deadline_;
   const Mechanism<double>& mechanism_;
-  const Course& course_;
-  Course driven_;  ///< the first range of the course
+  const AssemblyRanges& assembly_ranges_;
+  AssemblyRanges driven_;  ///< the first range of the set of assembly ranges
   Travel travel_;
   FollowedMotion<0> motion_;
   MotionSummary summary_;
@@ -255,10 +258,22 @@ class Summary {
 
 }  // namespace
 
-MotionSummary summarise(const AnalysisProblem& problem, const Course& course,
+MotionSummary summarise(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges,
                         const Deadline& deadline) {
-  if (course.runs.empty()) return {};
-  return Summary(problem, course, deadline).collect();
+  if (assembly_ranges.runs.empty()) return {};
+  return Summary(problem, assembly_ranges, deadline).collect();
+}
+
+std::vector<Quantity> quantities_of(const MotionSummary& summary) {
+  std::vector<Quantity> all;
+  if (const auto& angles = summary.transmission) {
+    all = {{"transmission_angle_deg.min", kDegreesInRadian * angles->min},
+           {"transmission_angle_deg.max", kDegreesInRadian * angles->max},
+           {"transmission_angle_deg.acute_min", kDegreesInRadian * angles->acute_min}};
+  }
+  std::ranges::copy(summary.quantities, std::back_inserter(all));
+  if (summary.time_ratio) all.push_back({"time_ratio", *summary.time_ratio});
+  return all;
 }
 
 }  // namespace cognate::problems

@@ -89,10 +89,11 @@ std::vector<OpenRange> open_ranges(std::span<const RowState> rows) {
   return ranges;
 }
 
-std::string note(const AnalysisProblem& problem, const Course& course, const OpenRange& range) {
+std::string note(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges,
+                 const OpenRange& range) {
   const auto name = dyad_names(problem.mechanism)[static_cast<std::size_t>(range.dyad)];
   const auto where = place_text(problem, range.first, range.last);
-  if (course.run_at(drive_at(problem.drive, range.first)) != nullptr) {
+  if (assembly_ranges.range_at(drive_at(problem.drive, range.first)) != nullptr) {
     return fmt::format(
         "{} the position is not determined: the ends of dyad {} coincide, and it "
         "may turn about them",
@@ -115,7 +116,7 @@ std::vector<std::string> open_row_notes(const AnalysisProblem& problem, const Sw
   const auto ranges = open_ranges(sweep.rows);
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
-    notes.push_back(note(problem, sweep.course, ranges[i]));
+    notes.push_back(note(problem, sweep.assembly_ranges, ranges[i]));
   }
   if (ranges.size() > kMost) {
     notes.push_back(fmt::format("and in {} more ranges", ranges.size() - kMost));

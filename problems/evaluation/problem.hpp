@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
 #include "analysis/mechanism/forces.hpp"
 #include "analysis/mechanism/mechanism.hpp"
+#include "problems/basics/kind.hpp"
 #include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
@@ -22,7 +24,7 @@ struct DriveSweep {
   DriveRate rate;
 };
 
-/// `[output]`: what is wanted; what is not is not computed.
+/// `[output]`: what is requested; what is not is not computed.
 struct AnalysisOutput {
   bool position = true;
   bool velocity = true;
@@ -32,7 +34,7 @@ struct AnalysisOutput {
   bool reactions = false;
   bool torque = false;
   std::vector<int> points;  ///< indices of the named points to report; all that move when empty
-  std::vector<int> instant_geometry;  ///< the bodies whose poles and circles are wanted
+  std::vector<int> instant_geometry;  ///< the bodies whose poles and circles are requested
   bool curve = false;                 ///< measures of a four-bar's coupler curve over its circuit
   bool cognates = false;              ///< Roberts' cognates of a four-bar with a coupler point
 };
@@ -46,6 +48,14 @@ struct AnalysisProblem {
   std::vector<Inertia> inertias;  ///< one for each body; all zero where the file gives none
   std::vector<LoadRule> loads;
   Vec2d gravity{};
+};
+
+template <>
+struct KindTraits<AnalysisProblem> {
+  static constexpr std::string_view kWord = "analysis";
+  static AnalysisProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<AnalysisProblem, std::vector<std::string>> checked(
+      const AnalysisProblem& problem);
 };
 
 /// Whether what drives the mechanism is a slider rather than a crank.

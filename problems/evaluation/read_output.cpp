@@ -11,18 +11,18 @@
 namespace cognate::problems::reading {
 namespace {
 
-struct Quantity {
+struct OutputWord {
   std::string_view key;
   bool AnalysisOutput::*wanted;
 };
 
-constexpr Quantity kQuantities[] = {{"position", &AnalysisOutput::position},
-                                    {"velocity", &AnalysisOutput::velocity},
-                                    {"acceleration", &AnalysisOutput::acceleration},
-                                    {"transmission", &AnalysisOutput::transmission},
-                                    {"curvature", &AnalysisOutput::curvature},
-                                    {"reactions", &AnalysisOutput::reactions},
-                                    {"torque", &AnalysisOutput::torque}};
+constexpr OutputWord kOutputWords[] = {{"position", &AnalysisOutput::position},
+                                       {"velocity", &AnalysisOutput::velocity},
+                                       {"acceleration", &AnalysisOutput::acceleration},
+                                       {"transmission", &AnalysisOutput::transmission},
+                                       {"curvature", &AnalysisOutput::curvature},
+                                       {"reactions", &AnalysisOutput::reactions},
+                                       {"torque", &AnalysisOutput::torque}};
 
 constexpr std::string_view kWant = "want";
 constexpr std::string_view kPoints = "points";
@@ -38,16 +38,16 @@ void add_point_wanted(const PartNames& names, const Mention& mention, AnalysisOu
   }
 }
 
-const Quantity* find_quantity(std::string_view word) {
-  const auto* const found = std::ranges::find(kQuantities, word, &Quantity::key);
-  return found == std::end(kQuantities) ? nullptr : found;
+const OutputWord* find_output_word(std::string_view word) {
+  const auto* const found = std::ranges::find(kOutputWords, word, &OutputWord::key);
+  return found == std::end(kOutputWords) ? nullptr : found;
 }
 
 // A word of `want` that is neither a quantity nor a point.
 void fault_word(const PartNames& names, const Mention& mention, FaultList& faults) {
   if (fault_briefly(mention, faults)) return;
   std::vector<std::string_view> known;
-  for (const Quantity& quantity : kQuantities) known.push_back(quantity.key);
+  for (const OutputWord& quantity : kOutputWords) known.push_back(quantity.key);
   const std::string allowed = quoted_list(known);
   const std::string points = point_list(names);
   std::ranges::copy(names.all_points(), std::back_inserter(known));
@@ -62,12 +62,12 @@ void read_wanted(TableReader& table, const PartNames& names, AnalysisOutput& out
   const auto wanted = read_mentions(table, kWant, {1, 10000, "words"});
   if (!wanted) return;
   const bool quantities = std::ranges::any_of(
-      *wanted, [](const Mention& mention) { return find_quantity(mention.name) != nullptr; });
-  for (const Quantity& quantity : kQuantities) {
+      *wanted, [](const Mention& mention) { return find_output_word(mention.name) != nullptr; });
+  for (const OutputWord& quantity : kOutputWords) {
     if (quantities) output.*quantity.wanted = false;
   }
   for (const Mention& mention : *wanted) {
-    if (const auto* quantity = find_quantity(mention.name)) {
+    if (const auto* quantity = find_output_word(mention.name)) {
       output.*quantity->wanted = true;
     } else if (names.is_announced(mention.name)) {
       add_point_wanted(names, mention, output, table.faults());
@@ -83,9 +83,10 @@ void read_instant_geometry(TableReader& table, const PartNames& names, AnalysisO
     const auto body = find_body(names, mention, table.faults());
     if (!body) continue;
     if (*body == 0) {
-      table.faults().add(mention.where, fmt::format("{} has \"frame\", which does not move; a "
-                                                    "moving body is wanted",
-                                                    mention.called));
+      table.faults().add(mention.where,
+                         fmt::format("{} has \"frame\", which does not move; expected a "
+                                     "moving body",
+                                     mention.called));
     } else if (std::ranges::find(output.instant_geometry, *body) == output.instant_geometry.end()) {
       output.instant_geometry.push_back(*body);
     }
@@ -93,7 +94,7 @@ void read_instant_geometry(TableReader& table, const PartNames& names, AnalysisO
 }
 
 void read_keys(TableReader& table, AnalysisOutput& output) {
-  for (const Quantity& quantity : kQuantities) {
+  for (const OutputWord& quantity : kOutputWords) {
     output.*quantity.wanted = table.boolean(quantity.key).value_or(output.*quantity.wanted);
     if (!table.has(kWant) || !table.has(quantity.key)) continue;
     table.fault(quantity.key, fmt::format("is given beside output.{0}; give {0} = [...] or a key "
@@ -118,9 +119,9 @@ AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forc
   output.cognates = table.boolean(kCognates).value_or(false);
   output.curve = table.boolean(kCurve).value_or(false);
   const bool any = std::ranges::any_of(
-      kQuantities, [&](const Quantity& quantity) { return output.*quantity.wanted; });
+      kOutputWords, [&](const OutputWord& quantity) { return output.*quantity.wanted; });
   if (!any && !table.has(kInstantGeometry) && !output.cognates && !output.curve) {
-    table.faults().add(table.where(), "[output] asks for nothing; at least one quantity is wanted");
+    table.faults().add(table.where(), "[output] asks for nothing; expected at least one quantity");
   }
   table.finish();
   return output;

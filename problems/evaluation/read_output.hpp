@@ -1,4 +1,4 @@
-/// @file `[output]`: what of an analysis is wanted.
+/// @file `[output]`: what of an analysis is requested.
 #pragma once
 
 #include <string_view>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kCurve = "curve";
 
 /// What `table` asks for, by `want = [...]`, a list of quantities and points, or by a key for each
 /// quantity and `points = [...]`; by `instant_geometry` the names of bodies, and `cognates`.
-/// `forces`: whether reactions and torque are wanted where the file does not say.
+/// `forces`: whether reactions and torque are requested where the file does not say.
 AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces);
 
 }  // namespace cognate::problems::reading

@@ -49,7 +49,7 @@ struct AnalysisResult {
   std::vector<Column> columns;          ///< the drive first
   int closed_rows = 0;                  ///< where the mechanism can be assembled
   std::vector<Landmark> landmarks;
-  std::vector<Fact> facts;  ///< of the motion as a whole
+  std::vector<Quantity> quantities;  ///< of the motion as a whole
   std::vector<Cognate> cognates;
   Work work;
   std::vector<std::string> notes;
@@ -57,5 +57,9 @@ struct AnalysisResult {
 
 /// Evaluates the mechanism over its drive.
 AnalysisResult analyse(const AnalysisProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
+std::vector<std::string> validate(const AnalysisProblem& problem);
 
 }  // namespace cognate::problems

@@ -26,10 +26,10 @@ struct RowState {
 template <int Order>
 class RowFiller {
  public:
-  /// `course`: of the whole sweep.
-  RowFiller(const AnalysisProblem& problem, const Course& course)
+  /// `assembly_ranges`: of the whole sweep.
+  RowFiller(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges)
       : problem_(problem),
-        motion_(problem.mechanism.mechanism, course),
+        motion_(problem.mechanism.mechanism, assembly_ranges),
         described_(problem.mechanism.mechanism) {}
 
   /// Writes `row` of every column of motion in `plan`; they have their full size and hold NaN. A

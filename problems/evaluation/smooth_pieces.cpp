@@ -16,18 +16,20 @@ namespace {
 /// Parts of the drive's scale: places closer than this are one.
 constexpr double kSamePlace = 1e-12;
 
-/// Where loads begin or cease anywhere on the course. What one turn has may come back in the next.
-std::vector<double> all_breaks(const AnalysisProblem& problem, const Course& course,
+/// Where loads begin or cease anywhere on the set of assembly ranges. What one turn has may come
+/// back in the next.
+std::vector<double> all_breaks(const AnalysisProblem& problem,
+                               const AssemblyRanges& assembly_ranges,
                                std::span<const Stroke> strokes) {
   const auto& mechanism = problem.mechanism.mechanism;
   std::vector<double> breaks;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const Stroke stroke = i < strokes.size() ? strokes[i] : Stroke{};
-    std::ranges::move(load_breaks(mechanism, course, problem.loads[i], stroke),
+    std::ranges::move(load_breaks(mechanism, assembly_ranges, problem.loads[i], stroke),
                       std::back_inserter(breaks));
   }
   if (std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) return breaks;
-  const auto [low, high] = std::minmax(course.start, course.end);
+  const auto [low, high] = std::minmax(assembly_ranges.start, assembly_ranges.end);
   std::vector<double> repeated;
   for (const double place : breaks) {
     const double first = place - kTurn * std::floor((place - low) / kTurn);
@@ -40,7 +42,7 @@ std::vector<double> all_breaks(const AnalysisProblem& problem, const Course& cou
 /// Cuts one run.
 class RunCutter {
  public:
-  RunCutter(const CourseRun& run, double scale, std::vector<SmoothPiece>& pieces)
+  RunCutter(const AssemblyRange& run, double scale, std::vector<SmoothPiece>& pieces)
       : run_(run), scale_(scale), pieces_(pieces) {}
 
   void cut(const std::vector<double>& breaks) {
@@ -72,20 +74,22 @@ class RunCutter {
     return changes ? PieceEnd::change : PieceEnd::smooth;
   }
 
-  const CourseRun& run_;
+  const AssemblyRange& run_;
   double scale_;
   std::vector<SmoothPiece>& pieces_;
 };
 
 }  // namespace
 
-std::vector<SmoothPiece> smooth_pieces(const AnalysisProblem& problem, const Course& course,
+std::vector<SmoothPiece> smooth_pieces(const AnalysisProblem& problem,
+                                       const AssemblyRanges& assembly_ranges,
                                        std::span<const Stroke> strokes) {
   std::vector<SmoothPiece> pieces;
-  const std::vector<double> breaks = all_breaks(problem, course, strokes);
-  for (const CourseRun& run : course.runs) RunCutter(run, course.scale, pieces).cut(breaks);
+  const std::vector<double> breaks = all_breaks(problem, assembly_ranges, strokes);
+  for (const AssemblyRange& run : assembly_ranges.runs)
+    RunCutter(run, assembly_ranges.scale, pieces).cut(breaks);
   ActiveLoads active(problem.mechanism.mechanism, problem.loads, strokes);
-  FollowedMotion<1> motion(problem.mechanism.mechanism, course);
+  FollowedMotion<1> motion(problem.mechanism.mechanism, assembly_ranges);
   for (SmoothPiece& piece : pieces) {
     const double middle = std::midpoint(piece.from, piece.to);
     if (!motion.move_to(middle)) continue;

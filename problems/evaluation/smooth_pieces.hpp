@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/problem.hpp"
 
@@ -23,9 +23,11 @@ struct SmoothPiece {
   std::vector<Load> loads;
 };
 
-/// Cuts `course` at every place where a load may begin or cease to act, at dead and change points,
-/// and in quarters of a turn (of a driving slider's path). In the order of the drive's coordinate.
-std::vector<SmoothPiece> smooth_pieces(const AnalysisProblem& problem, const Course& course,
+/// Cuts `assembly_ranges` at every place where a load may begin or cease to act, at dead and change
+/// points, and in quarters of a turn (of a driving slider's path). In the order of the drive's
+/// coordinate.
+std::vector<SmoothPiece> smooth_pieces(const AnalysisProblem& problem,
+                                       const AssemblyRanges& assembly_ranges,
                                        std::span<const Stroke> strokes);
 
 }  // namespace cognate::problems

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -13,17 +16,40 @@
 #include "problems/evaluation/force_extremes.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
 #include "problems/evaluation/load_strokes.hpp"
-#include "problems/evaluation/motion_facts.hpp"
-#include "problems/evaluation/motion_notes.hpp"
+#include "problems/evaluation/motion_quantities.hpp"
 #include "problems/evaluation/motion_summary.hpp"
 #include "problems/evaluation/open_rows.hpp"
+#include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/evaluation/sweep.hpp"
-#include "problems/evaluation/type_facts.hpp"
+#include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 
 namespace cognate::problems {
 namespace {
+
+/// That the drive crosses several ranges, and which quantities belong to which; that a stroke has
+/// no end.
+std::vector<std::string> motion_notes(const AnalysisProblem& problem,
+                                      const MotionSummary& summary) {
+  std::vector<std::string> notes;
+  if (summary.ranges > 1) {
+    const auto& drive = problem.mechanism.mechanism.drive;
+    const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+    const double unit = slides ? 1 : 180 / kPi;
+    notes.push_back(fmt::format(
+        "the drive crosses {} separate ranges of the mechanism; its stroke or swing is that of the "
+        "first, from {:.6g} to {:.6g}, its transmission and pressure angles are the extremes of "
+        "all",
+        summary.ranges, unit * summary.from + 0.0, unit * summary.to + 0.0));
+  }
+  if (!summary.endless.empty()) {
+    notes.push_back(fmt::format(
+        "the stroke of {} has no end: it grows without bound where guides become parallel",
+        summary.endless));
+  }
+  return notes;
+}
 
 int closed_rows(const Sweep& sweep) {
   return static_cast<int>(std::ranges::count(sweep.rows, kNone, &RowState::open_dyad));
@@ -78,19 +104,19 @@ Work work_of(const AnalysisProblem& problem, const Sweep& sweep, const Run& run,
 /// Where the motion is just after its start, in its own sense: a start on a change point is on the
 /// motion that has the assembly there.
 double after_start(const DriveSweep& drive) {
-  constexpr double kStep = 2e-7;  // as the course of the motion has it
+  constexpr double kStep = 2e-7;  // as the set of assembly ranges of the motion has it
   return drive.end < drive.start ? drive.start - kStep : drive.start;
 }
 
 /// The course of the rows, or of its first two turns, after which every motion repeats itself (an
 /// antiparallelogram takes two).
-Course summarised_course(const AnalysisProblem& problem, const Sweep& sweep,
-                         const Deadline& deadline) {
+AssemblyRanges summarised_assembly_ranges(const AnalysisProblem& problem, const Sweep& sweep,
+                                          const Deadline& deadline) {
   const double most = 4 * kPi;
   const double length = problem.drive.end - problem.drive.start;
   const auto& drive = problem.mechanism.mechanism.drive;
   const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
-  if (slides || std::abs(length) <= most) return sweep.course;
+  if (slides || std::abs(length) <= most) return sweep.assembly_ranges;
   const double start = problem.drive.start;
   return follow_until(problem, start, start + std::copysign(most, length), deadline);
 }
@@ -115,15 +141,16 @@ void count_with_rows(std::vector<Landmark>& landmarks, const AnalysisProblem& pr
   }
 }
 
-void append(std::vector<Fact>& facts, std::vector<Fact> more) {
-  std::ranges::move(more, std::back_inserter(facts));
+void append(std::vector<Quantity>& quantities, std::vector<Quantity> more) {
+  std::ranges::move(more, std::back_inserter(quantities));
 }
 
 /// In the order of the motion.
-void append(std::vector<Landmark>& landmarks, std::vector<Landmark> more, const Course& course) {
+void append(std::vector<Landmark>& landmarks, std::vector<Landmark> more,
+            const AssemblyRanges& assembly_ranges) {
   std::ranges::move(more, std::back_inserter(landmarks));
   std::ranges::stable_sort(landmarks, [&](const Landmark& a, const Landmark& b) {
-    return course.start <= course.end ? a.drive < b.drive : a.drive > b.drive;
+    return assembly_ranges.start <= assembly_ranges.end ? a.drive < b.drive : a.drive > b.drive;
   });
 }
 
@@ -149,11 +176,11 @@ void add_forces(AnalysisResult& result, const AnalysisProblem& problem, const Sw
   std::optional<ForceExtremes> refined;
   const bool asked = problem.output.torque || problem.output.reactions;
   if (asked && !deadline.reached()) {
-    const Course course = summarised_course(problem, rows, deadline);
-    refined = force_extremes(problem, course, load_strokes(problem, deadline), deadline);
+    const AssemblyRanges assembly_ranges = summarised_assembly_ranges(problem, rows, deadline);
+    refined = force_extremes(problem, assembly_ranges, load_strokes(problem, deadline), deadline);
   }
-  auto [facts, notes] = force_facts(problem, rows, refined);
-  append(result.facts, std::move(facts));
+  auto [quantities, notes] = force_quantities(problem, rows, refined);
+  append(result.quantities, std::move(quantities));
   std::ranges::move(notes, std::back_inserter(result.notes));
 }
 
@@ -161,15 +188,15 @@ void add_forces(AnalysisResult& result, const AnalysisProblem& problem, const Sw
 bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
                     const Deadline& deadline) {
   if (rows.rows.size() < static_cast<std::size_t>(row_count(problem.drive))) return false;
-  const Course course = summarised_course(problem, rows, deadline);
-  MotionSummary summary = summarise(problem, course, deadline);
+  const AssemblyRanges assembly_ranges = summarised_assembly_ranges(problem, rows, deadline);
+  MotionSummary summary = summarise(problem, assembly_ranges, deadline);
   std::vector<Landmark>& landmarks = summary.landmarks;
-  append(landmarks, curve_landmarks(problem, course, deadline), course);
+  append(landmarks, curve_landmarks(problem, assembly_ranges, deadline), assembly_ranges);
   if (deadline.reached()) return false;
   count_with_rows(landmarks, problem, rows);
-  append(result.facts, std::move(summary.facts));
+  append(result.quantities, quantities_of(summary));
   std::ranges::move(motion_notes(problem, summary), std::back_inserter(result.notes));
-  append(result.facts, curve_facts(problem));
+  append(result.quantities, curve_quantities(problem));
   result.landmarks = std::move(landmarks);
   result.cognates = cognates(problem);
   return true;
@@ -177,18 +204,20 @@ bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, cons
 
 }  // namespace
 
-AnalysisResult analyse(const AnalysisProblem& problem, const Run& run) {
+AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
+  AnalysisProblem problem = given;
+  problem.inertias.resize(problem.mechanism.bodies.size());
   const Deadline deadline(run);
   Sweep rows = sweep(problem, run, deadline);
   AnalysisResult result;
   result.closed_rows = closed_rows(rows);
   result.notes = open_row_notes(problem, rows);
   if (const auto note = ended_note(problem, rows, deadline)) result.notes.push_back(*note);
-  append(result.facts, type_facts(problem.mechanism, after_start(problem.drive)));
+  append(result.quantities, type_quantities(problem.mechanism, after_start(problem.drive)));
   const bool whole = summarise_into(result, problem, rows, deadline);
   result.status = status_of(rows, deadline, whole);
   add_forces(result, problem, rows, deadline);
-  append(result.facts, check_facts(rows));
+  append(result.quantities, check_quantities(rows));
   result.work = work_of(problem, rows, run, deadline);
   result.columns = std::move(rows.plan.columns);
   std::erase_if(result.columns, [](const Column& column) {

@@ -9,7 +9,6 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
-#include "problems/evaluation/continuous_angle.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
 #include "problems/evaluation/load_strokes.hpp"
@@ -18,15 +17,31 @@
 namespace cognate::problems {
 namespace {
 
+/// Adds whole turns to `degrees`, each in (−180, 180], so that each differs from the one before it
+/// by half a turn at most. What is not a number is passed over: after a gap the angle goes on from
+/// where it was before.
+void make_continuous(std::span<double> degrees) {
+  constexpr double kTurn = 360;
+  double before = 0;
+  bool first = true;
+  for (double& angle : degrees) {
+    if (!std::isfinite(angle)) continue;
+    if (!first) angle += kTurn * std::round((before - angle) / kTurn);
+    before = angle;
+    first = false;
+  }
+}
+
 constexpr int kRowsOfBlock = 256;
 
 /// The rows [first, last) of a block, by one thread.
 template <int Order>
 class BlockFiller {
  public:
-  BlockFiller(const AnalysisProblem& problem, const Course& course, std::span<const Stroke> strokes)
-      : kinematics_(problem, course), forces_(problem, strokes) {
-    if (!problem.output.instant_geometry.empty()) instants_.emplace(problem, course);
+  BlockFiller(const AnalysisProblem& problem, const AssemblyRanges& assembly_ranges,
+              std::span<const Stroke> strokes)
+      : kinematics_(problem, assembly_ranges), forces_(problem, strokes) {
+    if (!problem.output.instant_geometry.empty()) instants_.emplace(problem, assembly_ranges);
   }
 
   void fill(ColumnPlan& plan, std::span<RowState> rows, int first, int last) {
@@ -58,7 +73,7 @@ void fill_all(const AnalysisProblem& problem, const Run& run, const Deadline& de
   parallel_for(blocks, run.threads, [&](int block, int thread) {
     if (deadline.reached()) return;
     const int first = block * kRowsOfBlock;
-    BlockFiller<Order>(problem, all.course, strokes)
+    BlockFiller<Order>(problem, all.assembly_ranges, strokes)
         .fill(all.plan, all.rows, first, std::min(first + kRowsOfBlock, rows));
     done[static_cast<std::size_t>(block)] = 1;
     ++finished;
@@ -85,8 +100,9 @@ void finish(Sweep& all) {
 }  // namespace
 
 Sweep sweep(const AnalysisProblem& problem, const Run& run, const Deadline& deadline) {
-  Sweep all{.plan = plan_columns(problem),
-            .course = follow_until(problem, problem.drive.start, problem.drive.end, deadline)};
+  Sweep all{
+      .plan = plan_columns(problem),
+      .assembly_ranges = follow_until(problem, problem.drive.start, problem.drive.end, deadline)};
   const auto rows = static_cast<std::size_t>(row_count(problem.drive));
   all.rows.resize(rows);
   for (auto& column : all.plan.columns) column.values.assign(rows, kNaN);

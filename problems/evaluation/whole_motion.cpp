@@ -6,12 +6,12 @@
 
 namespace cognate::problems {
 
-Course follow_until(const AnalysisProblem& problem, double start, double end,
-                    const Deadline& deadline) {
+AssemblyRanges follow_until(const AnalysisProblem& problem, double start, double end,
+                            const Deadline& deadline) {
   return follow(problem.mechanism.mechanism, start, end, [&] { return deadline.reached(); });
 }
 
-Course whole_motion(const AnalysisProblem& problem, const Deadline& deadline) {
+AssemblyRanges whole_motion(const AnalysisProblem& problem, const Deadline& deadline) {
   const auto& drive = problem.mechanism.mechanism.drive;
   const double start = problem.drive.start;
   const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);

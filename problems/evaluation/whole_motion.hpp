@@ -1,18 +1,18 @@
 /// @file The whole motion of which an analysis may show a part.
 #pragma once
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
 
 /// The motion from `start` to `end` of the drive; only a part of it once `deadline` is reached.
-Course follow_until(const AnalysisProblem& problem, double start, double end,
-                    const Deadline& deadline);
+AssemblyRanges follow_until(const AnalysisProblem& problem, double start, double end,
+                            const Deadline& deadline);
 
 /// The whole turn of a crank or a floating link from the start of its sweep; a driving slider's
 /// sweep.
-Course whole_motion(const AnalysisProblem& problem, const Deadline& deadline);
+AssemblyRanges whole_motion(const AnalysisProblem& problem, const Deadline& deadline);
 
 }  // namespace cognate::problems

@@ -54,7 +54,7 @@ std::string lengths_text(const std::array<Range, 4>& limits) {
 FunctionDomain function_domain(const FunctionProblem& problem, const FunctionSamples& wanted) {
   const auto limits = length_ranges(problem);
   const double ratio = largest_ratio(limits, problem.constraints).value_or(kCertifiedLinkRatio);
-  synthesis::WantedFunction function;
+  synthesis::DesiredFunction function;
   for (const auto& pair : wanted.samples) {
     function.input.push_back(pair.input);
     function.output.push_back(pair.output);

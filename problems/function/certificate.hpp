@@ -14,7 +14,7 @@ struct FunctionDomain {
   std::string text;
 };
 
-/// Of a least-squares problem. Transmission angle and closing are asked for at the samples alone
+/// Of a least-squares problem. Transmission angle and closing are requested at the samples alone
 /// where the crank does not turn fully, and bounds of the output's start are left out, so that more
 /// designs are looked at than the file allows.
 FunctionDomain function_domain(const FunctionProblem& problem, const FunctionSamples& wanted);

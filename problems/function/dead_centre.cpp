@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 
 namespace cognate::problems {
 
@@ -14,8 +15,8 @@ std::optional<DeadCentre> dead_centre(const Lengths<double>& links, Assembly ass
   DeadCentre result;
   result.crank_angle = sign(assembly) * limit->crank_angle;
   result.rocker_angle = sign(assembly) * limit->rocker_angle;
-  const Vec2d e1{std::cos(result.crank_angle), std::sin(result.crank_angle)};
-  const Vec2d e3{std::cos(result.rocker_angle), std::sin(result.rocker_angle)};
+  const Vec2d e1 = unit_vector(result.crank_angle);
+  const Vec2d e3 = unit_vector(result.rocker_angle);
   const double side = outer ? 1 : -1;
   const double reach = links.crank + side * links.coupler;
   const double along = dot(e1, e3), across = cross(e1, e3);

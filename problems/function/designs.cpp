@@ -6,8 +6,8 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/same_design.hpp"
-#include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -54,8 +54,8 @@ std::vector<CrankPosition> sides_at(const FunctionGenerator& generator,
   for (const synthesis::PrecisionPoint& point : points) {
     const double input = generator.input_start + point.input;
     const double output = generator.output_start + point.output[0];
-    const Vec2d b = linkage.crank * Vec2d{std::cos(input), std::sin(input)};
-    const Vec2d c = linkage.pivot_d + linkage.rocker * Vec2d{std::cos(output), std::sin(output)};
+    const Vec2d b = linkage.crank * unit_vector(input);
+    const Vec2d c = linkage.pivot_d + linkage.rocker * unit_vector(output);
     positions.push_back(position_of(linkage, b, c));
   }
   return positions;
@@ -90,7 +90,7 @@ Design function_design(const FunctionProblem& problem, const FunctionSamples& wa
   design.metrics = design_metrics(linkage, positions, {.timed = true, .travel = travel});
   design.metrics.input_start = in_one_turn(generator.input_start);
   design.metrics.output_start = in_one_turn(generator.output_start);
-  add_turn_metrics(problem.constraints, linkage, Accelerated::rocker, design.metrics);
+  add_cycle_metrics(problem.constraints, linkage, CycleOutput::rocker, design.metrics);
   design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
                                          linkage, design.metrics);
   check_start_angle(design.constraints, "input_start_deg", generator.input_start,

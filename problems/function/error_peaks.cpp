@@ -26,8 +26,9 @@ class Probes {
       : error_(error), wanted_(wanted) {
     for (std::size_t i = 0; i < wanted.range.size(); ++i) {
       const double share = static_cast<double>(i) / kRangeSteps;
-      all_.push_back({share, wanted.range[i], std::abs(error(wanted.range[i]))});
+      add(share, wanted.range[i]);
     }
+    for (const auto& [share, pair] : wanted.between) add(share, pair);
   }
 
   /// Places on both sides of an input, ever nearer to it, and itself.
@@ -58,10 +59,10 @@ class Probes {
   }
 
  private:
-  void add(double share) {
-    const AnglePair pair = wanted_.at(share);
+  void add(double share, const AnglePair& pair) {
     all_.push_back({share, pair, std::abs(error_(pair))});
   }
+  void add(double share) { add(share, wanted_.at(share)); }
 
   /// The highest place between the neighbours of a probe, taken to have one peak between them.
   AnglePair refined(std::size_t i) const {

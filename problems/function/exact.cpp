@@ -83,7 +83,7 @@ Result solve_by_parallelogram(const FunctionProblem& problem, const FunctionSamp
   result.designs.push_back(std::move(design));
   result.notes.push_back(
       "The output turns with the input by the same angle: any parallelogram does so exactly, "
-      "whatever its frame, of which this one is an example. Where crank and frame lie in one line "
+      "for any frame, of which this one is an example. Where crank and frame lie in one line "
       "it may change into an antiparallelogram; start angles left free keep it away from there.");
   result.work.positions = wanted.samples.size() + wanted.precision.size();
   return result;

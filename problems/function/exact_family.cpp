@@ -15,7 +15,7 @@
 #include "problems/function/exact_notes.hpp"
 #include "problems/function/family_table.hpp"
 #include "problems/linkage/verify.hpp"
-#include "synthesis/exact/few.hpp"
+#include "synthesis/exact/in_place_vector.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -36,12 +36,12 @@ constexpr double kSameMember = 1e-4;
 using Place = std::array<double, 2>;
 
 /// How good a design is: the lesser the better, what it violates first.
-struct Merit {
+struct FamilyScore {
   double violation = kInfinity;
   bool limiting = true;  ///< links so long that they are those of a slider
   double score = kInfinity;
 
-  friend bool operator<(const Merit& a, const Merit& b) {
+  friend bool operator<(const FamilyScore& a, const FamilyScore& b) {
     return std::tie(a.violation, a.limiting, a.score) < std::tie(b.violation, b.limiting, b.score);
   }
 };
@@ -49,7 +49,7 @@ struct Merit {
 struct Candidate {
   Place place{};
   Design design;
-  Merit merit;
+  FamilyScore merit;
 };
 
 bool by_merit(const Candidate& a, const Candidate& b) {
@@ -91,7 +91,7 @@ class FamilySearch {
     return start.angle ? coordinate : middle_ + unit_ * std::tan(coordinate);
   }
   GivenStart start_at(const Place& place) const;
-  Merit merit(const Design& design) const;
+  FamilyScore merit(const Design& design) const;
   std::vector<Candidate> candidates_at(const Place& place);
   Candidate refined(Candidate best);
   void add_tables(const std::vector<std::vector<Candidate>>& line, Result& result) const;
@@ -102,7 +102,7 @@ class FamilySearch {
   const FunctionProblem& problem_;
   const FunctionSamples& wanted_;
   const Deadline& deadline_;
-  synthesis::Few<FreeStart, 2> free_;
+  synthesis::InPlaceVector<FreeStart, 2> free_;
   double middle_ = 0, unit_ = 1;  ///< of displacements
   std::uint64_t evaluated_ = 0;
 };
@@ -136,7 +136,7 @@ GivenStart FamilySearch::start_at(const Place& place) const {
   return start;
 }
 
-Merit FamilySearch::merit(const Design& design) const {
+FamilyScore FamilySearch::merit(const Design& design) const {
   const bool by_error =
       problem_.best_by.value_or(std::holds_alternative<FunctionOfX>(problem_.target)
                                     ? BestBy::error
@@ -148,7 +148,7 @@ Merit FamilySearch::merit(const Design& design) const {
 std::vector<Candidate> FamilySearch::candidates_at(const Place& place) {
   std::vector<Candidate> candidates;
   for (Design& design : exact_designs(problem_, wanted_, start_at(place)).designs) {
-    const Merit own = merit(design);
+    const FamilyScore own = merit(design);
     candidates.push_back({place, std::move(design), own});
   }
   ++evaluated_;

@@ -1,4 +1,4 @@
-/// @file Exact function generators where fewer conditions are asked for than there are unknowns.
+/// @file Exact function generators where fewer conditions are requested than there are unknowns.
 #pragma once
 
 #include "problems/function/problem.hpp"

@@ -17,8 +17,6 @@ using synthesis::Objective;
 
 /// Starts of a round, and the fewest and most of a search where the file does not say.
 constexpr int kRound = 64, kFewestStarts = 128, kMostStarts = 256;
-/// The best minimum counts as well known once so many starts have come to it.
-constexpr int kEnoughHits = 5;
 constexpr int kIterations = 150;
 /// Weight of violated limits among the errors.
 constexpr double kPenalty = 10;
@@ -27,39 +25,34 @@ constexpr double kSameFit = 1e-4;
 
 class Explorer {
  public:
-  Explorer(const ConfinedFunctions& confined, const FunctionSamples& wanted, std::size_t kept,
+  Explorer(const FunctionRefiner& refiner, const FunctionSamples& wanted, std::size_t kept,
            const Run& run, const Deadline& deadline, Work& work)
-      : confined_(confined),
+      : refiner_(refiner),
+        problem_(refiner.confined().plain()),
         wanted_(wanted),
         kept_(kept),
         run_(run),
         deadline_(deadline),
-        refiner_(confined, run, deadline),
-        work_(work) {}
+        work_(work),
+        search_({}, {run.threads, deadline, run.progress}) {}
 
-  ExploredFunctions take(SearchThoroughness& thoroughness) {
-    const auto& asked = confined_.plain().solve.starts;
-    const int most = asked.value_or(kMostStarts), round = asked.value_or(kRound);
-    int done = 0;
+  ExploredFunctions take() {
+    const auto& asked = problem_.solve.starts;
     add_known();
-    while (done < most && !deadline_.reached()) {
-      add_round(done, round, most);
-      done += round;
-      const bool known = !pool_.empty() && pool_.front().hits >= kEnoughHits;
-      if (done >= kFewestStarts && known) break;
-    }
-    const auto seen_once = std::ranges::count(pool_, 1, &FunctionFound::hits);
-    thoroughness.starts = done;
-    thoroughness.best_hits = pool_.empty() ? 0 : pool_.front().hits;
-    thoroughness.unseen = chance_of_unseen(seen_once, done);
-    return {std::move(pool_), std::move(starts_)};
+    search_.explore({.starts = asked,
+                     .round = asked.value_or(kRound),
+                     .fewest = kFewestStarts,
+                     .most = kMostStarts},
+                    {0, 0.5}, [&](int first, int count) { add_round(first, count); });
+    const SearchStatistics statistics = search_.statistics(search_.starts());
+    return {std::move(search_.all()), std::move(starts_), statistics};
   }
 
  private:
-  bool is_minimax() const { return confined_.plain().objective == FunctionObjective::minimax; }
+  bool is_minimax() const { return problem_.objective == FunctionObjective::minimax; }
 
-  void add_round(int first, int count, int most) {
-    const auto starts = find_starts(confined_.plain(), wanted_,
+  void add_round(int first, int count) {
+    const auto starts = find_starts(problem_, wanted_,
                                     {.seed = run_.seed,
                                      .threads = thread_count(run_.threads),
                                      .first = first,
@@ -72,7 +65,7 @@ class Explorer {
       fresh.push_back(placed(start.generator, start.origin));
     }
     if (is_minimax()) std::ranges::copy(fresh, std::back_inserter(starts_));
-    add(std::move(fresh), {0.5 * first / most, 0.5 * (first + count) / most});
+    add(std::move(fresh));
   }
 
   /// Designs that the run begins with.
@@ -86,30 +79,28 @@ class Explorer {
                              StartOrigin::search));
       fresh.back().hits = 0;  // no start of the search
     }
-    if (!fresh.empty()) add(std::move(fresh), {0, 0});
+    if (!fresh.empty()) add(std::move(fresh));
   }
 
   FunctionFound placed(const FunctionGenerator& generator, StartOrigin origin) const {
-    return {.generator = generator, .origin = origin, .problem = &confined_.of(generator.links)};
+    return {.generator = generator,
+            .origin = origin,
+            .problem = &refiner_.confined().of(generator.links)};
   }
 
-  void add(std::vector<FunctionFound> fresh, Range shares) {
-    fit(fresh, shares);
-    count_work(fresh, wanted_.samples.size(), work_);
-    std::ranges::move(fresh, std::back_inserter(pool_));
-    sort_and_merge(pool_, kSameFit);
-    if (pool_.size() > kept_) pool_.resize(kept_);
+  void add(std::vector<FunctionFound> fresh) {
+    fit(fresh);
+    search_.add(std::move(fresh), kSameFit);
+    search_.keep(kept_);
   }
 
   /// In SIMD lanes, unless start angles follow from the lengths, errors count by a loss or
   /// something is limited over the full turn. Those of one problem are fitted together.
-  void fit(std::vector<FunctionFound>& all, Range shares) const {
-    const FunctionProblem& problem = confined_.plain();
-    const bool plain = problem.solve.loss == synthesis::Loss::none;
-    const bool limited = limits_turn(problem.constraints);
-    if (!plain || limited || problem.start != FunctionStart::free) {
-      refiner_.refine_all(all, wanted_, Objective::sum_of_squares, Backend::gauss_newton,
-                          kIterations, shares);
+  void fit(std::vector<FunctionFound>& all) const {
+    const bool plain = problem_.solve.loss == synthesis::Loss::none;
+    const bool limited = limits_turn(problem_.constraints);
+    if (!plain || limited || problem_.start != FunctionStart::free) {
+      search_.for_each(all.size(), [&](std::size_t i) { refine(all[i]); });
       return;
     }
     std::ranges::stable_sort(all, {}, &FunctionFound::problem);
@@ -144,41 +135,38 @@ class Explorer {
     for (std::size_t i = 0; i < all.size(); ++i) take_over(states[i], all[i]);
   }
 
-  static void take_over(const synthesis::FunctionFitState& state, FunctionFound& found) {
+  void refine(FunctionFound& found) const {
+    refiner_.refine(found, wanted_, Objective::sum_of_squares, Backend::gauss_newton, kIterations);
+  }
+
+  void take_over(const synthesis::FunctionFitState& state, FunctionFound& found) const {
     const auto [crank, coupler, rocker, frame] = state.length;
     found.generator.links = {crank, coupler, rocker, frame};
     found.generator.input_start = state.input_start;
     found.generator.output_start = state.output_start;
     found.objective = state.cost;
     found.valid = std::isfinite(state.cost);
-    found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
-    found.gradients += static_cast<std::uint64_t>(state.iterations);
-    found.iterations += static_cast<std::uint64_t>(state.iterations);
+    const auto steps = static_cast<std::uint64_t>(state.iterations);
+    refiner_.solved().count({2 * steps, steps, steps}, wanted_.samples.size());
   }
 
   /// The lanes stop at the border of what closes; constraints lead along it. They keep no start to
   /// another class than it began with: one whose crank turns fully in the end goes on in its own.
   void follow_border(const std::vector<FunctionFound>& starts,
                      std::vector<FunctionFound>& all) const {
-    parallel_for(static_cast<int>(all.size()), run_.threads, [&](int i, int) {
-      if (deadline_.reached() || !all[i].valid) return;
+    search_.for_each(all.size(), [&](std::size_t i) {
+      if (!all[i].valid) return;
       if (refiner_.confine(all[i])) {
-        refiner_.refine(all[i], wanted_, Objective::sum_of_squares, Backend::gauss_newton,
-                        kIterations);
+        refine(all[i]);
         penalise(all[i]);
         return;
       }
       if (!is_nearly_folded(all[i].generator)) return;
       FunctionFound along = starts[i];
-      refiner_.refine(along, wanted_, Objective::sum_of_squares, Backend::gauss_newton,
-                      kIterations);
+      refine(along);
       if (!along.valid) return;
       penalise(along);
-      if (all[i].objective < along.objective) return;
-      along.evaluations += all[i].evaluations;
-      along.gradients += all[i].gradients;
-      along.iterations += all[i].iterations;
-      all[i] = along;
+      if (!(all[i].objective < along.objective)) all[i] = along;
     });
   }
 
@@ -200,23 +188,23 @@ class Explorer {
     });
   }
 
-  const ConfinedFunctions& confined_;
+  const FunctionRefiner& refiner_;
+  const FunctionProblem& problem_;
   const FunctionSamples& wanted_;
   std::size_t kept_;
   const Run& run_;
   const Deadline& deadline_;
-  FunctionRefiner refiner_;
   Work& work_;
-  std::vector<FunctionFound> pool_, starts_;
+  synthesis::MultiStart<FunctionRules> search_;
+  std::vector<FunctionFound> starts_;
 };
 
 }  // namespace
 
-ExploredFunctions explore_functions(const ConfinedFunctions& confined,
-                                    const FunctionSamples& wanted, std::size_t kept, const Run& run,
-                                    const Deadline& deadline, Work& work,
-                                    SearchThoroughness& thoroughness) {
-  return Explorer(confined, wanted, kept, run, deadline, work).take(thoroughness);
+ExploredFunctions explore_functions(const FunctionRefiner& refiner, const FunctionSamples& wanted,
+                                    std::size_t kept, const Run& run, const Deadline& deadline,
+                                    Work& work) {
+  return Explorer(refiner, wanted, kept, run, deadline, work).take();
 }
 
 }  // namespace cognate::problems

@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "problems/function/found.hpp"
-#include "problems/search/thoroughness.hpp"
+#include "problems/search/statistics.hpp"
 
 namespace cognate::problems {
 
 struct ExploredFunctions {
   std::vector<FunctionFound> minima;  ///< of least squares, best first
   std::vector<FunctionFound> starts;  ///< of a minimax problem: where the search began
+  SearchStatistics statistics;
 };
 
-/// The least-squares minima that starts lead to and how thorough the search was. Until more starts
-/// promise nothing new, or as many as the file says; `kept` minima go on. Penalties of violated
-/// limits are part of the objectives. What is passed must outlive what is returned.
-ExploredFunctions explore_functions(const ConfinedFunctions& confined,
-                                    const FunctionSamples& wanted, std::size_t kept, const Run& run,
-                                    const Deadline& deadline, Work& work,
-                                    SearchThoroughness& thoroughness);
+/// The least-squares minima that starts lead to. Until more starts promise nothing new, or as many
+/// as the file says; `kept` minima go on. Penalties of violated limits are part of the objectives.
+/// What is passed must outlive what is returned.
+ExploredFunctions explore_functions(const FunctionRefiner& refiner, const FunctionSamples& wanted,
+                                    std::size_t kept, const Run& run, const Deadline& deadline,
+                                    Work& work);
 
 }  // namespace cognate::problems

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "problems/basics/degrees.hpp"
+#include "problems/function/slider_generator.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -73,11 +74,7 @@ FamilyTable::FamilyTable(const FunctionProblem& problem, bool input, bool angle)
 FamilyTable::Row FamilyTable::row_of(const Design& design) const {
   Row row{degrees(design.metrics.input_start.value_or(0))};
   if (slider_) {
-    double start = 0;
-    for (const Fact& fact : design.metrics.facts) {
-      if (fact.name == "output_start") start = std::get<double>(fact.value);
-    }
-    row.push_back(start);
+    row.push_back(find_quantity(design.metrics.quantities, kSliderStartKey).value_or(0));
   } else {
     row.push_back(degrees(design.metrics.output_start.value_or(0)));
   }

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/numbers/parallel.hpp"
 #include "problems/search/backend_choice.hpp"
 
 namespace cognate::problems {
@@ -45,23 +44,20 @@ bool is_better(const FunctionFound& a, const FunctionFound& b) {
   return a_feasible ? a.objective < b.objective : a.violation < b.violation;
 }
 
-void sort_and_merge(std::vector<FunctionFound>& all, double tolerance) {
-  std::erase_if(all, [](const FunctionFound& found) { return !found.valid; });
-  std::ranges::stable_sort(all, is_better);
-  std::vector<FunctionFound> kept;
-  for (const FunctionFound& found : all) {
-    const auto known = std::ranges::find_if(kept, [&](const FunctionFound& other) {
-      return other.problem == found.problem && is_same(other.generator, found.generator, tolerance);
-    });
-    if (known == kept.end()) {
-      kept.push_back(found);
-      continue;
-    }
-    known->hits += found.hits;
-    if (known->origin == StartOrigin::search)
-      known->origin = found.origin;  // exact leads there too
-  }
-  all = std::move(kept);
+bool FunctionRules::is_same(const FunctionFound& known, const FunctionFound& other,
+                            double tolerance) {
+  return known.problem == other.problem &&
+         problems::is_same(known.generator, other.generator, tolerance);
+}
+
+/// Exact synthesis led there too.
+void FunctionRules::absorb(FunctionFound& known, const FunctionFound& same) {
+  if (known.origin == StartOrigin::search) known.origin = same.origin;
+}
+
+double FunctionRules::value(const FunctionFound& found) {
+  return found.violation <= kFunctionFeasibility ? found.objective
+                                                 : std::numeric_limits<double>::infinity();
 }
 
 std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted) {
@@ -105,14 +101,10 @@ void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& w
   if (!synthesis::can_solve(backend, model)) return;
   const synthesis::Solution solution = solve_by_loss(
       backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
-      {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
-       .max_iterations = iterations,
-       .time_limit = deadline_.remaining(),
-       .interrupted = deadline_.flag(),
-       .seed = run_.seed});
-  found.evaluations += solution.evaluations;
-  found.gradients += solution.gradients;
-  found.iterations += static_cast<std::uint64_t>(solution.iterations);
+      synthesis::until(deadline_, {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
+                                   .max_iterations = iterations,
+                                   .seed = run_.seed}));
+  solved_.count(solution, wanted.samples.size());
   if (solution.stop == synthesis::Stop::no_value) return;
   FunctionFound next = found;
   next.generator = model.generator(solution.x);
@@ -120,28 +112,6 @@ void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& w
   next.violation = solution.violation;
   next.valid = true;
   if (!found.valid || !is_better(found, next)) found = next;
-}
-
-void FunctionRefiner::refine_all(std::vector<FunctionFound>& all, const FunctionSamples& wanted,
-                                 synthesis::Objective objective, synthesis::Backend backend,
-                                 int iterations, Range shares) const {
-  const double step = (shares.max - shares.min) / std::max<double>(1, double(all.size()));
-  double best = std::numeric_limits<double>::infinity();  // of the thread that reports
-  parallel_for(static_cast<int>(all.size()), run_.threads, [&](int i, int thread) {
-    if (deadline_.reached()) return;
-    refine(all[i], wanted, objective, backend, iterations);
-    if (thread != 0 || !run_.progress) return;
-    if (all[i].valid) best = std::min(best, all[i].objective);
-    run_.progress(shares.min + step * i, best);
-  });
-}
-
-void count_work(std::vector<FunctionFound>& all, std::size_t samples, Work& work) {
-  for (FunctionFound& found : all) {
-    work.positions += std::exchange(found.evaluations, 0) * samples;
-    work.gradients += std::exchange(found.gradients, 0) * samples;
-    work.solver_iterations += std::exchange(found.iterations, 0);
-  }
 }
 
 }  // namespace cognate::problems

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "problems/function/generator.hpp"
@@ -12,6 +11,7 @@
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
+#include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
 
@@ -40,23 +40,30 @@ struct FunctionFound {
   double violation = 0;
   bool valid = false;
   int hits = 1;  ///< how many starts have come here
-  /// Work not yet counted.
-  std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
 };
 
 /// Feasible ones first, then by objective or violation.
 bool is_better(const FunctionFound& a, const FunctionFound& b);
 
-/// Drops those without a value, sorts, and merges those confined to the same class that are closer
-/// than `tolerance` in the logarithms of lengths and in angles.
-void sort_and_merge(std::vector<FunctionFound>& all, double tolerance);
+/// How minima are ranked and distinguished.
+struct FunctionRules {
+  using Candidate = FunctionFound;
+
+  static bool has_value(const FunctionFound& found) { return found.valid; }
+  static bool precedes(const FunctionFound& a, const FunctionFound& b) { return is_better(a, b); }
+  /// Confined to the same class, and closer than `tolerance` in the logarithms of lengths and in
+  /// angles.
+  static bool is_same(const FunctionFound& known, const FunctionFound& other, double tolerance);
+  static void absorb(FunctionFound& known, const FunctionFound& same);
+  static double value(const FunctionFound& found);
+};
 
 /// How many groups of feasible minima, each within a hundredth of its least objective, one start
 /// alone has come to. `sorted`: by `is_better`. Refinements that end early stop at places of their
 /// own near one minimum.
 std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted);
 
-/// Refines minima of one problem. What it is made of must outlive it.
+/// Refines minima of one problem and counts the work. What it is made of must outlive it.
 ///
 /// A minimum whose crank turns fully, though it was confined to no class, is confined to the class
 /// that it has reached, so that its transmission angle is limited over the full turn, as the check
@@ -65,6 +72,8 @@ class FunctionRefiner {
  public:
   FunctionRefiner(const ConfinedFunctions& confined, const Run& run, const Deadline& deadline)
       : confined_(confined), run_(run), deadline_(deadline) {}
+
+  const ConfinedFunctions& confined() const { return confined_; }
 
   /// Gives `found` the class that it has reached, and drops what was known of it; false if it has
   /// one already, or needs none.
@@ -75,10 +84,7 @@ class FunctionRefiner {
   void refine(FunctionFound& found, const FunctionSamples& wanted, synthesis::Objective objective,
               synthesis::Backend backend, int iterations) const;
 
-  /// All of them, progress going from `shares.min` to `shares.max`.
-  void refine_all(std::vector<FunctionFound>& all, const FunctionSamples& wanted,
-                  synthesis::Objective objective, synthesis::Backend backend, int iterations,
-                  Range shares) const;
+  const synthesis::WorkCounter& solved() const { return solved_; }
 
  private:
   void refine_once(FunctionFound& found, const FunctionSamples& wanted,
@@ -88,9 +94,7 @@ class FunctionRefiner {
   const ConfinedFunctions& confined_;
   const Run& run_;
   const Deadline& deadline_;
+  synthesis::WorkCounter solved_;
 };
-
-/// Moves the work of all into `work`.
-void count_work(std::vector<FunctionFound>& all, std::size_t samples, Work& work);
 
 }  // namespace cognate::problems

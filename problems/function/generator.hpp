@@ -1,4 +1,4 @@
-/// @file A four-bar as a function generator, and how far it is from what is wanted.
+/// @file A four-bar as a function generator, and how far it is from what is requested.
 #pragma once
 
 #include <optional>

@@ -41,7 +41,7 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
       assembly_(assembly),
       objective_(objective),
       linkage_constraints_(problem.constraints, typical_length(length_ranges(problem))),
-      turn_limits_(problem.constraints, Accelerated::rocker) {
+      cycle_limits_(problem.constraints, CycleOutput::rocker) {
   list_variables();
   const bool limits_transmission =
       problem.constraints.transmission_angle && !linkage_constraints_.limits_transmission();
@@ -94,7 +94,7 @@ synthesis::FunctionFit FunctionModel::lane_fit() const {
 }
 
 int FunctionModel::constraint_count() const {
-  return linkage_constraints_.count() + (limits_sweep_ ? 2 : 0) + turn_limits_.count();
+  return linkage_constraints_.count() + (limits_sweep_ ? 2 : 0) + cycle_limits_.count();
 }
 
 std::vector<double> FunctionModel::variables_of(const FunctionGenerator& generator) const {
@@ -207,9 +207,9 @@ void FunctionModel::sweep_constraints(const FunctionGenerator& g, std::span<doub
 /// The rows of the limits over the turn: A is the origin, D lies on the x axis.
 void FunctionModel::limit_turn(const FunctionGenerator& g, std::span<double> values,
                                std::span<double> jacobian) const {
-  const auto count = static_cast<std::size_t>(turn_limits_.count());
+  const auto count = static_cast<std::size_t>(cycle_limits_.count());
   std::vector<LimitSlopes> all(jacobian.empty() ? 0 : count);
-  turn_limits_.evaluate({.links = g.links, .assembly = assembly_}, values, all);
+  cycle_limits_.evaluate({.links = g.links, .assembly = assembly_}, values, all);
   for (std::size_t row = 0; row < all.size(); ++row) {
     Slopes slopes{};
     for (std::size_t k = 0; k < kLinks.size(); ++k) slopes[k] = g.links.*kLinks[k] * all[row][k];

@@ -8,9 +8,9 @@
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
+#include "problems/linkage/cycle_limits.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_limits.hpp"
-#include "problems/linkage/turn_limits.hpp"
 #include "synthesis/lanes/function_fit.hpp"
 #include "synthesis/optimise/model.hpp"
 
@@ -47,7 +47,7 @@ class FunctionModel final : public synthesis::Model {
                    std::span<double> jacobian) const override;
   /// Not with a start at a dead centre, nor with limits over the full turn.
   bool has_hessian() const override {
-    return problem_.start == FunctionStart::free && turn_limits_.count() == 0;
+    return problem_.start == FunctionStart::free && cycle_limits_.count() == 0;
   }
   bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
                           std::span<const double> of_constraints,
@@ -82,7 +82,7 @@ class FunctionModel final : public synthesis::Model {
   bool limits_sweep_ = false;
   Range transmission_;  ///< limits over the sweep: those of the file, else closure
   LinkageConstraints linkage_constraints_;
-  TurnLimits turn_limits_;
+  CycleLimits cycle_limits_;
   std::array<double, kDimensions> fixed_{};
   std::vector<int> free_;  ///< dimension of each variable
   std::vector<synthesis::Variable> variables_;

@@ -19,9 +19,6 @@
 namespace cognate::problems {
 namespace {
 
-/// A transmission angle nearer to 0 or 180° than this, in radians, is that of a dead point.
-constexpr double kDead = 1e-3;
-
 constexpr int kIntervals = 1000;  ///< in which a function is searched for jumps
 
 /// min(μ, π − μ) at a crank angle.
@@ -47,7 +44,7 @@ std::optional<double> dead_input(const Design& design, const Range& sweep) {
   }
   angles.push_back(to);
   for (const double angle : angles) {
-    if (acute_transmission(design, angle) <= kDead) return angle - start;
+    if (acute_transmission(design, angle) <= kDeadTransmission) return angle - start;
   }
   return std::nullopt;
 }

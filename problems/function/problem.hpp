@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
@@ -77,12 +79,25 @@ struct FunctionProblem {
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 
+template <>
+struct KindTraits<FunctionProblem> {
+  static constexpr std::string_view kWord = "function-generation";
+  static FunctionProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<FunctionProblem, std::vector<std::string>> checked(
+      const FunctionProblem& problem);
+};
+
 struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads.
+/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// no design, its faults as notes and Status::invalid.
 Result solve(const FunctionProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid.
+std::vector<std::string> validate(const FunctionProblem& problem);
 
 template <>
 std::span<const Named<FunctionStart>> names<FunctionStart>();

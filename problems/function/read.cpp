@@ -1,18 +1,18 @@
-#include "problems/function/read.hpp"
-
 #include <fmt/core.h>
 
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/error.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_turn.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -34,7 +34,7 @@ std::optional<Range> read_start_bounds(TableReader& bounds, std::string_view key
 void check_start_bounds(TableReader& mechanism, std::string_view key,
                         const std::optional<double>& angle, const std::optional<Range>& bounds) {
   if (!angle || !bounds || (*angle >= bounds->min && *angle <= bounds->max)) return;
-  mechanism.fault(key, fmt::format("lies outside bounds.{}; a start within it is wanted", key));
+  mechanism.fault(key, fmt::format("lies outside bounds.{}; expected a start within it", key));
 }
 
 // The key of the output's start: an angle, or a slider's displacement.
@@ -89,8 +89,8 @@ void check_exact_start(TableReader& mechanism, FunctionProblem& problem) {
     if (!mechanism.has(key) || --room >= 0) continue;
     mechanism.fault(
         key,
-        fmt::format("is given, but {} conditions leave {} start to be given; leave "
-                    "it out or ask for fewer",
+        fmt::format("is given, but {} conditions leave {} start to be given; remove "
+                    "it or ask for fewer",
                     problem.precision_points, problem.precision_points == 5 ? "no" : "only one"));
   }
 }
@@ -158,7 +158,7 @@ void read_best_by(TableReader& solve, FunctionProblem& problem) {
   constexpr std::string_view kKey = "best_by";
   problem.best_by = solve.choice<BestBy>(kKey);
   if (!solve.has(kKey) || problem.objective == FunctionObjective::exact) return;
-  solve.fault(kKey, "chooses among exact designs; it is wanted with precision_points only");
+  solve.fault(kKey, "chooses among exact designs; expected it with precision_points only");
 }
 
 void read_four_bar_tables(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
@@ -186,8 +186,8 @@ void read_slider_tables(TableReader& mechanism, TableReader& bounds, TableReader
   } else if (target_read) {
     mechanism.fault(
         "type",
-        "\"slider-crank\" is for exact synthesis in this version; precision_points = 3, "
-        "4 or 5, or objective = \"exact\", is wanted");
+        "\"slider-crank\" is for exact synthesis in this version; expected precision_points = 3, "
+        "4 or 5, or objective = \"exact\"");
   }
   read_slider_constraints(constraints, problem);
 }
@@ -212,10 +212,10 @@ void check_spacing(TableReader& table, const FunctionProblem& problem) {
   if (!level || problem.objective != FunctionObjective::exact) return;
   const int wanted = 3 + int{!problem.input_start} + int{!problem.output_start};
   if (problem.type == MechanismType::slider_crank) {
-    table.fault(kKey, "is \"equal-peaks\", which is for four-bars; \"chebyshev\" is wanted");
+    table.fault(kKey, "is \"equal-peaks\", which is for four-bars; expected \"chebyshev\"");
   } else if (problem.precision_points < wanted) {
     table.fault(kKey, fmt::format("is \"equal-peaks\" with fewer precision points than lengths and "
-                                  "start angles are free; precision_points = {} is wanted",
+                                  "start angles are free; expected precision_points = {}",
                                   wanted));
   }
 }
@@ -233,27 +233,34 @@ bool read_target(TableReader& target, TableReader& solve, FunctionProblem& probl
 }
 
 // The frame stands where one likes.
-TurnScope turn_scope(const FunctionProblem& problem) {
-  TurnScope scope{.has_place = false, .has_coupler_point = false};
+CycleScope turn_scope(const FunctionProblem& problem) {
+  CycleScope scope{.has_place = false, .has_coupler_point = false};
   if (problem.objective == FunctionObjective::exact) {
     scope.refusal =
-        "is given with exact synthesis, whose designs meet the precision points whatever they do "
-        "between; leave it out";
+        "is given with exact synthesis, whose designs meet the precision points regardless of what "
+        "they do "
+        "between; remove it";
   }
   return scope;
 }
 
 std::string_view certificate_refusal(const FunctionProblem& problem) {
   if (problem.objective != FunctionObjective::least_squares) {
-    return "is true, but only designs of least squares can be certified; objective = "
-           "\"least-squares\" is wanted";
+    return "is true, but only designs of least squares can be certified; expected objective = "
+           "\"least-squares\"";
   }
   return limits_turn(problem.constraints) ? kTurnNotCertified : std::string_view{};
 }
 
 }  // namespace
 
-FunctionProblem read_function_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document,
+                                                  const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   FunctionProblem problem;
   TableReader target = document.table("target");
   TableReader mechanism = document.table("mechanism");
@@ -269,7 +276,7 @@ FunctionProblem read_function_problem(TableReader& document) {
     read_four_bar_tables(mechanism, bounds, constraints, problem);
   }
   check_spacing(holder("spacing", target, solve), problem);
-  read_turn_limits(document, constraints, solve, turn_scope(problem), problem.constraints);
+  read_cycle_limits(document, constraints, solve, turn_scope(problem), problem.constraints);
   read_best_by(solve, problem);
   problem.solve =
       read_solve(solve, problem.constraints, problem.objective == FunctionObjective::minimax);
@@ -280,7 +287,7 @@ FunctionProblem read_function_problem(TableReader& document) {
   read_objectives(constraints, solve,
                   {.error = error_measure(problem),
                    .exact = exact ? "is given with precision points, at which the error is 0; "
-                                    "leave it out"
+                                    "remove it"
                                   : "",
                    .has_sizes = false,
                    .needs_full_turn = false},
@@ -290,4 +297,4 @@ FunctionProblem read_function_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

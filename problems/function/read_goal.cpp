@@ -14,9 +14,6 @@
 namespace cognate::problems::reading {
 namespace {
 
-// Samples where the file says nothing: enough to see each wave of an error with five zeros.
-constexpr int kDefaultSamples = 61;
-
 constexpr int kFewestPoints = 3;
 constexpr int kMostPoints = 5;
 
@@ -61,18 +58,18 @@ void check_abscissae(TableReader& table, std::string_view key, const std::vector
   for (std::size_t i = 0; i < xs.size(); ++i) {
     if (xs[i] < domain.min || xs[i] > domain.max) {
       table.faults().add(table.where(key, i),
-                         fmt::format("entry {} of {} is {}; x from {} to {} is wanted", i + 1,
+                         fmt::format("entry {} of {} is {}; expected x from {} to {}", i + 1,
                                      table.name(key), xs[i], domain.min, domain.max));
     } else if (i > 0 && xs[i] <= xs[i - 1]) {
       table.faults().add(table.where(key, i),
-                         fmt::format("entry {} of {} is {} after {}; increasing x is wanted", i + 1,
+                         fmt::format("entry {} of {} is {} after {}; expected increasing x", i + 1,
                                      table.name(key), xs[i], xs[i - 1]));
     }
   }
 }
 
 constexpr std::string_view kConditions =
-    "3 to 5 conditions are wanted, one for each point and one for each derivative";
+    "expected 3 to 5 conditions, one for each point and one for each derivative";
 
 // How closely each point is met: the output alone, or derivatives too.
 void read_multiplicity(Goal& goal, const std::optional<std::vector<double>>& at,
@@ -82,13 +79,13 @@ void read_multiplicity(Goal& goal, const std::optional<std::vector<double>>& at,
   const auto given = table.numbers(kKey, kMultiplicity, {1, kMostPoints, "multiplicities"});
   if (!given) return;
   if (!goal.at.has("at")) {
-    table.fault(kKey, "is given without at; at = [...] with one x for each is wanted");
+    table.fault(kKey, "is given without at; expected at = [...] with one x for each");
     return;
   }
   if (!at) return;
   const double sum = std::accumulate(given->begin(), given->end(), 0.0);
   if (given->size() != at->size()) {
-    table.fault(kKey, fmt::format("has {} entries for {} precision points; as many are wanted",
+    table.fault(kKey, fmt::format("has {} entries for {} precision points; expected as many",
                                   given->size(), at->size()));
   } else if (sum < kFewestPoints || sum > kMostPoints) {
     table.fault(kKey, fmt::format("makes {} conditions; {}", sum, kConditions));
@@ -109,8 +106,8 @@ void check_turn(TableReader& table, const std::vector<double>& at, const Functio
   const double sweep = (at.back() - at.front()) / width * turn;
   if (std::abs(sweep - kTurn) <= 1e-9) {
     table.fault("at",
-                "puts its first and last point a whole turn of the input apart; precision "
-                "points at different positions of the input are wanted");
+                "puts its first and last point a whole turn of the input apart; expected precision "
+                "points at different positions of the input");
   }
 }
 
@@ -121,7 +118,7 @@ void read_spacing(Goal& goal, FunctionProblem& problem) {
   if (goal.spacing.has(kKey) && goal.at.has("at")) {
     goal.spacing.fault(kKey, "is given beside at, which places the precision points; give one");
   } else if (goal.spacing.has(kKey) && problem.objective != FunctionObjective::exact) {
-    goal.spacing.fault(kKey, "is for exact synthesis; precision_points = 3, 4 or 5 is wanted");
+    goal.spacing.fault(kKey, "is for exact synthesis; expected precision_points = 3, 4 or 5");
   }
 }
 
@@ -144,7 +141,7 @@ void read_precision_points(Goal& goal, const FunctionOfX& function, FunctionProb
   }
   if (count && given != *count) {
     goal.precision_points.fault("precision_points",
-                                fmt::format("is {}, but at has {} entries; leave it out or give as "
+                                fmt::format("is {}, but at has {} entries; remove it or give as "
                                             "many",
                                             *count, given));
   }
@@ -181,8 +178,8 @@ void read_samples(Goal& goal, TableReader& target, const FunctionOfX& function,
   });
   if (bad == problem.sample_at.end()) return;
   const std::string rest = fmt::format(
-      "is {} at the sample x = {}; finite values of magnitude up "
-      "to 1e100 are wanted at every sample",
+      "is {} at the sample x = {}; expected finite values of magnitude up "
+      "to 1e100 at every sample",
       value_in_words(function.y(*bad)), *bad);
   target.fault(target_key(target), rest);
 }
@@ -210,12 +207,11 @@ void check_pair_inputs(TableReader& target, std::string_view key, const AnglePai
     target.faults().add(target.where(key, std::max(a, b)),
                         fmt::format("pair {} of target.{} has the input angle of pair {}; {}",
                                     std::max(a, b) + 1, key, std::min(a, b) + 1,
-                                    exact ? "different input angles are wanted for exact synthesis"
-                                          : "one output for each input is wanted"));
+                                    exact ? "expected different input angles for exact synthesis"
+                                          : "expected one output for each input"));
   }
   if (!exact && distinct < 3) {
-    target.fault(key,
-                 fmt::format("has {} different input angles; at least 3 are wanted", distinct));
+    target.fault(key, fmt::format("has {} different input angles; expected at least 3", distinct));
   }
 }
 
@@ -230,7 +226,7 @@ void read_derivatives(TableReader& target, std::string_view pairs_key, const Ang
   if (problem.objective != FunctionObjective::exact) {
     target.fault(kKey, "is for exact synthesis; give precision_points or objective = \"exact\"");
   } else if (given->size() != pairs.size()) {
-    target.fault(kKey, fmt::format("has {} entries for the {} of target.{}; as many are wanted",
+    target.fault(kKey, fmt::format("has {} entries for the {} of target.{}; expected as many",
                                    given->size(), pairs.size(), pairs_key));
   } else {
     problem.derivatives = *given;
@@ -239,11 +235,11 @@ void read_derivatives(TableReader& target, std::string_view pairs_key, const Ang
 
 void read_pairs_goal(Goal& goal, TableReader& target, const AnglePairs& pairs,
                      FunctionProblem& problem) {
-  constexpr std::string_view kFor = "is for a function or a table; leave it out for pairs";
+  constexpr std::string_view kFor = "is for a function or a table; remove it for pairs";
   if (goal.at.has("at")) goal.at.fault("at", kFor);
   if (goal.multiplicity.has("multiplicity")) {
     goal.multiplicity.fault("multiplicity",
-                            "is for a function; derivatives = [[...], ...] is wanted for pairs");
+                            "is for a function; expected derivatives = [[...], ...] for pairs");
   }
   if (goal.spacing.has("spacing")) goal.spacing.fault("spacing", kFor);
   if (goal.samples.has("samples")) goal.samples.fault("samples", kFor);
@@ -260,7 +256,7 @@ void read_pairs_goal(Goal& goal, TableReader& target, const AnglePairs& pairs,
   if (count && *count != given) {
     goal.precision_points.fault(
         "precision_points",
-        fmt::format("is {} for {} {}; leave it out or give as many", *count,
+        fmt::format("is {} for {} {}; remove it or give as many", *count,
                     problem.derivatives.empty() ? static_cast<int>(pairs.size()) : given,
                     problem.derivatives.empty() ? "pairs" : "pairs and derivatives"));
   } else if (given < kFewestPoints || given > kMostPoints) {
@@ -283,7 +279,7 @@ void read_function_goal(TableReader& target, TableReader& solve, FunctionProblem
     return;
   }
   if (target.has("derivatives")) {
-    target.fault("derivatives", "is for pairs; multiplicity = [...] beside at is wanted here");
+    target.fault("derivatives", "is for pairs; expected multiplicity = [...] beside at here");
   }
   const auto& function = std::get<FunctionOfX>(problem.target);
   read_precision_points(goal, function, problem);

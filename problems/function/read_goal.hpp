@@ -7,6 +7,9 @@
 
 namespace cognate::problems::reading {
 
+/// Samples where the file says nothing: enough to see each wave of an error with five zeros.
+inline constexpr int kDefaultSamples = 61;
+
 /// Reads `precision_points`, `at`, `multiplicity`, `objective`, `method`, `samples` and
 /// `sample_at`, each from `[target]` or `[solve]`, and `derivatives` of `[target]`, into `problem`,
 /// whose type and target have been read.

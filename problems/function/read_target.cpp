@@ -26,9 +26,10 @@ bool has_exactly_one(TableReader& target, std::string_view pairs) {
   for (const std::string_view key : {kKeys[0], kKeys[1], pairs}) {
     if (!target.has(key)) continue;
     if (!first.empty()) {
-      target.fault(key, fmt::format("is given beside target.{}; one of function, table and "
-                                    "{} is wanted",
-                                    first, pairs));
+      target.fault(key,
+                   fmt::format("is given beside target.{}; expected one of function, table and "
+                               "{}",
+                               first, pairs));
       return false;
     }
     first = key;
@@ -36,7 +37,7 @@ bool has_exactly_one(TableReader& target, std::string_view pairs) {
   if (!first.empty()) return true;
   target.fault(
       "function",
-      fmt::format("is missing; one of function (with domain), table and {} is wanted", pairs));
+      fmt::format("is missing; expected one of function (with domain), table and {}", pairs));
   return false;
 }
 
@@ -44,19 +45,19 @@ bool has_exactly_one(TableReader& target, std::string_view pairs) {
 void refuse(TableReader& target, std::initializer_list<std::string_view> keys,
             std::string_view why) {
   for (const std::string_view key : keys) {
-    if (target.has(key)) target.fault(key, fmt::format("is given, but {}; leave it out", why));
+    if (target.has(key)) target.fault(key, fmt::format("is given, but {}; remove it", why));
   }
 }
 
 std::optional<Range> read_domain(TableReader& target) {
   constexpr std::string_view kKey = "domain";
   if (!target.has(kKey)) {
-    target.fault(kKey, "is missing; domain = [x0, x1] with x0 < x1 is wanted");
+    target.fault(kKey, "is missing; expected domain = [x0, x1] with x0 < x1");
     return std::nullopt;
   }
   const auto domain = target.range(kKey, kNumber);
   if (domain && domain->min == domain->max) {
-    target.fault(kKey, "is empty; [x0, x1] with x0 < x1 is wanted");
+    target.fault(kKey, "is empty; expected [x0, x1] with x0 < x1");
     return std::nullopt;
   }
   return domain;
@@ -64,41 +65,19 @@ std::optional<Range> read_domain(TableReader& target) {
 
 // Whether y goes on to both ends of the domain: a value that holds at an end alone is no function
 // to generate.
-bool check_ends(TableReader& target, const FunctionOfX& function) {
+std::optional<std::string> fault_of_ends(const FunctionOfX& function) {
   const auto& [x0, x1] = function.domain;
   const double last_digits =
       4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(x0), std::abs(x1));
   for (const double jump : find_jumps(function.y, function.domain, kIntervals)) {
     const bool first = jump - x0 <= last_digits;
     if (!first && x1 - jump > last_digits) continue;
-    target.fault("function",
-                 fmt::format("jumps at the end x = {} of its domain; a function that goes on to "
-                             "both ends of the domain [{}, {}] is wanted",
-                             first ? x0 : x1, x0, x1));
-    return false;
+    return fmt::format(
+        "jumps at the end x = {} of its domain; expected a function that goes on to "
+        "both ends of the domain [{}, {}]",
+        first ? x0 : x1, x0, x1);
   }
-  return true;
-}
-
-// Whether y is finite wherever it is tried on the domain, and without poles between.
-bool check_finite(TableReader& target, const FunctionOfX& function) {
-  const auto& [x0, x1] = function.domain;
-  for (int i = 0; i <= kIntervals; ++i) {
-    const double x = i == kIntervals ? x1 : x0 + (x1 - x0) * i / kIntervals;
-    const double y = function.y(x);
-    if (std::abs(y) <= kGreatestMagnitude) continue;
-    target.fault("function", fmt::format("is {} at x = {}; values of magnitude up to 1e100 on the "
-                                         "whole domain [{}, {}] are wanted",
-                                         value_in_words(y), x, x0, x1));
-    return false;
-  }
-  const auto pole = find_pole(function.y, function.domain, kIntervals);
-  if (!pole) return check_ends(target, function);
-  target.fault("function",
-               fmt::format("has a pole near x = {:.9g}, where its values grow without bound; a "
-                           "function that is finite on the whole domain [{}, {}] is wanted",
-                           *pole, x0, x1));
-  return false;
+  return std::nullopt;
 }
 
 std::optional<FunctionOfX> read_expression(TableReader& target) {
@@ -113,7 +92,10 @@ std::optional<FunctionOfX> read_expression(TableReader& target) {
   }
   if (!domain) return std::nullopt;
   FunctionOfX function{.text = *text, .table = {}, .y = *y, .domain = *domain};
-  return check_finite(target, function) ? std::optional(std::move(function)) : std::nullopt;
+  const auto fault = function_fault(function);
+  if (!fault) return function;
+  target.fault("function", *fault);
+  return std::nullopt;
 }
 
 std::optional<FunctionOfX> read_table(TableReader& target) {
@@ -123,10 +105,10 @@ std::optional<FunctionOfX> read_table(TableReader& target) {
   bool sorted = true;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (!rows[i] || !rows[i - 1] || (*rows[i])[0] > (*rows[i - 1])[0]) continue;
-    target.faults().add(target.where(kKey, i),
-                        fmt::format("row {} of target.table has x = {} after {}; increasing x is "
-                                    "wanted",
-                                    i + 1, (*rows[i])[0], (*rows[i - 1])[0]));
+    target.faults().add(
+        target.where(kKey, i),
+        fmt::format("row {} of target.table has x = {} after {}; expected increasing x", i + 1,
+                    (*rows[i])[0], (*rows[i - 1])[0]));
     sorted = false;
   }
   const auto all = all_or_none(rows);
@@ -143,7 +125,7 @@ std::optional<double> read_travel(TableReader& target) {
   if (!target.has(kKey)) {
     target.fault(
         kKey,
-        "is missing; a displacement is wanted (or relation = \"angles\" where x is an angle "
+        "is missing; expected a displacement (or relation = \"angles\" where x is an angle "
         "in radians and y a displacement)");
     return std::nullopt;
   }
@@ -153,7 +135,7 @@ std::optional<double> read_travel(TableReader& target) {
 std::optional<double> read_sweep(TableReader& target, std::string_view key) {
   if (!target.has(key)) {
     target.fault(key,
-                 "is missing; an angle in degrees is wanted (or relation = \"angles\" where x "
+                 "is missing; expected an angle in degrees (or relation = \"angles\" where x "
                  "and y are themselves angles in radians)");
     return std::nullopt;
   }
@@ -168,7 +150,7 @@ void check_spread(TableReader& target, const FunctionOfX& function, std::string_
   if (std::abs(last - first) > 1e-12 * std::max(std::abs(first), std::abs(last))) return;
   target.fault(target_key(target),
                fmt::format("is {} at both ends of the domain, so {} has no meaning; "
-                           "different values are wanted, or relation = \"angles\"",
+                           "expected different values, or relation = \"angles\"",
                            first, range));
 }
 
@@ -213,8 +195,8 @@ std::optional<AnglePairs> read_pairs(TableReader& target, bool slider) {
     pairs.emplace_back(radians(input), slider ? output : radians(output));
     if (kAngle.accepts(input)) continue;
     target.faults().add(target.where("pairs", i),
-                        fmt::format("entry {} of target.pairs has the input {}; {} is wanted",
-                                    i + 1, input, kAngle.allowed));
+                        fmt::format("entry {} of target.pairs has the input {}; expected {}", i + 1,
+                                    input, kAngle.allowed));
     sound = false;
   }
   return sound ? std::optional(std::move(pairs)) : std::nullopt;
@@ -224,6 +206,25 @@ std::optional<AnglePairs> read_pairs(TableReader& target, bool slider) {
 
 std::string value_in_words(double value) {
   return std::isnan(value) ? "not a number (NaN)" : fmt::format("{}", value);
+}
+
+std::optional<std::string> function_fault(const FunctionOfX& function) {
+  const auto& [x0, x1] = function.domain;
+  for (int i = 0; i <= kIntervals; ++i) {
+    const double x = i == kIntervals ? x1 : x0 + (x1 - x0) * i / kIntervals;
+    const double y = function.y(x);
+    if (std::abs(y) <= kGreatestMagnitude) continue;
+    return fmt::format(
+        "is {} at x = {}; expected values of magnitude up to 1e100 on the whole "
+        "domain [{}, {}]",
+        value_in_words(y), x, x0, x1);
+  }
+  const auto pole = find_pole(function.y, function.domain, kIntervals);
+  if (!pole) return fault_of_ends(function);
+  return fmt::format(
+      "has a pole near x = {:.9g}, where its values grow without bound; expected a "
+      "function that is finite on the whole domain [{}, {}]",
+      *pole, x0, x1);
 }
 
 std::string_view target_key(TableReader& target) {

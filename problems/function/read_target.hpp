@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "problems/function/problem.hpp"
@@ -17,6 +18,10 @@ std::string_view pairs_key(MechanismType type);
 
 /// What `[target]` gives, with its domain and ranges; empty where faults leave none to go on with.
 std::optional<FunctionTarget> read_function_target(TableReader& target, MechanismType type);
+
+/// Why y cannot be generated on its domain, to follow the function's name: it has no value, a value
+/// beyond 1e100 or a pole there, or jumps at an end. Empty where it can.
+std::optional<std::string> function_fault(const FunctionOfX& function);
 
 /// "function" or "table", whichever `[target]` has.
 std::string_view target_key(TableReader& target);

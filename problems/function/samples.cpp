@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "problems/function/target/derivatives.hpp"
+#include "problems/function/target/fast_places.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 
 namespace cognate::problems {
@@ -66,6 +67,10 @@ void sample_function(const FunctionOfX& function, const FunctionProblem& problem
   };
   for (int i = 0; i <= kRangeSteps; ++i) {
     result.range.push_back(result.at(static_cast<double>(i) / kRangeSteps));
+  }
+  const auto output = [&](double share) { return result.at(share).output; };
+  for (const double share : fast_places(output, kRangeSteps)) {
+    result.between.emplace_back(share, result.at(share));
   }
   for (const double x : problem.sample_at) result.samples.push_back(mapping(x));
   if (problem.objective == FunctionObjective::exact) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "problems/function/problem.hpp"
@@ -22,6 +23,9 @@ struct FunctionSamples {
   /// Of derivatives that were found numerically: their estimated error relative to their size.
   double derivative_error = 0;
   std::vector<synthesis::AnglePair> range;  ///< the whole domain in equal steps; empty for pairs
+  /// Places, by their share of the domain, by which those steps have to be parted where the
+  /// function is too fast for them; see target/fast_places.hpp.
+  std::vector<std::pair<double, synthesis::AnglePair>> between;
   /// The pair at a share (0…1) of the domain; threads that call it wait for one another. Empty for
   /// angle pairs.
   std::function<synthesis::AnglePair(double share)> at;

@@ -14,7 +14,7 @@ namespace cognate::problems {
 /// smooth table keeps its sign from row to row, however steep it is; at a kink or a jump it
 /// alternates, but at four rows only. What remains of independent errors alternates everywhere,
 /// in four of five steps at equal spacing. The scale is their lower quartile, so that outliers and
-/// kinks do not decide. A wave of fewer than six rows a period cannot be told from scatter.
+/// kinks do not decide. A wave of fewer than six rows a period cannot be known from scatter.
 std::optional<double> scatter_share(std::span<const std::pair<double, double>> rows);
 
 }  // namespace cognate::problems

@@ -24,7 +24,7 @@ class FunctionScreen {
   /// `links` in the unit of the lengths that are fixed, or of the bounds' middle, within limits.
   Lengths<double> scaled(const Lengths<double>& links) const;
 
-  /// The nearest angle within `bounds`, whole turns being of no account.
+  /// The nearest angle within `bounds`, modulo 2π.
   double clamped_start(double angle, const std::optional<Range>& bounds) const;
 
   /// With the start angles that the problem asks for, the output's where it is given: one for both

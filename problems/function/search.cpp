@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
-#include "analysis/numbers/parallel.hpp"
 #include "problems/function/explorer.hpp"
 #include "problems/function/found.hpp"
 #include "problems/search/backend_choice.hpp"
@@ -29,20 +27,13 @@ constexpr std::size_t kFinished = 4;
 /// How many least-squares designs are turned into minimax ones, which are dearer to refine.
 constexpr std::size_t kMinimaxReserve = 64;
 /// Starts of a round that are refined minimax, and how many must have come to the best to end it.
-constexpr std::size_t kTurnedRound = 32;
-constexpr int kEnoughBestHits = 5;
+constexpr int kTurnedRound = 32, kEnoughBestHits = 5;
 /// Rounds in which peaks between the samples join them.
 constexpr int kExchangeRounds = 5;
 /// Generators closer than this in the logarithms of lengths and in angles are one minimum.
 constexpr double kSameMinimum = 1e-5;
 
-/// Of the progress, that of the round behind `done` of so many starts.
-Range turning_shares(std::size_t done, std::size_t starts) {
-  const double share = 0.2 / double(starts + kTurnedRound), from = 0.5 + share * double(done);
-  return {from, from + share * double(kTurnedRound)};
-}
-
-/// The stages behind the exploration; each works on `all_` in place.
+/// The stages behind the exploration.
 class Search {
  public:
   Search(const FunctionProblem& problem, const FunctionSamples& wanted, const Run& run,
@@ -53,7 +44,8 @@ class Search {
         deadline_(deadline),
         refiner_(confined_, run, deadline),
         backend_(finisher_of(problem)),
-        work_(work) {}
+        work_(work),
+        search_({}, {run.threads, deadline, run.progress}) {}
 
   FunctionSearchResult take();
 
@@ -62,12 +54,18 @@ class Search {
   std::size_t kept(std::size_t reserve) const {
     return reserve + 2 * static_cast<std::size_t>(confined_.plain().solve.designs);
   }
-  void keep_best(std::size_t reserve);
-  void refine_all(Objective objective, Backend backend, int iterations, Range shares) {
-    refiner_.refine_all(all_, wanted_, objective, backend, iterations, shares);
+  void keep_best(std::size_t reserve) {
+    search_.merge(kSameMinimum);
+    search_.keep(kept(reserve));
+  }
+  void refine_all(Objective objective, Backend backend, int iterations, synthesis::Shares shares) {
+    search_.refine(shares, [&](FunctionFound& found) {
+      refiner_.refine(found, wanted_, objective, backend, iterations);
+    });
   }
   void finish_least_squares();
-  void turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness);
+  void turn_minimax(const std::vector<FunctionFound>& starts, SearchStatistics& statistics);
+  void add_turned(std::vector<FunctionFound> round);
   void finish_minimax();
   void finish_by_choice(Objective objective);
   void reassess(FunctionFound& found, Objective objective) const;
@@ -80,14 +78,8 @@ class Search {
   FunctionRefiner refiner_;
   Backend backend_;
   Work& work_;
-  std::vector<FunctionFound> all_;
+  synthesis::MultiStart<FunctionRules> search_;
 };
-
-void Search::keep_best(std::size_t reserve) {
-  count_work(all_, wanted_.samples.size(), work_);
-  sort_and_merge(all_, kSameMinimum);
-  if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
-}
 
 /// Puts the objective and the violated limits in place of what was known of another objective.
 void Search::reassess(FunctionFound& found, Objective objective) const {
@@ -144,37 +136,43 @@ void Search::finish_by_choice(Objective objective) {
 void Search::finish_least_squares() {
   keep_best(kDeepened);
   if (confined_.plain().solve.loss == synthesis::Loss::none) {
-    for (FunctionFound& found : all_) reassess(found, Objective::sum_of_squares);
+    for (FunctionFound& found : search_.all()) reassess(found, Objective::sum_of_squares);
   }
   refine_all(Objective::sum_of_squares, Backend::gauss_newton, kDeepeningIterations, {0.7, 0.9});
   finish_by_choice(Objective::sum_of_squares);
 }
 
+void Search::add_turned(std::vector<FunctionFound> round) {
+  search_.for_each(round.size(), [&](std::size_t i) {
+    reassess(round[i], Objective::max_abs);
+    refiner_.refine(round[i], wanted_, Objective::max_abs, Backend::gauss_newton,
+                    kTurningIterations);
+  });
+  search_.add(std::move(round), kSameMinimum);
+  search_.keep(kept(kMinimaxReserve));
+}
+
 /// Least squares draws starts away from what is best in the other sense: beside its minima the
 /// starts themselves are refined, in rounds, until enough of them have come to the best.
-void Search::turn_minimax(std::vector<FunctionFound> starts, SearchThoroughness& thoroughness) {
+void Search::turn_minimax(const std::vector<FunctionFound>& starts, SearchStatistics& statistics) {
   keep_best(kMinimaxReserve);
-  for (FunctionFound& found : all_) found.hits = 0;  // of another objective
-  std::vector<FunctionFound> round = std::exchange(all_, {});
-  std::size_t done = 0;
-  while (!deadline_.reached()) {
-    for (FunctionFound& found : round) reassess(found, Objective::max_abs);
-    refiner_.refine_all(round, wanted_, Objective::max_abs, Backend::gauss_newton,
-                        kTurningIterations, turning_shares(done, starts.size()));
-    std::ranges::move(round, std::back_inserter(all_));
-    keep_best(kMinimaxReserve);
-    const bool known = !all_.empty() && all_.front().hits >= kEnoughBestHits &&
-                       all_.front().violation <= kFunctionFeasibility;
-    if (done == starts.size() || known) break;
-    const std::size_t next = std::min(done + kTurnedRound, starts.size());
-    round.assign(starts.begin() + static_cast<std::ptrdiff_t>(done),
-                 starts.begin() + static_cast<std::ptrdiff_t>(next));
-    done = next;
-  }
-  if (done == 0 || all_.empty()) return;
-  thoroughness.starts = static_cast<int>(done);
-  thoroughness.best_hits = all_.front().hits;
-  thoroughness.unseen = chance_of_unseen(groups_seen_once(all_), thoroughness.starts);
+  auto& all = search_.all();
+  for (FunctionFound& found : all) found.hits = 0;  // of another objective
+  add_turned(std::exchange(all, {}));
+  const synthesis::StartRule rule{.round = kTurnedRound,
+                                  .fewest = 0,
+                                  .most = static_cast<int>(starts.size()),
+                                  .enough_hits = kEnoughBestHits};
+  const auto add_round = [&](int first, int count) {
+    const auto begin = starts.begin() + first;
+    add_turned({begin, begin + count});
+  };
+  search_.explore(rule, {0.5, 0.7}, add_round, [&] {
+    return search_.best_is_known(rule) && all.front().violation <= kFunctionFeasibility;
+  });
+  if (search_.starts() == 0 || all.empty()) return;
+  statistics = {search_.starts(), all.front().hits,
+                synthesis::unseen_probability(groups_seen_once(all), search_.starts())};
 }
 
 void Search::finish_minimax() {
@@ -182,25 +180,30 @@ void Search::finish_minimax() {
   refine_all(Objective::max_abs, Backend::gauss_newton, kMinimaxIterations, {0.7, 0.9});
   finish_by_choice(Objective::max_abs);
   if (!wanted_.at) return;
-  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int i, int) { exchange(all_[i]); });
+  search_.refine({1, 1}, [&](FunctionFound& found) { exchange(found); });
 }
 
 FunctionSearchResult Search::take() {
   FunctionSearchResult result;
   const bool minimax = confined_.plain().objective == FunctionObjective::minimax;
-  auto explored = explore_functions(confined_, wanted_, kept(minimax ? kMinimaxReserve : kDeepened),
-                                    run_, deadline_, work_, result.thoroughness);
-  all_ = std::move(explored.minima);
+  auto explored = explore_functions(refiner_, wanted_, kept(minimax ? kMinimaxReserve : kDeepened),
+                                    run_, deadline_, work_);
+  result.statistics = explored.statistics;
+  search_.all() = std::move(explored.minima);
   if (minimax) {
-    turn_minimax(std::move(explored.starts), result.thoroughness);
+    turn_minimax(explored.starts, result.statistics);
     finish_minimax();
   } else {
     finish_least_squares();
   }
   keep_best(kDeepened);
-  for (const FunctionFound& found : all_) {
+  for (const FunctionFound& found : search_.all()) {
     result.minima.push_back({found.generator, found.origin});
   }
+  const synthesis::SolverWork solved = refiner_.solved().total();
+  work_.positions += solved.evaluations;
+  work_.gradients += solved.gradients;
+  work_.solver_iterations += solved.iterations;
   return result;
 }
 

@@ -9,7 +9,7 @@
 #include "problems/function/starts.hpp"
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/search/thoroughness.hpp"
+#include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -19,14 +19,14 @@ namespace cognate::problems {
 synthesis::Backend finisher_of(const FunctionProblem& problem);
 
 /// A local minimum and where its start came from.
-struct FoundFunction {
+struct FunctionDesign {
   FunctionGenerator generator;
   StartOrigin origin = StartOrigin::search;
 };
 
 struct FunctionSearchResult {
-  std::vector<FoundFunction> minima;  ///< best first, feasible ones before others
-  SearchThoroughness thoroughness;    ///< of the search for the objective's minima
+  std::vector<FunctionDesign> minima;  ///< best first, feasible ones before others
+  SearchStatistics statistics;         ///< of the search for the objective's minima
 };
 
 /// Local minima of the objective; the same for any number of threads. Minimax designs have their

@@ -98,11 +98,11 @@ Metrics slider_metrics(const SliderGenerator& generator, const Range& sweep,
     if (std::ranges::count(metrics.defects, defect) == 0) metrics.defects.push_back(defect);
   }
   metrics.input_start = in_one_turn(generator.input_start);
-  metrics.facts.push_back({"class", std::string(name(mobility_class(mechanism)))});
-  metrics.facts.push_back({"output_start", generator.output_start});
+  metrics.quantities.push_back({"class", std::string(name(mobility_class(mechanism)))});
+  metrics.quantities.push_back(quantity(kSliderStartKey, generator.output_start));
   const auto driven = range ? stroke(mechanism, *range) : std::nullopt;
-  if (driven) metrics.facts.push_back({"stroke", *driven});
-  if (const auto all = stroke(mechanism)) metrics.facts.push_back({"circuit_stroke", *all});
+  if (driven) metrics.quantities.push_back({"stroke", *driven});
+  if (const auto all = stroke(mechanism)) metrics.quantities.push_back({"circuit_stroke", *all});
   return metrics;
 }
 

@@ -1,14 +1,18 @@
-/// @file A slider-crank as a function generator, and how far it is from what is wanted.
+/// @file A slider-crank as a function generator, and how far it is from what is requested.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "analysis/linkage/slider_crank.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
+
+/// Displacement at the start.
+inline constexpr QuantityKey<double> kSliderStartKey{"output_start"};
 
 /// A slider-crank with its pivot at the origin and its slide along x, and where input and
 /// displacement are counted from: the crank's angle from the slide direction, the displacement from

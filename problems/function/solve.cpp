@@ -12,11 +12,13 @@
 #include "problems/function/notes.hpp"
 #include "problems/function/search.hpp"
 #include "problems/linkage/certifying.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/turn_metrics.hpp"
+#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/search/backend_choice.hpp"
-#include "problems/search/conflict.hpp"
+#include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 
 namespace cognate::problems {
@@ -49,7 +51,7 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
   Result result;
   const FunctionSamples wanted = function_samples(problem);
   const auto found = search_functions(problem, wanted, run, deadline, result.work);
-  result.facts = found.thoroughness.facts();
+  result.quantities = quantities(found.statistics);
   const bool ended_early = deadline.reached();
   std::vector<Design> designs;
   for (const auto& [minimum, from] : found.minima) {
@@ -84,7 +86,10 @@ void add_certificate(const FunctionProblem& problem, const Run& run, const Deadl
 
 }  // namespace
 
-Result solve(const FunctionProblem& problem, const Run& run) {
+Result solve(const FunctionProblem& given, const Run& run) {
+  const auto valid = KindTraits<FunctionProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const FunctionProblem& problem = *valid;
   const Deadline deadline(run);
   const bool exact = problem.objective == FunctionObjective::exact;
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
@@ -99,10 +104,11 @@ Result solve(const FunctionProblem& problem, const Run& run) {
     const auto solve_once = [&](const FunctionProblem& other) {
       return solve_by_search(other, silent, deadline);
     };
-    tell_conflict(problem, deadline, solve_once, result);
+    add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
   note_motions(problem, function_samples(problem), result);
+  note_oddities(std::nullopt, result, kDeadTransmission);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
   result.work.threads = exact ? 1 : thread_count(run.threads);

@@ -25,7 +25,7 @@ constexpr int kReweightings = 2;       ///< fits weighted by the slopes of the f
 constexpr int kDrawsPerStart = 400;    ///< random proportions of which the best is kept
 
 /// At most `kScreened` of the samples, in even steps, both ends among them.
-std::vector<AnglePair> thinned(const std::vector<AnglePair>& samples) {
+std::vector<AnglePair> coarsened(const std::vector<AnglePair>& samples) {
   if (samples.size() <= kScreened) return samples;
   std::vector<AnglePair> result;
   for (std::size_t i = 0; i < kScreened; ++i) {
@@ -225,10 +225,10 @@ std::vector<FunctionStartPoint> random_starts(const FunctionScreen& screen,
 
 }  // namespace
 
-FoundStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
-                        const StartSearch& search) {
-  const FunctionScreen screen(problem, thinned(wanted.samples));
-  FoundStarts found;
+FunctionStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
+                           const StartSearch& search) {
+  const FunctionScreen screen(problem, coarsened(wanted.samples));
+  FunctionStarts found;
   std::vector<FunctionStartPoint> fits;
   if (search.first == 0) {
     fits = freudenstein_starts(screen, search, found.candidates);

@@ -38,14 +38,14 @@ struct StartSearch {
 };
 
 /// What was found and how many designs were looked at.
-struct FoundStarts {
+struct FunctionStarts {
   std::vector<FunctionStartPoint> starts;  ///< best first within each kind, the kinds alternating
   std::uint64_t candidates = 0;
 };
 
 /// The best starts, within the lengths' limits and closing at every sample looked at. The same for
 /// any number of threads.
-FoundStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
-                        const StartSearch& search);
+FunctionStarts find_starts(const FunctionProblem& problem, const FunctionSamples& wanted,
+                           const StartSearch& search);
 
 }  // namespace cognate::problems

@@ -1,4 +1,4 @@
-/// One gear as its rack cuts it: facts, a table of its flank, and what makes it impossible.
+/// One gear as its rack cuts it: quantities, a table of its flank, and what makes it impossible.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,10 +6,11 @@
 
 #include "analysis/gear/tooth_outline.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/gear/facts.hpp"
 #include "problems/gear/notes.hpp"
+#include "problems/gear/quantities.hpp"
 #include "problems/gear/result.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/refused.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -101,11 +102,14 @@ class FlankTable {
 
 }  // namespace
 
-GearResult analyse(const GearProblem& problem, const Run& run) {
+GearResult analyse(const GearProblem& given, const Run& run) {
+  const auto valid = KindTraits<GearProblem>::checked(given);
+  if (!valid) return refused<GearResult>(valid.error());
+  const GearProblem& problem = *valid;
   const Deadline deadline(run);
   GearResult result;
   const SpurGear section = gear::transverse(problem.gear);
-  result.metrics = gear_facts(problem.gear, "");
+  result.metrics = gear_quantities(problem.gear, "");
   if (problem.gear.helix != 0 && problem.gear.face_width > 0) {
     result.metrics.push_back({"overlap_ratio", gear::overlap_ratio(problem.gear)});
   }

@@ -7,7 +7,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
-#include "problems/gear/pair_facts.hpp"
+#include "problems/gear/pair_quantities.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -28,7 +28,7 @@ class BevelDesign {
   }
 
   GearPairDesign made() && {
-    add_facts();
+    add_quantities();
     add_checks();
     return std::move(design_);
   }
@@ -39,7 +39,7 @@ class BevelDesign {
     design_.constraints.push_back({name, value, bound, value < bound});
   }
 
-  void add_facts() {
+  void add_quantities() {
     add("ratio", pair_.teeth[1] / pair_.teeth[0]);
     add("module", pair_.module);
     add("shaft_angle_deg", degrees(pair_.shaft_angle));
@@ -127,7 +127,7 @@ std::vector<std::string> bevel_notes(const GearPairDesign& design) {
     if (own.cone_angle < kRightAngle) continue;
     notes.push_back(fmt::format(
         "The {}'s cone angle is {:.6g}°: it would be a face gear or an internal one, to which this "
-        "geometry does not apply; a smaller shaft angle, or another ratio, is wanted.",
+        "geometry does not apply; use a smaller shaft angle, or another ratio.",
         i == 0 ? "pinion" : "wheel", degrees(own.cone_angle)));
   }
   const double cone = gear::bevel_gear(pair, 0).cone_distance;

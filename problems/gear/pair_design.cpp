@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "problems/gear/pair_facts.hpp"
+#include "problems/gear/pair_quantities.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -39,7 +39,7 @@ GearPairDesign cylindrical_design(const GearPairProblem& asked, const GearPairNu
   design.pair = section_of(asked, numbers);
   design.settled = settled(asked, numbers);
   const auto mesh = mesh_of(design.pair);
-  design.metrics = cylindrical_facts(design, mesh);
+  design.metrics = cylindrical_quantities(design, mesh);
   const GearLimits limits(asked, numbers, design.pair, mesh);
   std::ranges::transform(limits.all(), std::back_inserter(design.constraints), check_of);
   design.origin = std::move(origin);

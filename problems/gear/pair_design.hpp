@@ -10,7 +10,7 @@
 
 namespace cognate::problems {
 
-/// The cylindrical pair of these numbers: its facts and its checks, for `asked`.
+/// The cylindrical pair of these numbers: its quantities and its checks, for `asked`.
 GearPairDesign cylindrical_design(const GearPairProblem& asked, const GearPairNumbers& numbers,
                                   std::string origin);
 

@@ -30,11 +30,11 @@ const Effort& effort_of(SearchDepth depth) {
 /// The best of `at(x, to_beat)` over [from, to]: of samples, then by the golden section around the
 /// best one.
 template <class At>
-FoundPair least_of(const At& at, double from, double to, const Effort& effort) {
-  FoundPair best = at(from, HUGE_VAL);
+PairDesign least_of(const At& at, double from, double to, const Effort& effort) {
+  PairDesign best = at(from, HUGE_VAL);
   double least = best.merit();
   const auto keep = [&](double x) {
-    const FoundPair found = at(x, least);
+    const PairDesign found = at(x, least);
     const double value = found.merit();
     if (value < least) {
       best = found;
@@ -57,7 +57,7 @@ FoundPair least_of(const At& at, double from, double to, const Effort& effort) {
 
 }  // namespace
 
-double FoundPair::merit() const {
+double PairDesign::merit() const {
   const double avoidable = violation - unavoidable;
   if (avoidable > kFeasible) return avoidable;
   const double size = std::min(objective / unit, kWorst);
@@ -97,7 +97,7 @@ double GearPairSearch::distance_of(double sum) const {
   return gear::centre_distance_with_backlash(gears, backlash_);
 }
 
-/// The sums of shifts that belong to the centre distances asked for; of those that are too close
+/// The sums of shifts that belong to the centre distances requested; of those that are too close
 /// for any, those of the closest.
 GearPairSearch::Interval GearPairSearch::wanted_sums() const {
   const auto sum = [&](double distance) { return sum_at(std::max(distance, closest_)); };
@@ -140,7 +140,7 @@ GearPairSearch::Interval GearPairSearch::first_shifts(double sum) const {
 }
 
 /// By how many modules of shift, or of a centre distance at which base circles overlap, the pair is
-/// kept from the centre distance asked for.
+/// kept from the centre distance requested.
 double GearPairSearch::missing_sum(bool without_undercut) const {
   const Interval first = shifts_of(0, without_undercut), second = shifts_of(1, without_undercut);
   const Interval shifts = first + second, wanted = wanted_sums();
@@ -182,9 +182,9 @@ double GearPairSearch::objective_of(const GearPairNumbers& numbers,
   return 0;
 }
 
-FoundPair GearPairSearch::at(double first, double second, double centre_distance, double to_beat,
-                             SearchDepth depth) const {
-  FoundPair found;
+PairDesign GearPairSearch::at(double first, double second, double centre_distance, double to_beat,
+                              SearchDepth depth) const {
+  PairDesign found;
   found.numbers = {combination_.teeth, combination_.module, {first, second}, centre_distance};
   if (problem_.objective == GearObjective::size) found.unit = combination_.module;
   gear::SpurPair pair{unshifted_, centre_distance};
@@ -219,7 +219,7 @@ double GearPairSearch::balanced_shift(double sum, double distance, const Interva
   return std::isfinite(shift) ? std::clamp(shift, shifts.from, shifts.to) : shifts.from;
 }
 
-FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
+PairDesign GearPairSearch::best_split(double sum, SearchDepth depth) const {
   const double distance = problem_.centre_distance ? *problem_.centre_distance : distance_of(sum);
   const auto at_shift = [&](double first, double to_beat) {
     return at(first, sum - first, distance, to_beat, depth);
@@ -228,17 +228,17 @@ FoundPair GearPairSearch::best_split(double sum, SearchDepth depth) const {
   if (one) return at_shift(*one, HUGE_VAL);
   if (two) return at(sum - *two, *two, distance, HUGE_VAL, depth);
   const Interval all = first_shifts(sum);
-  FoundPair best = least_of(at_shift, all.from, all.to,
-                            problem_.centre_distance ? kOneUnknown : effort_of(depth));
+  PairDesign best = least_of(at_shift, all.from, all.to,
+                             problem_.centre_distance ? kOneUnknown : effort_of(depth));
   if (problem_.objective == GearObjective::balanced_sliding && all.from < all.to) {
     const double to_beat = best.merit();
-    const FoundPair balanced = at_shift(balanced_shift(sum, distance, all), to_beat);
+    const PairDesign balanced = at_shift(balanced_shift(sum, distance, all), to_beat);
     if (balanced.merit() < to_beat) best = balanced;
   }
   return best;
 }
 
-std::optional<FoundPair> GearPairSearch::best(SearchDepth depth) const {
+std::optional<PairDesign> GearPairSearch::best(SearchDepth depth) const {
   const auto& [one, two] = problem_.profile_shift;
   if (one && two) {
     const double distance =
@@ -248,19 +248,19 @@ std::optional<FoundPair> GearPairSearch::best(SearchDepth depth) const {
   }
   const Interval all = sums();
   const auto at_sum = [&](double sum, double /*to_beat*/) { return best_split(sum, depth); };
-  FoundPair found = least_of(at_sum, all.from, all.to, effort_of(depth));
+  PairDesign found = least_of(at_sum, all.from, all.to, effort_of(depth));
   if (!std::isfinite(found.numbers.centre_distance)) return std::nullopt;
   return found;
 }
 
-bool is_smaller(const FoundPair& a, const FoundPair& b) {
-  const auto size = [](const FoundPair& pair) {
+bool is_smaller(const PairDesign& a, const PairDesign& b) {
+  const auto size = [](const PairDesign& pair) {
     return std::tuple(pair.numbers.centre_distance, pair.numbers.teeth);
   };
   return size(a) < size(b);
 }
 
-bool is_better(const FoundPair& a, const FoundPair& b) {
+bool is_better(const PairDesign& a, const PairDesign& b) {
   const bool feasible = a.violation <= kFeasible, other = b.violation <= kFeasible;
   if (feasible != other) return feasible;
   if (!feasible && a.violation != b.violation) return a.violation < b.violation;
@@ -268,7 +268,7 @@ bool is_better(const FoundPair& a, const FoundPair& b) {
   return is_smaller(a, b);
 }
 
-bool is_as_good(const FoundPair& a, const FoundPair& b) {
+bool is_as_good(const PairDesign& a, const PairDesign& b) {
   constexpr double kRounding = 1e-9;
   const auto near = [](double x, double y) {
     return x == y || std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));

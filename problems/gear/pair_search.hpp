@@ -15,7 +15,7 @@ struct GearCombination {
 };
 
 /// A pair that was found.
-struct FoundPair {
+struct PairDesign {
   GearPairNumbers numbers;
   double violation = 0;    ///< of all limits; 0 where every one is met
   double unavoidable = 0;  ///< what of it the teeth alone tell
@@ -54,14 +54,14 @@ class GearPairSearch {
   std::optional<Refusal> refusal() const;
 
   /// Empty where no pair of these teeth has a working pressure angle. Where bounds leave no pair,
-  /// one within those of the shifts that is near to what is wanted.
-  std::optional<FoundPair> best(SearchDepth depth) const;
+  /// one within those of the shifts that is near to what is requested.
+  std::optional<PairDesign> best(SearchDepth depth) const;
 
   /// The pair of these shifts of the normal section, in a centre distance that belongs to them.
   /// Whether tips dig into fillets takes most of the time, and is asked only of a pair that would
   /// else be better than `to_beat`; before the fine search only if it meets every other limit.
-  FoundPair at(double first, double second, double centre_distance, double to_beat,
-               SearchDepth depth) const;
+  PairDesign at(double first, double second, double centre_distance, double to_beat,
+                SearchDepth depth) const;
 
  private:
   struct Interval {
@@ -78,7 +78,7 @@ class GearPairSearch {
   double distance_of(double sum) const;
   double sum_at(double distance) const;
   double balanced_shift(double sum, double distance, const Interval& shifts) const;
-  FoundPair best_split(double sum, SearchDepth depth) const;
+  PairDesign best_split(double sum, SearchDepth depth) const;
   double objective_of(const GearPairNumbers& numbers, const gear::PairGeometry& mesh) const;
 
   const GearPairProblem& problem_;
@@ -90,12 +90,12 @@ class GearPairSearch {
 };
 
 /// Whether `a` has the lesser centre distance, of the same one the fewer teeth.
-bool is_smaller(const FoundPair& a, const FoundPair& b);
+bool is_smaller(const PairDesign& a, const PairDesign& b);
 
 /// Whether `a` is to be preferred: meets more, else is better by the objective, else is smaller.
-bool is_better(const FoundPair& a, const FoundPair& b);
+bool is_better(const PairDesign& a, const PairDesign& b);
 
 /// Whether neither violation nor objective of the two differ by more than rounding.
-bool is_as_good(const FoundPair& a, const FoundPair& b);
+bool is_as_good(const PairDesign& a, const PairDesign& b);
 
 }  // namespace cognate::problems

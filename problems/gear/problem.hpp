@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "analysis/gear/other_gears.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
@@ -23,6 +25,13 @@ struct GearProblem {
   Gearing gearing = Gearing::spur;  ///< or helical
   gear::HelicalGear gear;           ///< of a spur gear without helix
   int points = 20;                  ///< rows of the table for each part of the flank
+};
+
+template <>
+struct KindTraits<GearProblem> {
+  static constexpr std::string_view kWord = "gear";
+  static GearProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<GearProblem, std::vector<std::string>> checked(const GearProblem& problem);
 };
 
 /// Teeth that a gear may have: more are a rack's to every digit that counts.
@@ -71,6 +80,14 @@ struct GearPairProblem {
   GearObjective objective = GearObjective::balanced_sliding;
   GearConstraints constraints;
   Solve solve;
+};
+
+template <>
+struct KindTraits<GearPairProblem> {
+  static constexpr std::string_view kWord = "gear-pair";
+  static GearPairProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<GearPairProblem, std::vector<std::string>> checked(
+      const GearPairProblem& problem);
 };
 
 template <>

@@ -17,10 +17,11 @@ constexpr int kMostPoints = 10000;
 Gearing read_gearing(TableReader& mechanism) {
   const auto gearing = mechanism.choice<Gearing>("gearing").value_or(Gearing::spur);
   if (gearing == Gearing::spur || gearing == Gearing::helical) return gearing;
-  mechanism.fault("gearing",
-                  fmt::format("is \"{}\", and such gears are made in pairs alone; \"spur\", "
-                              "\"helical\", or kind = \"gear-pair\" is wanted",
-                              to_string(gearing)));
+  mechanism.fault(
+      "gearing",
+      fmt::format("is \"{}\", and such gears are made in pairs alone; expected \"spur\", "
+                  "\"helical\", or kind = \"gear-pair\"",
+                  to_string(gearing)));
   return Gearing::spur;
 }
 
@@ -29,16 +30,17 @@ void check_root(TableReader& mechanism, const GearProblem& problem) {
   const gear::SpurGear section = gear::transverse(problem.gear);
   if (gear::root_radius(section) > 0) return;
   mechanism.fault(
-      kTeethKey, fmt::format("is {:g}, so few that the rack cuts to beyond the gear's centre; more "
-                             "teeth, or a greater profile_shift, is wanted",
-                             problem.gear.normal.teeth));
+      kTeethKey,
+      fmt::format("is {:g}, so few that the rack cuts to beyond the gear's centre; expected more "
+                  "teeth, or a greater profile_shift",
+                  problem.gear.normal.teeth));
 }
 
 void check_tip(TableReader& mechanism, const GearProblem& problem) {
   const gear::SpurGear section = gear::transverse(problem.gear);
   if (gear::tip_radius(section) > gear::root_radius(section)) return;
   mechanism.fault(kReduction, fmt::format("is {:g}, which leaves no tooth above the root circle; "
-                                          "less is wanted",
+                                          "expected less",
                                           problem.gear.normal.tip_reduction));
 }
 
@@ -56,11 +58,11 @@ gear::BasicRack read_rack(TableReader& document) {
   if (document.faults().size() > before) return rack;
   const double greatest = gear::greatest_tip_radius(rack);
   if (greatest < 0) {
-    document.fault("rack",
-                   fmt::format("has flanks that meet before its tip; addendum and clearance "
-                               "of at most {:.4g} modules together, or a lesser "
-                               "pressure_angle_deg, is wanted",
-                               kPi / 4 / std::tan(rack.pressure_angle)));
+    document.fault(
+        "rack", fmt::format("has flanks that meet before its tip; expected addendum and clearance "
+                            "of at most {:.4g} modules together, or a lesser "
+                            "pressure_angle_deg",
+                            kPi / 4 / std::tan(rack.pressure_angle)));
   } else if (rack.corner_radius && *rack.corner_radius > greatest) {
     table.fault(kTipRadius,
                 fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "
@@ -75,7 +77,7 @@ void refuse_keys(TableReader& table, std::initializer_list<std::string_view> key
   for (const auto key : keys) {
     // A key that is not there stays unknown, so that no list of allowed ones names it.
     if (table.contains(key) && table.has(key))
-      table.fault(key, fmt::format("is given, but {}; leave it out", why));
+      table.fault(key, fmt::format("is given, but {}; remove it", why));
   }
 }
 
@@ -86,12 +88,18 @@ double read_helix(TableReader& mechanism, Gearing gearing) {
   }
   const auto helix = mechanism.number(kHelixKey, kHelix);
   if (!mechanism.has(kHelixKey)) {
-    mechanism.fault(kHelixKey, fmt::format("is missing; {} is wanted", kHelix.allowed));
+    mechanism.fault(kHelixKey, fmt::format("is missing; expected {}", kHelix.allowed));
   }
   return radians(helix.value_or(0));
 }
 
-GearProblem read_gear_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+GearProblem KindTraits<GearProblem>::read(reading::TableReader& document,
+                                          const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   GearProblem problem;
   const std::size_t before = document.faults().size();
   TableReader mechanism = document.table("mechanism");
@@ -102,7 +110,7 @@ GearProblem read_gear_problem(TableReader& document) {
   const auto module = mechanism.number("module", kLinkLength);
   for (const auto& [key, wanted] : {std::pair{kTeethKey, "a whole number"},
                                     std::pair{std::string_view("module"), "a length"}}) {
-    if (!mechanism.has(key)) mechanism.fault(key, fmt::format("is missing; {} is wanted", wanted));
+    if (!mechanism.has(key)) mechanism.fault(key, fmt::format("is missing; expected {}", wanted));
   }
   gear.profile_shift = mechanism.number(kShift, kProfileShift).value_or(0);
   gear.tip_reduction = mechanism.number(kReduction, kTipReduction).value_or(0);
@@ -120,4 +128,4 @@ GearProblem read_gear_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -1,13 +1,12 @@
-/// @file `kind = "gear"`, and the rack of every gear.
+/// @file What a gear and a gear pair read alike.
 #pragma once
+
+#include <string_view>
 
 #include "problems/gear/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
-
-/// Reads every table; what is wrong is faulted, and the problem is then of no use.
-GearProblem read_gear_problem(TableReader& document);
 
 /// `[rack]`, the standard one where the file has none.
 gear::BasicRack read_rack(TableReader& document);

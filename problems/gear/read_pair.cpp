@@ -1,11 +1,11 @@
-#include "problems/gear/read_pair.hpp"
-
 #include <fmt/core.h>
 
+#include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
 #include "problems/gear/read_pair_bounds.hpp"
 #include "problems/gear/rules.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -73,7 +73,7 @@ void check_bevel_shifts(TableReader& mechanism, const GearPairProblem& problem) 
   const double first = problem.profile_shift[0].value_or(0);
   const double second = problem.profile_shift[1].value_or(0);
   if (first + second == 0 && !mechanism.has_word(kShift, kFree)) return;
-  mechanism.fault(kShift, "is no pair of opposite numbers; [x, -x] is wanted of bevel gears");
+  mechanism.fault(kShift, "is no pair of opposite numbers; expected [x, -x] of bevel gears");
 }
 
 void read_bevel(TableReader& mechanism, GearPairProblem& problem) {
@@ -115,7 +115,7 @@ void refuse_search(TableReader& document, Gearing gearing) {
   for (const std::string_view table : {"bounds", "target", "solve"}) {
     if (document.has(table)) {
       document.fault(table, fmt::format("is given, but {} gears are evaluated, not searched for; "
-                                        "leave it out",
+                                        "remove it",
                                         to_string(gearing)));
     }
   }
@@ -144,7 +144,7 @@ void read_constraints(TableReader& table, Gearing gearing, GearConstraints& cons
 void check_objective(TableReader& target, const GearPairProblem& problem) {
   if (problem.objective != GearObjective::size || !problem.centre_distance) return;
   target.fault("objective",
-               "is \"size\", which centre_distance fixes; another objective is wanted, or no "
+               "is \"size\", which centre_distance fixes; expected another objective, or no "
                "centre_distance");
 }
 
@@ -156,7 +156,7 @@ void read_search(TableReader& document, TableReader& mechanism, GearPairProblem&
   problem.ratio = target.number("ratio", kGearRatio);
   problem.ratio_tolerance = target.number("ratio_tolerance", kRelativeTolerance).value_or(0);
   if (target.has("ratio_tolerance") && !target.has("ratio")) {
-    target.fault("ratio_tolerance", "is given without what it belongs to; ratio is wanted");
+    target.fault("ratio_tolerance", "is given without what it belongs to; expected ratio");
   }
   problem.objective = target.choice<GearObjective>("objective").value_or(problem.objective);
   check_objective(target, problem);
@@ -166,7 +166,13 @@ void read_search(TableReader& document, TableReader& mechanism, GearPairProblem&
 
 }  // namespace
 
-GearPairProblem read_gear_pair_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+GearPairProblem KindTraits<GearPairProblem>::read(reading::TableReader& document,
+                                                  const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   GearPairProblem problem;
   TableReader mechanism = document.table("mechanism");
   TableReader constraints = document.table("constraints");
@@ -199,4 +205,4 @@ GearPairProblem read_gear_pair_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -25,7 +25,7 @@ void refuse_both(TableReader& mechanism, std::string_view key, TableReader& boun
 void want_either(TableReader& mechanism, std::string_view key, TableReader& bounds,
                  std::string_view bound, std::string_view form) {
   if (mechanism.has(key) || bounds.has(bound)) return;
-  mechanism.fault(key, fmt::format("is missing; a value, or {} = {} to find it within, is wanted",
+  mechanism.fault(key, fmt::format("is missing; expected a value, or {} = {} to find it within",
                                    bounds.name(bound), form));
 }
 
@@ -35,9 +35,9 @@ void read_teeth_ranges(TableReader& bounds, GearPairProblem& problem) {
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& [min, max] = (*ranges)[i];
     if (min > max) {
-      bounds.fault(kTeethKey, fmt::format("has an empty range, {} > {}; [min, max] with min <= max "
-                                          "is wanted",
-                                          min, max));
+      bounds.fault(kTeethKey,
+                   fmt::format("has an empty range, {} > {}; expected [min, max] with min <= max",
+                               min, max));
       return;
     }
     problem.teeth_bounds[i] = {static_cast<int>(min), static_cast<int>(max)};

@@ -11,10 +11,10 @@
 
 namespace cognate::problems {
 
-/// A gear: its facts, and a table of its flank.
+/// A gear: its quantities, and a table of its flank.
 struct GearResult {
   Status status = Status::no_solution;  ///< `infeasible`: an impossible gear, told by the notes
-  std::vector<Fact> metrics;
+  std::vector<Quantity> metrics;
   std::vector<Column> columns;  ///< radius, x, y, thickness… is_involute: one row for each point
   Work work;
   std::vector<std::string> notes;
@@ -25,7 +25,7 @@ struct GearPairDesign {
   /// Transverse sections of spur and helical gears; of a bevel pair its virtual gears.
   gear::SpurPair pair;
   GearPairProblem settled;  ///< the problem with everything that it left free as this design has it
-  std::vector<Fact> metrics;
+  std::vector<Quantity> metrics;
   std::vector<ConstraintCheck> constraints;
   std::string origin;
 };
@@ -33,17 +33,25 @@ struct GearPairDesign {
 struct GearPairResult {
   Status status = Status::no_solution;
   std::vector<GearPairDesign> designs;  ///< best first
-  std::vector<Fact> facts;  ///< of the enumeration: how many were tested and why refused
+  std::vector<Quantity> quantities;  ///< of the enumeration: how many were tested and why refused
   Work work;
   std::vector<std::string> notes;
 };
 
 GearResult analyse(const GearProblem& problem, const Run& run);
 
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
+std::vector<std::string> validate(const GearProblem& problem);
+
 /// Whether nothing is left to find.
 bool is_whole(const GearPairProblem& problem);
 
 /// The best pairs for `problem`; of one that is whole, what it is like.
 GearPairResult solve(const GearPairProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
+std::vector<std::string> validate(const GearPairProblem& problem);
 
 }  // namespace cognate::problems

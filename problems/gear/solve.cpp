@@ -14,6 +14,7 @@
 #include "problems/gear/pair_search.hpp"
 #include "problems/gear/result.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -38,17 +39,17 @@ class Solver {
     if (!problem_.centre_distance && found_.size() > kMostFine) {
       const bool are_many = found_.size() > kMostCoarse;
       const std::size_t looked = search(are_many ? SearchDepth::rough : SearchDepth::coarse);
-      add_fact("combinations_searched_coarsely", double(looked));
+      add_quantity("combinations_searched_coarsely", double(looked));
       note_cut(sieved, looked);
       if (are_many) {
         keep_first(kMostCoarse);
         search(SearchDepth::coarse);
       }
       keep_first(kMostFine);
-      add_fact("combinations_searched", double(search(SearchDepth::fine)));
+      add_quantity("combinations_searched", double(search(SearchDepth::fine)));
     } else {
       const std::size_t looked = search(SearchDepth::fine);
-      add_fact("combinations_searched", double(looked));
+      add_quantity("combinations_searched", double(looked));
       note_cut(sieved, looked);
     }
     keep_first(found_.size());
@@ -56,19 +57,19 @@ class Solver {
   }
 
  private:
-  void add_fact(const char* name, double value) { result_.facts.push_back({name, value}); }
+  void add_quantity(const char* name, double value) { result_.quantities.push_back({name, value}); }
 
   void tell(const Sieved& sieved) {
     constexpr const char* kRefused[] = {"refused_by_ratio", "refused_by_hunting",
                                         "refused_by_centre_distance", "refused_by_undercut"};
-    add_fact("combinations", double(sieved.all + sieved.copies));
+    add_quantity("combinations", double(sieved.all + sieved.copies));
     if (sieved.copies > 0) {
-      add_fact("scaled_copies", double(sieved.copies));
+      add_quantity("scaled_copies", double(sieved.copies));
       result_.notes.emplace_back(
           "With the centre distance free, pairs of other modules are scaled copies: the smallest "
           "module is taken.");
     }
-    for (std::size_t i = 0; i < 4; ++i) add_fact(kRefused[i], double(sieved.refused[i]));
+    for (std::size_t i = 0; i < 4; ++i) add_quantity(kRefused[i], double(sieved.refused[i]));
     result_.work.candidates = sieved.tested;
   }
 
@@ -83,8 +84,8 @@ class Solver {
   }
 
   /// Stands for a combination until it has been looked at.
-  static FoundPair unsearched(const GearCombination& combination) {
-    FoundPair none;
+  static PairDesign unsearched(const GearCombination& combination) {
+    PairDesign none;
     none.numbers.teeth = combination.teeth;
     none.numbers.module = combination.module;
     none.violation = HUGE_VAL;
@@ -99,7 +100,7 @@ class Solver {
     result_.work.threads = thread_count(run_.threads);
     double best = HUGE_VAL;  // of those of thread 0
     const auto look = [&](int index, int thread) {
-      FoundPair& found = found_[static_cast<std::size_t>(index)];
+      PairDesign& found = found_[static_cast<std::size_t>(index)];
       const bool is_first = found.violation == HUGE_VAL;
       if (deadline_.reached() && !(is_first && index < least)) return;
       ++looked;
@@ -117,12 +118,12 @@ class Solver {
 
   /// The `count` best, without those that are none or have not been looked at.
   void keep_first(std::size_t count) {
-    std::erase_if(found_, [](const FoundPair& pair) { return pair.violation == HUGE_VAL; });
+    std::erase_if(found_, [](const PairDesign& pair) { return pair.violation == HUGE_VAL; });
     std::ranges::stable_sort(found_, is_better);
     for (auto first = found_.begin(); first != found_.end();) {
       const auto last =
           std::find_if_not(std::next(first), found_.end(),
-                           [&](const FoundPair& pair) { return is_as_good(*first, pair); });
+                           [&](const PairDesign& pair) { return is_as_good(*first, pair); });
       std::ranges::stable_sort(first, last, is_smaller);
       first = last;
     }
@@ -130,7 +131,7 @@ class Solver {
   }
 
   void take_best() {
-    for (const FoundPair& pair : found_) {
+    for (const PairDesign& pair : found_) {
       if (std::ssize(result_.designs) == problem_.solve.designs) return;
       GearPairDesign design = cylindrical_design(problem_, pair.numbers, "search");
       const bool feasible = all_satisfied(design.constraints);
@@ -143,7 +144,7 @@ class Solver {
   const Run& run_;
   const Deadline& deadline_;
   GearPairResult& result_;
-  std::vector<FoundPair> found_;
+  std::vector<PairDesign> found_;
 };
 
 /// The pair of which all is given.
@@ -180,7 +181,7 @@ std::vector<std::string> missed_notes(const GearPairDesign& design) {
     if (check.name == "target.ratio_tolerance") {
       const auto& settled = design.settled;
       notes.push_back(fmt::format(
-          "The nearest ratio is {:.6g}; {:.6g} is wanted, with a relative tolerance of {:g}.",
+          "The nearest ratio is {:.6g}; {:.6g} was requested, with a relative tolerance of {:g}.",
           double(*settled.teeth[1]) / *settled.teeth[0], *settled.ratio, *bound));
     } else {
       notes.push_back(fmt::format("The nearest pair misses {}: it has {:.6g}, the limit is {:.6g}.",
@@ -195,8 +196,8 @@ std::string no_pair_note(const GearPairProblem& problem) {
   return fmt::format(
       "No pair of these teeth and shifts has a centre distance {}: the teeth are too thin to "
       "touch; "
-      "greater shifts are wanted.",
-      problem.backlash.value_or(0) > 0 ? "with the backlash asked for" : "without backlash");
+      "expected greater shifts.",
+      problem.backlash.value_or(0) > 0 ? "with the backlash requested" : "without backlash");
 }
 
 Status status_of(const GearPairResult& result, const Deadline& deadline, bool whole) {
@@ -214,7 +215,10 @@ bool is_whole(const GearPairProblem& problem) {
          problem.profile_shift[1];
 }
 
-GearPairResult solve(const GearPairProblem& problem, const Run& run) {
+GearPairResult solve(const GearPairProblem& given, const Run& run) {
+  const auto valid = KindTraits<GearPairProblem>::checked(given);
+  if (!valid) return refused<GearPairResult>(valid.error());
+  const GearPairProblem& problem = *valid;
   const Deadline deadline(run);
   GearPairResult result;
   const bool whole = is_whole(problem);

@@ -30,7 +30,7 @@ class WormDesign {
   }
 
   GearPairDesign made() && {
-    add_facts();
+    add_quantities();
     add_worm();
     add_wheel();
     add_checks();
@@ -40,7 +40,7 @@ class WormDesign {
  private:
   void add(const char* name, double value) { design_.metrics.push_back({name, value}); }
 
-  void add_facts() {
+  void add_quantities() {
     add("ratio", worm_.wheel_teeth / worm_.starts);
     add("module", worm_.module);
     add("centre_distance", geometry_.centre_distance);
@@ -113,13 +113,11 @@ std::vector<std::string> worm_notes(const GearPairDesign& design) {
   const gear::SpurGear wheel = middle_section(worm);
   std::vector<std::string> notes;
   if (gear::geometry(worm).worm_root_diameter <= 0) {
-    notes.emplace_back(
-        "The worm's teeth reach beyond its axis; a greater diameter_quotient is wanted.");
+    notes.emplace_back("The worm's teeth reach beyond its axis; use a greater diameter_quotient.");
   }
   if (gear::root_radius(wheel) <= 0) {
     notes.emplace_back(
-        "The wheel's teeth reach beyond its axis; more of them, or a greater wheel_shift, is "
-        "wanted.");
+        "The wheel's teeth reach beyond its axis; use more of them, or a greater wheel_shift.");
     return notes;
   }
   const std::string undercut = undercut_note(wheel, least_shift(worm), kWheel);

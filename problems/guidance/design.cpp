@@ -12,7 +12,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
-#include "problems/linkage/turn_metrics.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -196,7 +196,7 @@ TargetError error_of(std::span<const double> misses) {
   return error;
 }
 
-/// Whether the kernel finds the body where it was asked for, as near as the poses' own rounding and
+/// Whether the kernel finds the body where requested, as near as the poses' own rounding and
 /// a part in 1e6 of their extent. Nearly parallel slides and links far longer than the extent may
 /// leave it elsewhere.
 bool is_on_poses(std::span<const Pose> poses, const DyadPair& pair, const TargetError& error,
@@ -210,13 +210,12 @@ bool is_on_poses(std::span<const Pose> poses, const DyadPair& pair, const Target
   return error.max <= kPart * size + kRounding * farthest && turned <= kPart;
 }
 
-void add_facts(const DyadPair& pair, const GuidedMechanism& guided, double turned,
-               std::vector<Fact>& facts) {
+void add_quantities(const DyadPair& pair, const GuidedMechanism& guided, double turned,
+                    std::vector<Quantity>& quantities) {
   const auto kinds = [](const GuidingDyad& dyad) { return std::string(to_string(dyad.kind)); };
-  facts.push_back({"dyads", kinds(pair.first) + "+" + kinds(pair.second)});
-  facts.push_back({"angle_error_max_deg", degrees(turned)});
-  facts.push_back(
-      {"body_angle_in_link_deg", degrees(std::remainder(guided.body_in_link.angle, kTurn))});
+  quantities.push_back({"dyads", kinds(pair.first) + "+" + kinds(pair.second)});
+  quantities.push_back({"angle_error_max_deg", degrees(turned)});
+  quantities.push_back(quantity(kBodyAngleKey, std::remainder(guided.body_in_link.angle, kTurn)));
 }
 
 void add_moving_bounds(const MotionProblem& problem, const DyadPair& pair,
@@ -241,7 +240,7 @@ void add_drive(const GuidedMechanism& guided, Design& design) {
   int number = 0;
   for (const auto& station : guided.stations) {
     if (slides) {
-      design.metrics.facts.push_back({"slide_" + std::to_string(++number), station.drive});
+      design.metrics.quantities.push_back({"slide_" + std::to_string(++number), station.drive});
     } else {
       design.crank_angles.push_back(in_one_turn(station.drive));
     }
@@ -272,7 +271,7 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
   Metrics metrics;
   if (const auto* linkage = std::get_if<FourBar>(&guided.type)) {
     metrics = metrics_of(guided, nullptr);
-    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, metrics);
+    add_cycle_metrics(problem.constraints, *linkage, CycleOutput::coupler_point, metrics);
     checks = check_constraints(problem.constraints, problem.bounds, Given{}, *linkage, metrics);
   } else {
     const NamedMechanism mechanism = named_mechanism(guided);
@@ -298,7 +297,7 @@ std::optional<Design> plain_design(const MotionProblem& problem, const DyadPair&
   design.metrics = metrics_of(guided, &design.mechanism);
   if (!is_number(design.metrics)) return std::nullopt;
   if (const auto& linkage = design.mechanism.four_bar) {
-    add_turn_metrics(problem.constraints, *linkage, Accelerated::coupler_point, design.metrics);
+    add_cycle_metrics(problem.constraints, *linkage, CycleOutput::coupler_point, design.metrics);
   }
   design.constraints =
       check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
@@ -321,7 +320,7 @@ std::optional<Design> motion_design(const MotionProblem& problem, const DyadPair
   if (!is_on_poses(problem.poses, pair, design->error, turned)) return std::nullopt;
   design->metrics.precision_residual = std::max(pair.first.residual, pair.second.residual);
   design->metrics.condition = std::max(pair.first.condition, pair.second.condition);
-  add_facts(pair, guided, turned, design->metrics.facts);
+  add_quantities(pair, guided, turned, design->metrics.quantities);
   add_drive(guided, *design);
   return design;
 }
@@ -339,10 +338,10 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
   }
   design->error = error_of(together);
   const TargetError place = error_of(missed->place), angle = error_of(missed->angle);
-  add_facts(pair, guided, angle.max, design->metrics.facts);
-  design->metrics.facts.push_back({"angle_error_rms_deg", degrees(angle.rms)});
-  design->metrics.facts.push_back({"position_error_rms", place.rms});
-  design->metrics.facts.push_back({"position_error_max", place.max});
+  add_quantities(pair, guided, angle.max, design->metrics.quantities);
+  design->metrics.quantities.push_back({"angle_error_rms_deg", degrees(angle.rms)});
+  design->metrics.quantities.push_back({"position_error_rms", place.rms});
+  design->metrics.quantities.push_back({"position_error_max", place.max});
   add_drive(guided, *design);
   return design;
 }
@@ -350,10 +349,9 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
 std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design) {
   if (!design.mechanism.four_bar) return std::nullopt;
   const FourBar& linkage = *design.mechanism.four_bar;
-  const auto fact = std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &Fact::name);
-  if (!linkage.coupler_point || fact == design.metrics.facts.end()) return std::nullopt;
-  const double angle = std::get<double>(fact->value) * (kPi / 180);
-  const Pose body_in_link{*linkage.coupler_point, angle};
+  const auto angle = find_quantity(design.metrics.quantities, kBodyAngleKey);
+  if (!linkage.coupler_point || !angle) return std::nullopt;
+  const Pose body_in_link{*linkage.coupler_point, *angle};
   const auto link = [&](const Vec2d& in_link, const Vec2d& fixed, double length) {
     GuidingDyad dyad =
         synthesis::rr_dyad(problem.poses, synthesis::to_body(body_in_link, in_link), fixed);

@@ -5,11 +5,15 @@
 #include <span>
 #include <string>
 
+#include "problems/basics/quantity_key.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/exact/motion/guided_mechanism.hpp"
 
 namespace cognate::problems {
+
+/// Of the body's first axis in its link's axes.
+inline constexpr AngleKey kBodyAngleKey{"body_angle_in_link_deg"};
 
 /// Two dyads of a problem; the first is driven where it can be.
 struct DyadPair {
@@ -43,15 +47,15 @@ std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pai
 std::optional<Judgement> judge(const MotionProblem& problem, const DyadPair& pair);
 
 /// The design of a pair that `judge` accepts. Its error is the distance of the body's origin, as
-/// the kernel places it at the drive positions, from the poses; `facts` hold the error of the
+/// the kernel places it at the drive positions, from the poses; `quantities` hold the error of the
 /// angle, the dyads, and how the body's axes lie in its link. Empty where rounding keeps the body
 /// from its poses by more than a part in 1e6 of their extent.
 std::optional<Design> motion_design(const MotionProblem& problem, const DyadPair& pair,
                                     const std::string& origin);
 
 /// The design of a pair by least squares, its body standing at `reached` where it is nearest to the
-/// problem's poses: its error counts places and, weighted, angles, and `facts` have their errors
-/// apart. Empty where the dyads make no mechanism or the kernel cannot place it.
+/// problem's poses: its error counts places and, weighted, angles, and `quantities` have their
+/// errors apart. Empty where the dyads make no mechanism or the kernel cannot place it.
 std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPair& pair,
                                      std::span<const synthesis::Pose> reached,
                                      const std::string& origin);

@@ -5,8 +5,9 @@
 #include <random>
 #include <span>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/guidance/legs.hpp"
+#include "problems/guidance/dyad_choices.hpp"
 #include "synthesis/fit/body_motion.hpp"
 #include "synthesis/fit/circle.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
@@ -174,7 +175,7 @@ std::vector<DyadCandidate> nearest_slides(const MotionProblem& scaled) {
   if (blocks) slides.push_back(synthesis::nearest_block(poses));
   for (int k = 0; k < kDirections; ++k) {
     const double angle = kPi * k / kDirections;
-    const Vec2d direction{std::cos(angle), std::sin(angle)};
+    const Vec2d direction = unit_vector(angle);
     if (sliders) slides.push_back(synthesis::slider_along(poses, direction));
     if (blocks) slides.push_back(synthesis::block_along(poses, direction));
   }

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "analysis/numbers/parallel.hpp"
 #include "problems/guidance/found.hpp"
 #include "problems/guidance/order.hpp"
 #include "problems/guidance/relaxations.hpp"
 #include "problems/guidance/starts.hpp"
+#include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -35,8 +34,6 @@ constexpr int kPartingRounds = 20;
 /// Starts of a round, and the fewest (also with limits) and most of a search where the file does
 /// not say.
 constexpr int kRound = 100, kFewestStarts = 200, kFewestLimited = 400, kMostStarts = 800;
-/// The best minimum counts as well known once so many starts have come to it.
-constexpr int kEnoughHits = 5;
 /// Explored minima closer than this, and refined ones, are the same up to what an unfinished
 /// refinement leaves open.
 constexpr double kSameFit = 1e-4, kSameMinimum = 1e-6;
@@ -60,7 +57,7 @@ MotionProblem only(const MotionProblem& problem, const std::vector<std::size_t>&
   return some;
 }
 
-/// The stages of a search; each works on `all_` in place.
+/// The stages of a search.
 class MotionSearch {
  public:
   MotionSearch(const MotionProblem& scaled, double tolerance, const Run& run,
@@ -72,7 +69,8 @@ class MotionSearch {
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
-        work_(work) {}
+        work_(work),
+        search_({}, {run.threads, deadline, run.progress}) {}
 
   void explore(const std::vector<DyadPair>& known, std::optional<int> starts);
   void finish(Backend backend);
@@ -80,12 +78,10 @@ class MotionSearch {
 
  private:
   synthesis::Options options(int iterations, double tolerance) const {
-    return {.tolerance = tolerance,
-            .feasibility = kMotionFeasibility,
-            .max_iterations = iterations,
-            .time_limit = deadline_.remaining(),
-            .interrupted = deadline_.flag(),
-            .seed = run_.seed};
+    return synthesis::until(deadline_, {.tolerance = tolerance,
+                                        .feasibility = kMotionFeasibility,
+                                        .max_iterations = iterations,
+                                        .seed = run_.seed});
   }
 
   MotionFound explored(const MotionProblem& problem, MotionMinimum from);
@@ -98,15 +94,17 @@ class MotionSearch {
   void part_stations(const MotionProblem& problem, Backend backend,
                      const synthesis::Options& options, MotionFound& found);
   void add_known(const std::vector<DyadPair>& known);
-  void add_round(const MotionStarts& starts, int first, int count, int most);
-  void add(std::vector<MotionFound> fresh);
+  void add_round(const MotionStarts& starts, int first, int count);
+  void add(std::vector<MotionFound> fresh) {
+    search_.add(std::move(fresh), kSameFit);
+    search_.keep(kept(kDeepened));
+  }
   std::size_t kept(std::size_t reserve) const {
     return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   }
   void carry_over(MotionFound& found) const;
   void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
-                   int iterations, double share);
-  void lower_best(const MotionFound& found);
+                   int iterations, synthesis::Shares shares);
 
   const MotionProblem& whole_;
   std::vector<std::size_t> kept_poses_;
@@ -116,10 +114,8 @@ class MotionSearch {
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
-  SearchThoroughness thoroughness_;
-  std::vector<MotionFound> all_;
-  std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
-  std::atomic<std::uint64_t> positions_{0}, gradients_{0}, iterations_{0};
+  synthesis::MultiStart<MotionRules> search_;
+  synthesis::WorkCounter solved_;
 };
 
 MotionFound MotionSearch::explored(const MotionProblem& problem, MotionMinimum from) {
@@ -158,9 +154,7 @@ void MotionSearch::fit(const MotionProblem& problem, Backend backend,
                        const synthesis::Options& options, MotionMinimum& minimum) {
   const MotionModel model(problem, minimum.form);
   minimum.solution = solve(backend, model, minimum.solution.x, options);
-  positions_ += minimum.solution.evaluations * problem.poses.size();
-  gradients_ += minimum.solution.gradients * problem.poses.size();
-  iterations_ += static_cast<std::uint64_t>(minimum.solution.iterations);
+  solved_.count(minimum.solution, problem.poses.size());
 }
 
 /// A minimum whose poses are out of order, or on two circuits, is fitted again with crank angles
@@ -203,64 +197,36 @@ void MotionSearch::part_stations(const MotionProblem& problem, Backend backend,
   }
 }
 
-void MotionSearch::lower_best(const MotionFound& found) {
-  if (!found.valid || found.violation > 0) return;
-  const double objective = found.minimum.solution.objective;
-  double known = best_;
-  while (objective < known && !best_.compare_exchange_weak(known, objective)) {
-  }
-}
-
 void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int> starts) {
   add_known(known);
-  const int most = starts.value_or(kMostStarts);
   std::optional<MotionStarts> source;
-  if (most > 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
+  if (starts != 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
   const int fewest = relaxed_.empty() ? kFewestStarts : kFewestLimited;
-  int done = 0;
-  while (done < most && !deadline_.reached()) {
-    const int count = std::min(kRound, most - done);
-    add_round(*source, done, count, most);
-    done += count;
-    const bool enough = !all_.empty() && all_.front().hits >= kEnoughHits;
-    if (!starts && done >= fewest && enough) break;
-  }
-  thoroughness_.starts = done;
+  search_.explore({.starts = starts, .round = kRound, .fewest = fewest, .most = kMostStarts},
+                  {0, 0.8}, [&](int first, int count) { add_round(*source, first, count); });
 }
 
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
   std::vector<MotionFound> fresh(known.size());
-  parallel_for(static_cast<int>(known.size()), run_.threads, [&](int index, int) {
-    if (deadline_.reached()) return;
-    const auto i = static_cast<std::size_t>(index);
+  search_.for_each(known.size(), [&](std::size_t i) {
     fresh[i] = explored({known[i], "search"});
     fresh[i].hits = 0;  // no start of the search
-    lower_best(fresh[i]);
   });
   add(std::move(fresh));
 }
 
-void MotionSearch::add_round(const MotionStarts& starts, int first, int count, int most) {
+void MotionSearch::add_round(const MotionStarts& starts, int first, int count) {
   std::vector<MotionFound> fresh(static_cast<std::size_t>(count));
   std::atomic<int> done{0};
-  parallel_for(count, run_.threads, [&](int index, int thread) {
-    if (deadline_.reached()) return;
-    const auto start = starts.start(first + index);
+  search_.for_each(fresh.size(), [&](std::size_t i) {
+    const int index = first + static_cast<int>(i);
+    const auto start = starts.start(index);
     if (!start) return;
-    MotionFound& found = fresh[static_cast<std::size_t>(index)];
-    found = explored(*start, first + index);
+    fresh[i] = explored(*start, index);
     ++done;
-    lower_best(found);
-    if (thread == 0 && run_.progress) run_.progress(0.8 * (first + done) / most, best_);
   });
   work_.candidates += static_cast<std::uint64_t>(done);
   add(std::move(fresh));
-}
-
-void MotionSearch::add(std::vector<MotionFound> fresh) {
-  std::ranges::move(fresh, std::back_inserter(all_));
-  sort_and_merge(all_, kSameFit);
-  keep_best(all_, kept(kDeepened));
 }
 
 /// From the kept poses to all: the same dyads, their sides looked at anew.
@@ -287,52 +253,44 @@ void MotionSearch::carry_over(MotionFound& found) const {
 /// Keeps `reserve` and twice the designs wanted, and goes on with those; what is reached replaces
 /// them unless it is worse.
 void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
-                               int iterations, double share) {
-  keep_best(all_, kept(reserve));
-  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
-    if (deadline_.reached()) return;
-    MotionFound& found = all_[static_cast<std::size_t>(index)];
+                               int iterations, synthesis::Shares shares) {
+  search_.keep(kept(reserve));
+  search_.refine(shares, [&](MotionFound& found) {
     const auto refining = options(iterations, tolerance_);
     MotionFound refined = found;
     fit(problem, backend, refining, refined.minimum);
-    if (refined.minimum.solution.stop != synthesis::Stop::no_value) {
-      refined.violation = design_violation(problem, refined.minimum);
-      put_in_order(problem, backend, refining, refined);
-      part_stations(problem, backend, refining, refined);
-      if (!is_worse(refined, found)) found = std::move(refined);
-    }
-    lower_best(found);
-    if (thread == 0 && run_.progress) run_.progress(share, best_);
+    if (refined.minimum.solution.stop == synthesis::Stop::no_value) return;
+    refined.violation = design_violation(problem, refined.minimum);
+    put_in_order(problem, backend, refining, refined);
+    part_stations(problem, backend, refining, refined);
+    if (!is_worse(refined, found)) found = std::move(refined);
   });
-  sort_and_merge(all_, kSameMinimum);
+  search_.merge(kSameMinimum);
 }
 
 /// Brings the best to convergence at all poses, by `backend` in the end.
 void MotionSearch::finish(Backend backend) {
-  refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, 0.85);
+  refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, {0.8, 0.9});
   if (kept_poses_.size() < whole_.poses.size()) {
-    keep_best(all_, kept(kFinished));
-    for (MotionFound& found : all_) carry_over(found);
-    refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, 0.9);
+    search_.keep(kept(kFinished));
+    for (MotionFound& found : search_.all()) carry_over(found);
+    refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, {0.9, 0.95});
   }
   if (backend != Backend::gauss_newton) {
-    refine_best(whole_, kFinished, backend, kFinishingIterations, 0.95);
+    refine_best(whole_, kFinished, backend, kFinishingIterations, {0.95, 1});
   }
 }
 
 MotionSearchResult MotionSearch::take() {
-  std::erase_if(all_, [](const MotionFound& found) {
+  auto& all = search_.all();
+  std::erase_if(all, [](const MotionFound& found) {
     return !std::isfinite(found.minimum.solution.objective);  // does not close at every pose
   });
-  work_.positions += positions_;
-  work_.gradients += gradients_;
-  work_.solver_iterations += iterations_;
-  const auto seen_once = std::ranges::count_if(
-      all_, [](const MotionFound& found) { return found.hits == 1 && found.violation == 0; });
-  thoroughness_.unseen = chance_of_unseen(seen_once, thoroughness_.starts);
-  thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
-  MotionSearchResult result{{}, thoroughness_};
-  for (MotionFound& found : all_) result.minima.push_back(std::move(found.minimum));
+  work_.positions += solved_.total().evaluations;
+  work_.gradients += solved_.total().gradients;
+  work_.solver_iterations += solved_.total().iterations;
+  MotionSearchResult result{{}, search_.statistics(search_.starts())};
+  for (MotionFound& found : all) result.minima.push_back(std::move(found.minimum));
   return result;
 }
 

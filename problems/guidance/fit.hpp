@@ -9,7 +9,7 @@
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/search/thoroughness.hpp"
+#include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -23,7 +23,7 @@ struct MotionMinimum {
 
 struct MotionSearchResult {
   std::vector<MotionMinimum> minima;  ///< best first, feasible ones before others
-  SearchThoroughness thoroughness;
+  SearchStatistics statistics;
 };
 
 /// Minima of a scaled problem; equal for any number of threads. Starts, beside the `known`

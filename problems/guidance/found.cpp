@@ -57,28 +57,21 @@ bool is_worse(const MotionFound& refined, const MotionFound& before) {
   return sound != was_sound ? was_sound : is_better(before.minimum, refined.minimum);
 }
 
-void sort_and_merge(std::vector<MotionFound>& all, double tolerance) {
-  std::erase_if(all, [](const MotionFound& found) { return !found.valid; });
-  std::ranges::stable_sort(all, [](const MotionFound& a, const MotionFound& b) {
-    const bool a_sound = a.violation == 0, b_sound = b.violation == 0;
-    return a_sound != b_sound ? a_sound : is_better(a.minimum, b.minimum);
-  });
-  std::vector<MotionFound> distinct;
-  for (MotionFound& found : all) {
-    const auto known = std::ranges::find_if(distinct, [&](const MotionFound& other) {
-      return is_close(other.minimum, found.minimum, tolerance);
-    });
-    if (known == distinct.end()) {
-      distinct.push_back(std::move(found));
-    } else {
-      known->hits += found.hits;
-    }
-  }
-  all = std::move(distinct);
+bool MotionRules::precedes(const MotionFound& a, const MotionFound& b) {
+  const bool a_sound = a.violation == 0, b_sound = b.violation == 0;
+  return a_sound != b_sound ? a_sound : is_better(a.minimum, b.minimum);
 }
 
-void keep_best(std::vector<MotionFound>& all, std::size_t most) {
-  if (all.size() <= most) return;
+bool MotionRules::is_same(const MotionFound& known, const MotionFound& other, double tolerance) {
+  return is_close(known.minimum, other.minimum, tolerance);
+}
+
+double MotionRules::value(const MotionFound& found) {
+  return found.violation > 0 ? std::numeric_limits<double>::infinity()
+                             : found.minimum.solution.objective;
+}
+
+void MotionRules::keep(std::vector<MotionFound>& all, std::size_t most) {
   const auto sound =
       static_cast<std::size_t>(std::ranges::count(all, 0.0, &MotionFound::violation));
   const std::size_t unsound =

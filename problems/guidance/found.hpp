@@ -32,12 +32,18 @@ bool is_better(const MotionMinimum& a, const MotionMinimum& b);
 /// Whether a refinement has ended with less than it began with: a sound design is not given up.
 bool is_worse(const MotionFound& refined, const MotionFound& before);
 
-/// Drops those without a value, sorts (sound designs first, then by the solver's measure) and
-/// merges those of one form closer than `tolerance`.
-void sort_and_merge(std::vector<MotionFound>& all, double tolerance);
+/// How minima are ranked (sound designs first, then by the solver's measure) and distinguished.
+struct MotionRules {
+  using Candidate = MotionFound;
 
-/// The best `most`: at least a third of them places for those that are not sound, which further
-/// refinement may mend.
-void keep_best(std::vector<MotionFound>& all, std::size_t most);
+  static bool has_value(const MotionFound& found) { return found.valid; }
+  static bool precedes(const MotionFound& a, const MotionFound& b);
+  /// Of one form, and closer than `tolerance`.
+  static bool is_same(const MotionFound& known, const MotionFound& other, double tolerance);
+  static double value(const MotionFound& found);
+  /// At least a third of the places are for those that are not sound, which further refinement may
+  /// mend.
+  static void keep(std::vector<MotionFound>& sorted, std::size_t most);
+};
 
 }  // namespace cognate::problems

@@ -11,11 +11,11 @@
 #include "problems/guidance/error.hpp"
 #include "problems/guidance/fit.hpp"
 #include "problems/guidance/scale.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/search/backend_choice.hpp"
-#include "problems/search/conflict.hpp"
+#include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
@@ -133,9 +133,9 @@ std::vector<MotionProblem> drives_of(const MotionProblem& problem) {
   return drives;
 }
 
-SearchThoroughness add_designs(const MotionProblem& problem, std::optional<int> starts,
-                               const Run& run, const Deadline& deadline, Designs& designs,
-                               Work& work) {
+SearchStatistics add_designs(const MotionProblem& problem, std::optional<int> starts,
+                             const Run& run, const Deadline& deadline, Designs& designs,
+                             Work& work) {
   const MotionScale scale(problem);
   const MotionProblem scaled = scale.into(problem);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
@@ -153,11 +153,11 @@ SearchThoroughness add_designs(const MotionProblem& problem, std::optional<int> 
     designs.add(scale.out_of(model.pair(minimum.solution.x)), reached,
                 minimum.origin + refined_by(solver));
   }
-  return found.thoroughness;
+  return found.statistics;
 }
 
 /// Of two searches for the same thing.
-SearchThoroughness together(const SearchThoroughness& a, const SearchThoroughness& b) {
+SearchStatistics together(const SearchStatistics& a, const SearchStatistics& b) {
   const double starts = std::max(1, a.starts + b.starts);
   return {a.starts + b.starts, std::max(a.best_hits, b.best_hits),
           (a.starts * a.unseen + b.starts * b.unseen) / starts};
@@ -190,12 +190,12 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
   std::optional<int> starts = problem.solve.starts;
   if (!starts && limits_turn(problem.constraints)) starts = kLimitedStarts;
   if (starts) starts = (*starts + searches - 1) / searches;
-  SearchThoroughness thoroughness;
+  SearchStatistics statistics;
   for (const MotionProblem& drive : drives) {
-    thoroughness =
-        together(thoroughness, add_designs(drive, starts, run, deadline, designs, result.work));
+    statistics =
+        together(statistics, add_designs(drive, starts, run, deadline, designs, result.work));
   }
-  result.facts = thoroughness.facts();
+  result.quantities = quantities(statistics);
   const bool ended_early = deadline.reached();
   if (const std::string note = degeneracy(problem); !note.empty()) result.notes.push_back(note);
   result.designs = designs.take();
@@ -219,7 +219,7 @@ Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
   const auto solve_once = [&](const MotionProblem& other) {
     return search(other, silent, deadline);
   };
-  tell_conflict(problem, deadline, solve_once, result);
+  add_infeasibility(problem, deadline, solve_once, result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

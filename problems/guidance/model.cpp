@@ -67,7 +67,7 @@ MotionModel::MotionModel(const MotionProblem& problem, MotionForm form)
     : problem_(problem),
       form_(std::move(form)),
       linkage_constraints_(on_lengths(problem, form_), 1.0),
-      turn_limits_(on_lengths(problem, form_), Accelerated::coupler_point) {
+      cycle_limits_(on_lengths(problem, form_), CycleOutput::coupler_point) {
   list_variables();
   list_distance_limits();
   list_stations();

@@ -9,9 +9,9 @@
 
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/cycle_limits.hpp"
 #include "problems/linkage/driven_range.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
-#include "problems/linkage/turn_limits.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::problems {
@@ -137,7 +137,7 @@ class MotionModel final : public synthesis::Model {
   int local_count_ = 0;
   std::vector<std::size_t> variable_of_station_;
   LinkageConstraints linkage_constraints_;
-  TurnLimits turn_limits_;
+  CycleLimits cycle_limits_;
   DrivenRange driven_range_;  ///< empty unless the ends of the motion are global variables
   std::vector<DistanceLimit> distance_limits_;
 };

@@ -13,7 +13,7 @@ using namespace motion_dimensions;
 
 int MotionModel::constraint_count() const {
   return linkage_constraints_.count() + static_cast<int>(distance_limits_.size()) +
-         turn_limits_.count() + driven_range_.count();
+         cycle_limits_.count() + driven_range_.count();
 }
 
 void MotionModel::constraints(std::span<const double> x, std::span<double> c,
@@ -66,7 +66,7 @@ void MotionModel::constraints(std::span<const double> x, std::span<double> c,
     return jacobian.empty() ? jacobian : jacobian.subspan(row * n);
   };
   limit_turn(v, c.subspan(before_turn), rest(before_turn));
-  const std::size_t before_range = before_turn + static_cast<std::size_t>(turn_limits_.count());
+  const std::size_t before_range = before_turn + static_cast<std::size_t>(cycle_limits_.count());
   limit_driven_range(x, v, c.subspan(before_range), rest(before_range));
 }
 
@@ -105,7 +105,7 @@ void MotionModel::limit_driven_range(std::span<const double> x, const Full& v, s
 
 /// The rows of the limits over the turn. The coupler point is the body's origin.
 void MotionModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
-  if (turn_limits_.count() == 0) return;
+  if (cycle_limits_.count() == 0) return;
   const Vec2d moving = point(v, kMoving1), fixed = point(v, kFixed1);
   const Vec2d coupler = point(v, kMoving2) - moving, frame = point(v, kFixed2) - fixed;
   constexpr double kLeast = std::numeric_limits<double>::min();
@@ -115,8 +115,8 @@ void MotionModel::limit_turn(const Full& v, std::span<double> c, std::span<doubl
   // Im(K E) is (B − D) × (C − B).
   const Assembly assembly = form_.sides.front() < 0 ? Assembly::open : Assembly::crossed;
   std::vector<LimitSlopes> all(jacobian.empty() ? 0
-                                                : static_cast<std::size_t>(turn_limits_.count()));
-  turn_limits_.evaluate(
+                                                : static_cast<std::size_t>(cycle_limits_.count()));
+  cycle_limits_.evaluate(
       {{v[kLength1], length, v[kLength2], apart}, origin, fixed, angle_of(frame), assembly}, c,
       all);
   for (std::size_t row = 0; row < all.size(); ++row) {

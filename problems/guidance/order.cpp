@@ -102,7 +102,7 @@ class Ordering {
   }
 
   /// At most as many as a long list allows.
-  std::vector<double> thinned(std::vector<double> angles) const {
+  std::vector<double> coarsened(std::vector<double> angles) const {
     const std::size_t most =
         std::clamp(kMostErrors / problem_.poses.size(), kFewestAngles, kMostAngles);
     if (angles.size() <= most) return angles;
@@ -122,7 +122,7 @@ class Ordering {
       const double along = in_one_turn(angle - arc.from);
       if (along <= span) angles.push_back(arc.from + along);
     }
-    angles = thinned(std::move(angles));
+    angles = coarsened(std::move(angles));
     for (int k = 0; k < kSpread; ++k) angles.push_back(arc.from + span * (k + 0.5) / kSpread);
     std::ranges::sort(angles);
     levels_.clear();

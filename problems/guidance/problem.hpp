@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
@@ -49,6 +51,14 @@ struct MotionProblem {
   bool designs_given = false;  ///< whether the file limits how many designs are returned
 };
 
+template <>
+struct KindTraits<MotionProblem> {
+  static constexpr std::string_view kWord = "motion-generation";
+  static MotionProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<MotionProblem, std::vector<std::string>> checked(
+      const MotionProblem& problem);
+};
+
 /// Of the two dyads of a mechanism the driven one, or the other.
 enum class DyadRole { first = 0, second = 1 };
 
@@ -65,8 +75,13 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads.
+/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// no design, its faults as notes and Status::invalid.
 Result solve(const MotionProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid.
+std::vector<std::string> validate(const MotionProblem& problem);
 
 template <>
 std::span<const Named<MotionMethod>> names<MotionMethod>();

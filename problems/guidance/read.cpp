@@ -1,16 +1,16 @@
-#include "problems/guidance/read.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "problems/guidance/problem.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_turn.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -34,7 +34,7 @@ void read_poses(TableReader& target, MotionProblem& problem) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i] || kAngle.accepts((*rows[i])[2])) continue;
     target.faults().add(target.where(kPoses, i),
-                        fmt::format("pose {} of target.poses has the angle {}; {} is wanted", i + 1,
+                        fmt::format("pose {} of target.poses has the angle {}; expected {}", i + 1,
                                     (*rows[i])[2], kAngle.allowed));
   }
   for (const auto& row : all_or_none(rows).value_or(std::vector<std::vector<double>>{})) {
@@ -51,13 +51,14 @@ void check_lengths(TableReader& target, const MotionProblem& problem) {
     if (lengths[i] > 0 && std::abs(difference) <= kSameLength * lengths[0]) continue;
     target.faults().add(
         target.where(kSegments, i),
-        lengths[i] > 0 ? fmt::format("segment {} of target.segments is {} long and the first {}, a "
-                                     "difference of {}; two points of a rigid body keep their "
-                                     "distance, to a part in 1e6",
-                                     i + 1, lengths[i], lengths[0], difference)
-                       : fmt::format("segment {} of target.segments has no length; two different "
-                                     "points of the body are wanted",
-                                     i + 1));
+        lengths[i] > 0
+            ? fmt::format("segment {} of target.segments is {} long and the first {}, a "
+                          "difference of {}; two points of a rigid body keep their "
+                          "distance, to a part in 1e6",
+                          i + 1, lengths[i], lengths[0], difference)
+            : fmt::format("segment {} of target.segments has no length; expected two different "
+                          "points of the body",
+                          i + 1));
     if (lengths[0] <= 0) return;
   }
 }
@@ -82,9 +83,10 @@ void read_target(TableReader& target, MotionProblem& problem) {
   if (has_poses && has_segments) {
     target.fault(kSegments, "is given beside target.poses; give one of the two");
   } else if (!has_poses && !has_segments) {
-    target.fault(kPoses,
-                 "is missing; two poses or more, [x, y, angle_deg], or target.segments, the places "
-                 "[[x1, y1], [x2, y2]] of two points of the body, are wanted");
+    target.fault(
+        kPoses,
+        "is missing; expected two poses or more, [x, y, angle_deg], or target.segments, the places "
+        "[[x1, y1], [x2, y2]] of two points of the body");
   }
   if (has_poses) read_poses(target, problem);
   if (has_segments && !has_poses) read_segments(target, problem);
@@ -101,9 +103,10 @@ void read_method(TableReader& target, MotionProblem& problem) {
   problem.angle_weight = weight.value_or(natural_angle_weight(problem.poses));
   if (problem.method == MotionMethod::exact) {
     if (count > kMostExact) {
-      target.fault(kMethod, fmt::format("is \"exact\" with {} poses; at most five can be met, so "
-                                        "\"least-squares\" is wanted, or fewer poses",
-                                        count));
+      target.fault(kMethod,
+                   fmt::format("is \"exact\" with {} poses; at most five can be met; expected "
+                               "\"least-squares\", or fewer poses",
+                               count));
     }
     if (weight) {
       target.fault(kWeight,
@@ -111,9 +114,8 @@ void read_method(TableReader& target, MotionProblem& problem) {
                    "\"least-squares\"");
     }
   } else if (count < kLeastNearby) {
-    target.fault(kMethod, fmt::format("is \"least-squares\" with {} poses; at least three are "
-                                      "wanted",
-                                      count));
+    target.fault(kMethod,
+                 fmt::format("is \"least-squares\" with {} poses; expected at least three", count));
   }
 }
 
@@ -125,7 +127,7 @@ std::vector<Vec2d> read_pivots(TableReader& mechanism, std::string_view key,
     pivots.push_back({pivot[0], pivot[1]});
   }
   if (pivots.size() == 2 && pivots[0] == pivots[1]) {
-    mechanism.fault(key, "gives one pivot twice; two different pivots are wanted");
+    mechanism.fault(key, "gives one pivot twice; expected two different pivots");
   }
   return pivots;
 }
@@ -171,7 +173,7 @@ void check_freedom(TableReader& mechanism, const MotionProblem& problem) {
     if (mechanism.has(key)) mechanism.fault(key, why);
   };
   if (problem.method == MotionMethod::least_squares) {
-    refuse("fixed_pivot_line", "goes with two poses only; leave it out, or bound the pivots");
+    refuse("fixed_pivot_line", "goes with two poses only; remove it, or bound the pivots");
     if (std::ranges::count(problem.dyads, DyadKind::rr) == 0) {
       mechanism.fault("dyads",
                       "leaves \"RR\" out; by least squares one of the two dyads is a link");
@@ -180,24 +182,24 @@ void check_freedom(TableReader& mechanism, const MotionProblem& problem) {
   }
   if (count > 3) {
     const auto why = fmt::format(
-        "is given with {} poses, which determine the pivots; leave it "
-        "out, or give two or three poses",
+        "is given with {} poses, which determine the pivots; remove it, or give two or three poses",
         count);
     for (const std::string_view key : {"fixed_pivots", "moving_pivots"}) refuse(key, why);
   } else if (problem.fixed_pivots.size() + problem.moving_pivots.size() > 2) {
-    mechanism.fault("moving_pivots",
-                    "and mechanism.fixed_pivots give more than two pivots; each pivot makes one of "
-                    "the two dyads, so two in all are wanted");
+    mechanism.fault(
+        "moving_pivots",
+        "and mechanism.fixed_pivots give more than two pivots; expected each pivot makes one of "
+        "the two dyads, so two in all");
   }
   if (count > 2) {
     const auto why = fmt::format(
-        "is given with {} poses; only two poses leave it free, so leave "
-        "it out",
+        "is given with {} poses; only two poses leave it free, so remove "
+        "it",
         count);
     for (const std::string_view key : {"fixed_pivot_line", "crank", "rocker"}) refuse(key, why);
   } else if (problem.fixed_pivot_line && (problem.crank || problem.rocker)) {
     mechanism.fault("fixed_pivot_line",
-                    "is given beside a link's length; the line or the lengths are wanted");
+                    "is given beside a link's length; expected the line or the lengths");
   } else if (problem.fixed_pivot_line && problem.moving_pivots.empty()) {
     mechanism.fault("fixed_pivot_line",
                     "is given without mechanism.moving_pivots, whose fixed pivots are to lie on "
@@ -239,7 +241,7 @@ void read_moving_bounds(TableReader& bounds, MotionProblem& problem) {
   }
 }
 
-// What is given by least squares keeps to its bounds.
+// What is given by least squares satisfies its bounds.
 void check_given_bounds(TableReader& bounds, const MotionProblem& problem) {
   if (problem.method == MotionMethod::exact) return;
   const auto check_length = [&](std::string_view key, const std::optional<double>& length,
@@ -278,14 +280,20 @@ void keep_to_links(TableReader& mechanism, MotionProblem& problem) {
   if (mechanism.has("dyads") && problem.dyads != std::vector{DyadKind::rr}) {
     mechanism.fault("dyads",
                     "are not \"RR\" alone, but limits over the full turn of the crank are "
-                    "for four-bars; dyads = [\"RR\"] is wanted");
+                    "for four-bars; expected dyads = [\"RR\"]");
   }
   problem.dyads = {DyadKind::rr};
 }
 
 }  // namespace
 
-MotionProblem read_motion_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
+                                              const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   MotionProblem problem;
   TableReader target = document.table("target");
   TableReader mechanism = document.table("mechanism");
@@ -317,36 +325,38 @@ MotionProblem read_motion_problem(TableReader& document) {
     if (!problem.constraints.pivot_region || contains(*problem.constraints.pivot_region, pivot)) {
       continue;
     }
-    constraints.fault("pivot_region",
-                      fmt::format("does not contain the given pivot [{}, {}]; a region that "
-                                  "contains every given pivot is wanted",
-                                  pivot.x, pivot.y));
+    constraints.fault(
+        "pivot_region",
+        fmt::format("does not contain the given pivot [{}, {}]; expected a region that "
+                    "contains every given pivot",
+                    pivot.x, pivot.y));
   }
   const bool exact = problem.method == MotionMethod::exact;
-  read_turn_limits(
+  read_cycle_limits(
       document, constraints, solve,
-      {.refusal = exact ? "is given with exact synthesis, whose designs meet the poses "
-                          "whatever they do between; method = \"least-squares\" is "
-                          "wanted"
-                        : ""},
+      {.refusal = exact
+                      ? "is given with exact synthesis, whose designs meet the poses regardless of "
+                        "what they do between; expected method = \"least-squares\""
+                      : ""},
       problem.constraints);
   keep_to_links(mechanism, problem);
   problem.designs_given = solve.has("designs");
   problem.solve = read_solve(solve, problem.constraints, false);
   check_solver(solve, problem);
   const bool four_bars = problem.dyads == std::vector{DyadKind::rr};
-  read_objectives(constraints, solve,
-                  {.error = ErrorMeasure::rms_length,
-                   .exact = exact ? "is given, but the poses are met exactly; it goes with method "
-                                    "= \"least-squares\""
-                                  : "",
-                   .refusal = four_bars ? ""
-                                        : "has a measure of four-bars alone; mechanism.dyads = "
-                                          "[\"RR\"] is wanted besides"},
-                  problem.constraints, problem.solve);
+  read_objectives(
+      constraints, solve,
+      {.error = ErrorMeasure::rms_length,
+       .exact = exact ? "is given, but the poses are met exactly; it goes with method "
+                        "= \"least-squares\""
+                      : "",
+       .refusal = four_bars ? ""
+                            : "has a measure of four-bars alone; expected mechanism.dyads = "
+                              "[\"RR\"] as well"},
+      problem.constraints, problem.solve);
 
   for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -20,8 +20,8 @@ constexpr std::size_t kSpare = 4;     // refinements for each design wanted
 
 /// Two choices, of which either may drive.
 struct Candidate {
-  const LegChoice* first = nullptr;
-  const LegChoice* second = nullptr;
+  const DyadChoice* first = nullptr;
+  const DyadChoice* second = nullptr;
   Judgement judgement;
   bool second_drives = false;
 };
@@ -46,11 +46,11 @@ double distance(const DyadPair& a, const DyadPair& b) {
 
 class Search {
  public:
-  Search(const MotionProblem& problem, const Legs& legs, const Deadline& deadline)
+  Search(const MotionProblem& problem, const DyadPairChoices& options, const Deadline& deadline)
       : problem_(problem),
-        first_(legs.first),
-        second_(legs.second ? *legs.second : legs.first),
-        one_leg_(!legs.second),
+        first_(options.first),
+        second_(options.second ? *options.second : options.first),
+        one_dyad_(!options.second),
         deadline_(deadline),
         extent_(synthesis::extent(problem.poses)) {}
 
@@ -91,13 +91,13 @@ class Search {
 
   /// The better order of driving. A user's order of pivots is kept unless it breaks a constraint
   /// that the other does not.
-  std::optional<Candidate> candidate(const LegChoice& first, const LegChoice& second) {
+  std::optional<Candidate> candidate(const DyadChoice& first, const DyadChoice& second) {
     const auto forth = judged({first.dyad, second.dyad});
     if (!forth) return std::nullopt;
     Candidate made{&first, &second, *forth, false};
-    if (!one_leg_ && forth->violation == 0) return made;
+    if (!one_dyad_ && forth->violation == 0) return made;
     const auto back = judged({second.dyad, first.dyad});
-    if (back && back->is_better_than(*forth) && (one_leg_ || back->violation < forth->violation)) {
+    if (back && back->is_better_than(*forth) && (one_dyad_ || back->violation < forth->violation)) {
       made.judgement = *back;
       made.second_drives = true;
     }
@@ -107,7 +107,7 @@ class Search {
   void judge_all() {
     for (std::size_t i = 0; i < first_.choices.size(); ++i) {
       if (deadline_.reached()) break;
-      for (std::size_t j = one_leg_ ? i + 1 : 0; j < second_.choices.size(); ++j) {
+      for (std::size_t j = one_dyad_ ? i + 1 : 0; j < second_.choices.size(); ++j) {
         if (const auto made = candidate(first_.choices[i], second_.choices[j])) {
           candidates_.push_back(*made);
         }
@@ -145,7 +145,7 @@ class Search {
 
   /// Steps along one parameter at a time, as long as they help; then half as far.
   RankedPair refined(const Candidate& start) {
-    LegChoice a = *start.first, b = *start.second;
+    DyadChoice a = *start.first, b = *start.second;
     Judgement best = start.judgement;
     for (int round = 0; round < kRounds; ++round) {
       bool moved = true;
@@ -153,23 +153,23 @@ class Search {
         moved = stepped(first_, a, b, true, start.second_drives, best);
         moved = stepped(second_, b, a, false, start.second_drives, best) || moved;
       }
-      for (LegChoice* choice : {&a, &b}) {
+      for (DyadChoice* choice : {&a, &b}) {
         for (double& step : choice->step) step /= 2;
       }
     }
     return {ordered(a.dyad, b.dyad, start.second_drives), best};
   }
 
-  bool stepped(const Leg& leg, LegChoice& moving, const LegChoice& other, bool is_first,
-               bool second_drives, Judgement& best) {
-    if (!leg.is_family()) return false;
+  bool stepped(const DyadChoices& options, DyadChoice& moving, const DyadChoice& other,
+               bool is_first, bool second_drives, Judgement& best) {
+    if (!options.is_family()) return false;
     bool moved = false;
     for (std::size_t k = 0; k < moving.at.size(); ++k) {
       for (const double sense : {1.0, -1.0}) {
         if (moving.step.at(k) == 0) continue;
-        LegChoice tried = moving;
+        DyadChoice tried = moving;
         tried.at.at(k) += sense * moving.step.at(k);
-        const auto dyad = leg.dyad_at(tried.at);
+        const auto dyad = options.dyad_at(tried.at);
         if (!dyad) continue;
         tried.dyad = *dyad;
         const auto found = judged(is_first ? ordered(tried.dyad, other.dyad, second_drives)
@@ -185,9 +185,9 @@ class Search {
   }
 
   const MotionProblem& problem_;
-  const Leg& first_;
-  const Leg& second_;
-  bool one_leg_;
+  const DyadChoices& first_;
+  const DyadChoices& second_;
+  bool one_dyad_;
   const Deadline& deadline_;
   double extent_;
   std::vector<Candidate> candidates_;
@@ -196,9 +196,9 @@ class Search {
 
 }  // namespace
 
-RankedPairs ranked_pairs(const MotionProblem& problem, const Legs& legs, int count,
+RankedPairs ranked_pairs(const MotionProblem& problem, const DyadPairChoices& options, int count,
                          const Deadline& deadline) {
-  return Search(problem, legs, deadline).all(count);
+  return Search(problem, options, deadline).all(count);
 }
 
 }  // namespace cognate::problems

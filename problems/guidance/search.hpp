@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/guidance/design.hpp"
-#include "problems/guidance/legs.hpp"
+#include "problems/guidance/dyad_choices.hpp"
 #include "problems/linkage/deadline.hpp"
 
 namespace cognate::problems {
@@ -21,15 +21,15 @@ struct RankedPairs {
   std::uint64_t judged = 0;       ///< mechanisms looked at
 };
 
-/// All pairs where both legs are lists. Where pivots are given the first drives unless only the
+/// All pairs where both dyads are lists. Where pivots are given the first drives unless only the
 /// second can without a defect or a broken constraint.
 ///
-/// Where a leg is a family: every pair of its choices is judged, of the best that differ by more
+/// Where a dyad is a family: every pair of its choices is judged, of the best that differ by more
 /// than a fifth of the extent (of the longest link, where the body's origin stands still) four for
 /// each of `count` are improved by steps along the families, halved down to 1e-4 of the first, and
 /// of results closer than a twentieth the better is kept. The same problem always gives the same
 /// pairs. Once `deadline` is reached, what was found until then.
-RankedPairs ranked_pairs(const MotionProblem& problem, const Legs& legs, int count,
+RankedPairs ranked_pairs(const MotionProblem& problem, const DyadPairChoices& options, int count,
                          const Deadline& deadline);
 
 }  // namespace cognate::problems

@@ -7,11 +7,13 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/design.hpp"
+#include "problems/guidance/dyad_choices.hpp"
 #include "problems/guidance/least_squares.hpp"
-#include "problems/guidance/legs.hpp"
 #include "problems/guidance/loci.hpp"
 #include "problems/guidance/search.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 
@@ -65,14 +67,14 @@ std::string origin(std::size_t poses) {
   }
 }
 
-Legs legs_of(const MotionProblem& problem) {
+DyadPairChoices dyads_of(const MotionProblem& problem) {
   switch (problem.poses.size()) {
     case 4:
-      return {leg_of_four_poses(problem), std::nullopt};
+      return {dyad_of_four_poses(problem), std::nullopt};
     case 5:
-      return {leg_of_five_poses(problem), std::nullopt};
+      return {dyad_of_five_poses(problem), std::nullopt};
     default:
-      return legs_of_few_poses(problem);
+      return dyads_of_few_poses(problem);
   }
 }
 
@@ -81,12 +83,12 @@ void add_note(std::string note, Result& result) {
 }
 
 /// Why pairs of listed dyads make no mechanism.
-void note_faults(const MotionProblem& problem, const Legs& legs, Result& result) {
-  if (legs.first.is_family() || (legs.second && legs.second->is_family())) return;
-  const Leg& second = legs.second ? *legs.second : legs.first;
-  for (std::size_t i = 0; i < legs.first.choices.size(); ++i) {
-    for (std::size_t j = legs.second ? 0 : i + 1; j < second.choices.size(); ++j) {
-      const auto fault = synthesis::guided_mechanism(legs.first.choices[i].dyad,
+void note_faults(const MotionProblem& problem, const DyadPairChoices& options, Result& result) {
+  if (options.first.is_family() || (options.second && options.second->is_family())) return;
+  const DyadChoices& second = options.second ? *options.second : options.first;
+  for (std::size_t i = 0; i < options.first.choices.size(); ++i) {
+    for (std::size_t j = options.second ? 0 : i + 1; j < second.choices.size(); ++j) {
+      const auto fault = synthesis::guided_mechanism(options.first.choices[i].dyad,
                                                      second.choices[j].dyad, problem.poses)
                              .fault;
       if (fault == synthesis::PairingFault::none) continue;
@@ -95,11 +97,11 @@ void note_faults(const MotionProblem& problem, const Legs& legs, Result& result)
   }
 }
 
-void note_count(const MotionProblem& problem, const Legs& legs, Result& result) {
-  const std::size_t count = legs.first.choices.size();
-  if (problem.poses.size() == 5 && !legs.first.is_family()) {
-    result.facts.push_back({"dyads", static_cast<double>(count)});
-    if (count < 2 && !legs.first.is_degenerate) {
+void note_count(const MotionProblem& problem, const DyadPairChoices& options, Result& result) {
+  const std::size_t count = options.first.choices.size();
+  if (problem.poses.size() == 5 && !options.first.is_family()) {
+    result.quantities.push_back({"dyads", static_cast<double>(count)});
+    if (count < 2 && !options.first.is_degenerate) {
       add_note(fmt::format("{} guides the body through the five poses, and a mechanism needs two; "
                            "move or drop a pose.",
                            count == 0 ? "No real dyad" : "One real dyad only"),
@@ -120,15 +122,16 @@ Status status_of(const Result& result, const Deadline& deadline) {
 }
 
 void find_designs(const MotionProblem& problem, const Deadline& deadline, Result& result) {
-  const Legs legs = legs_of(problem);
-  for (const std::string& note : legs.first.notes) add_note(note, result);
-  if (legs.second) {
-    for (const std::string& note : legs.second->notes) add_note(note, result);
+  const DyadPairChoices options = dyads_of(problem);
+  for (const std::string& note : options.first.notes) add_note(note, result);
+  if (options.second) {
+    for (const std::string& note : options.second->notes) add_note(note, result);
   }
-  const bool is_family = legs.first.is_family() || (legs.second && legs.second->is_family());
+  const bool is_family =
+      options.first.is_family() || (options.second && options.second->is_family());
   const bool all = !is_family && !problem.designs_given;
   const int count = all ? kAll : problem.solve.designs;
-  const RankedPairs ranked = ranked_pairs(problem, legs, count, deadline);
+  const RankedPairs ranked = ranked_pairs(problem, options, count, deadline);
   for (const RankedPair& pair : ranked.pairs) {
     if (std::ssize(result.designs) == count) break;
     auto design = motion_design(problem, pair.pair, origin(problem.poses.size()));
@@ -143,14 +146,11 @@ void find_designs(const MotionProblem& problem, const Deadline& deadline, Result
   }
   result.work.candidates = ranked.judged;
   result.work.positions = problem.poses.size() * result.designs.size();
-  note_faults(problem, legs, result);
-  note_count(problem, legs, result);
+  note_faults(problem, options, result);
+  note_count(problem, options, result);
 }
 
-}  // namespace
-
-Result solve(const MotionProblem& problem, const Run& run) {
-  if (problem.method == MotionMethod::least_squares) return solve_by_least_squares(problem, run);
+Result solve_exactly(const MotionProblem& problem, const Run& run) {
   const Deadline deadline(run);
   Result result;
   const MotionProblem reduced = without_repeats(problem, result.notes);
@@ -164,6 +164,20 @@ Result solve(const MotionProblem& problem, const Run& run) {
   }
   result.status = status_of(result, deadline);
   result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace
+
+Result solve(const MotionProblem& given, const Run& run) {
+  const auto valid = KindTraits<MotionProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const MotionProblem& problem = *valid;
+  const bool exact = problem.method != MotionMethod::least_squares;
+  Result result = exact ? solve_exactly(problem, run) : solve_by_least_squares(problem, run);
+  std::vector<Vec2d> origins;
+  for (const Pose& pose : problem.poses) origins.push_back(pose.at);
+  note_oddities(extent_of(origins), result);
   return result;
 }
 

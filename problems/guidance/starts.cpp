@@ -13,6 +13,7 @@
 #include "problems/guidance/model.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
 #include "synthesis/fit/algebraic_dyads.hpp"
+#include "synthesis/search/search.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -202,9 +203,7 @@ std::optional<MotionStart> MotionStarts::start(int index) const {
   if (i < listed_.size()) return listed_[i];
   if (first_.empty() || second_.empty()) return std::nullopt;
   constexpr unsigned kSlideOneIn = 6;
-  std::seed_seq sequence{static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32),
-                         static_cast<std::uint32_t>(index)};
-  std::mt19937_64 random(sequence);
+  std::mt19937_64 random = synthesis::start_random(seed_, index);
   const auto& others = !slides_.empty() && random() % kSlideOneIn == 0 ? slides_ : second_;
   const bool early = index % 2 == 0;
   const GuidingDyad& first = any_of(first_, early, random).dyad;

@@ -18,7 +18,7 @@ struct Certificate {
   double lower_bound = 0;   ///< no design of the domain that satisfies the constraints errs by less
   double upper_bound = 0;   ///< the error of the best design found
   double gap_relative = 0;  ///< (upper − lower)/upper, 0 where upper is rounding
-  bool complete = false;    ///< the gap asked for was reached, not ended by time
+  bool complete = false;    ///< the gap requested was reached, not ended by time
   std::uint64_t boxes = 0;  ///< parts of the domain examined
   std::string domain;       ///< which designs were looked at, in words
 };

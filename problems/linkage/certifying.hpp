@@ -48,7 +48,7 @@ synthesis::ProportionLimits proportion_limits(const Constraints& constraints, do
 /// is then a part of the whole.
 Run before_certificate(const Run& run, const Solve& solve);
 
-/// Options for a run that ends at the gap asked for or, at the latest, when its time is over;
+/// Options for a run that ends at the gap requested or, at the latest, when its time is over;
 /// `scale` brings bounds to the file's unit.
 class CertificateRun {
  public:

@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/required_class.hpp"
-#include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -38,18 +40,17 @@ class Checks {
       : linkage_(linkage), links_(lengths(linkage)), longest_(longest(links_)) {}
 
   void check_given(const Given& given) {
-    fixed("mechanism.crank", links_.crank, given.crank);
-    fixed("mechanism.coupler", links_.coupler, given.coupler);
-    fixed("mechanism.rocker", links_.rocker, given.rocker);
-    fixed("mechanism.frame", links_.frame, given.frame);
+    for (const LinkKey& link : kLinkKeys) {
+      fixed("mechanism." + std::string(link.key), links_.*link.length, given.*link.given);
+    }
     if (given.frame_angle) {
       const double turn = std::remainder(frame_angle(linkage_) - *given.frame_angle, kTurn);
       add("mechanism.frame_angle_deg", degrees(*given.frame_angle + turn),
           degrees(*given.frame_angle), std::abs(turn) <= kCheckTolerance);
     }
-    fixed("mechanism.pivot_a", "x", "y", linkage_.pivot_a, given.pivot_a);
-    fixed("mechanism.pivot_d", "x", "y", linkage_.pivot_d, given.pivot_d);
-    fixed("mechanism.coupler_point", "u", "v", coupler_point(), given.coupler_point);
+    for (const BoundedPlaceKey& of : kPlaceKeys) {
+      if (const auto& wanted = given.*of.given) fixed_place(of, *wanted);
+    }
     if (given.assembly) {
       add("mechanism.assembly", std::string(to_string(linkage_.assembly)),
           std::string(to_string(*given.assembly)), linkage_.assembly == *given.assembly);
@@ -57,14 +58,14 @@ class Checks {
   }
 
   void check_bounds(const Bounds& bounds) {
-    length("bounds.crank", links_.crank, bounds.crank);
-    length("bounds.coupler", links_.coupler, bounds.coupler);
-    length("bounds.rocker", links_.rocker, bounds.rocker);
-    length("bounds.frame", links_.frame, bounds.frame);
+    for (const LinkKey& link : kLinkKeys) {
+      length("bounds." + std::string(link.key), links_.*link.length, bounds.*link.bounds);
+    }
     if (bounds.frame_angle) check_frame_angle(*bounds.frame_angle);
-    box("bounds.pivot_a", "x", "y", linkage_.pivot_a, bounds.pivot_a);
-    box("bounds.pivot_d", "x", "y", linkage_.pivot_d, bounds.pivot_d);
-    box("bounds.coupler_point", "u", "v", coupler_point(), bounds.coupler_point);
+    for (const BoundedPlaceKey& of : kPlaceKeys) {
+      const auto& limits = bounds.*of.bounds;
+      if (limits) box("bounds." + std::string(of.key), of, place(of), *limits);
+    }
   }
 
   void check_class(RequiredClass required, const Metrics& metrics) {
@@ -110,18 +111,21 @@ class Checks {
     }
   }
 
-  /// Of a value over the turn; one that is not known is not allowed.
-  /// Where there is a finite limit.
-  void check_limit(const std::string& name, std::optional<double> value,
-                   const std::optional<double>& limit) {
-    if (!is_limit(limit)) return;
-    const double reached = value.value_or(kInfinity);
-    add(name, reached, *limit, reached <= *limit * (1 + kCheckTolerance));
+  /// Where there is a finite limit; a value that is not known is not allowed.
+  void check_cycle(const CycleValues& limits, const CycleValues& values) {
+    for (const CycleDeclaration& quantity : kCycleQuantities) {
+      const auto& limit = limits[quantity.id];
+      if (!is_limit(limit)) continue;
+      const double reached = values[quantity.id].value_or(kInfinity);
+      add(std::string(quantity.limit_key), reached, *limit,
+          reached <= *limit * (1 + kCheckTolerance));
+    }
   }
 
   void check_pivot_region(const Box& region) {
-    box("pivot_region.pivot_a", "x", "y", linkage_.pivot_a, region);
-    box("pivot_region.pivot_d", "x", "y", linkage_.pivot_d, region);
+    for (const BoundedPlaceKey& pivot : std::span(kPlaceKeys).first<2>()) {
+      box("pivot_region." + std::string(pivot.key), pivot, place(pivot), region);
+    }
   }
 
   void check_defect(const std::string& name, Defect defect, const Metrics& metrics) {
@@ -149,9 +153,9 @@ class Checks {
     return value >= range.min - allowance(range.min) && value <= range.max + allowance(range.max);
   }
 
-  Vec2d coupler_point() const {
+  Vec2d place(const BoundedPlaceKey& of) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return linkage_.coupler_point.value_or(Vec2d{nan, nan});
+    return of.of(linkage_).value_or(Vec2d{nan, nan});
   }
 
   void fixed(const std::string& name, double value, const std::optional<double>& wanted) {
@@ -159,11 +163,11 @@ class Checks {
     add(name, value, *wanted, std::abs(value - *wanted) <= allowance(*wanted));
   }
 
-  void fixed(const std::string& name, const char* first, const char* second, const Vec2d& value,
-             const std::optional<Vec2d>& wanted) {
-    if (!wanted) return;
-    fixed(name + "." + first, value.x, wanted->x);
-    fixed(name + "." + second, value.y, wanted->y);
+  void fixed_place(const BoundedPlaceKey& of, const Vec2d& wanted) {
+    const std::string name = "mechanism." + std::string(of.key) + '.';
+    const Vec2d value = place(of);
+    fixed(name + std::string(of.first), value.x, wanted.x);
+    fixed(name + std::string(of.second), value.y, wanted.y);
   }
 
   void length(const std::string& name, double value, const std::optional<Range>& bounds) {
@@ -176,12 +180,11 @@ class Checks {
     }
   }
 
-  void box(const std::string& name, const char* first, const char* second, const Vec2d& value,
-           const std::optional<Box>& bounds) {
-    if (!bounds) return;
-    const Range x{bounds->min.x, bounds->max.x}, y{bounds->min.y, bounds->max.y};
-    add(name + "." + first, value.x, x, is_within(value.x, x));
-    add(name + "." + second, value.y, y, is_within(value.y, y));
+  void box(const std::string& name, const BoundedPlaceKey& of, const Vec2d& value,
+           const Box& bounds) {
+    const Range x{bounds.min.x, bounds.max.x}, y{bounds.min.y, bounds.max.y};
+    add(name + '.' + std::string(of.first), value.x, x, is_within(value.x, x));
+    add(name + '.' + std::string(of.second), value.y, y, is_within(value.y, y));
   }
 
   /// The frame's direction by the turn that brings it nearest to the middle of its range.
@@ -230,14 +233,7 @@ std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, c
   }
   if (constraints.pivot_region) checks.check_pivot_region(*constraints.pivot_region);
   checks.check_clearances(constraints.clearances);
-  checks.check_limit("peak_acceleration_max", metrics.peak_acceleration,
-                     constraints.peak_acceleration_max);
-  checks.check_limit("torque_ripple_max", metrics.torque_ripple, constraints.torque_ripple_max);
-  checks.check_limit("speed_fluctuation_max", metrics.speed_fluctuation,
-                     constraints.speed_fluctuation_max);
-  checks.check_limit("flywheel_inertia_max", metrics.flywheel_inertia,
-                     constraints.flywheel_inertia_max);
-  checks.check_limit("motor_power_max", metrics.motor_power, constraints.motor_power_max);
+  checks.check_cycle(constraints.cycle_max, metrics.cycle);
   if (constraints.no_branch_defect) {
     checks.check_defect("no_branch_defect", Defect::branch, metrics);
   }

@@ -12,7 +12,7 @@
 
 namespace cognate::problems {
 
-/// The class to which a refinement from `start` is to keep: the one asked for, or, where the
+/// The class to which a refinement from `start` is to keep: the one requested, or, where the
 /// transmission angle is limited and the crank of `start` turns fully, that of `start`, so that the
 /// limits are those of the full turn; where the crank must turn fully, the nearest such class.
 /// Empty: any.
@@ -37,7 +37,7 @@ class LinkageConstraints {
   std::span<const synthesis::LinkLimit> limits() const { return limits_; }
 
   /// Whether a limit on the transmission angle is among them. It is not when no class with a fully
-  /// turning crank is asked for: the limit then refers to the motion between the targets.
+  /// turning crank is requested: the limit then refers to the motion between the targets.
   bool limits_transmission() const { return limits_transmission_; }
 
   /// Values (size count) and, unless `gradient` is empty, derivatives with respect to the lengths.

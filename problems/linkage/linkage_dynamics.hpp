@@ -25,7 +25,7 @@ class LinkageDynamics {
   double driving_torque() const { return drive({speed_, 0}); }
   /// Of loads and weights alone, at the crank.
   double working_torque() const { return -drive({0, 0}); }
-  /// Of the links alone, at the crank: what more is asked for with an acceleration of one.
+  /// Of the links alone, at the crank: what more is requested with an acceleration of one.
   double inertia() const { return drive({0, 1}) - drive({0, 0}); }
   /// The rocker's angle by the crank's, to first order.
   double rocker_rate() const { return motion_.bodies()[3].turn[0]; }

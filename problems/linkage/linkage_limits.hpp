@@ -2,6 +2,7 @@
 /// radians, lengths in the file's unit.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/basics/range.hpp"
+#include "problems/linkage/cycle_quantities.hpp"
 #include "problems/linkage/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
@@ -65,14 +67,9 @@ struct Constraints {
   std::optional<double> link_ratio_max;
   std::optional<Range> time_ratio;  ///< K ≥ 1, of a crank-rocker
   std::optional<Box> pivot_region;
-  /// Over the full turn of a crank of class crank_rocker or double_crank; see turn_limits.hpp.
+  /// Over the full turn of a crank of class crank_rocker or double_crank; see cycle_limits.hpp.
   std::vector<Clearance> clearances;
-  /// Infinite: known of designs, but not limited. The first of the coupler point (length/s²) or of
-  /// the rocker (rad/s²), the other the greatest less the least driving torque.
-  std::optional<double> peak_acceleration_max, torque_ripple_max;
-  /// Likewise: (ω_max − ω_min)/ω_m of the steady motion, the inertia of the least flywheel (kg·m²)
-  /// and the greatest power of the drive (W); see turn_energy.hpp.
-  std::optional<double> speed_fluctuation_max, flywheel_inertia_max, motor_power_max;
+  CycleValues cycle_max;   ///< infinite: known of designs, but not limited
   Operation operation;     ///< under which those are meant
   bool full_turn = false;  ///< the crank must turn fully, as for a closed curve
   /// Ranges of crank, coupler, rocker and frame into which one factor for all of them must bring
@@ -92,9 +89,8 @@ inline bool is_limit(const std::optional<double>& most) {
 
 /// Whether a limit over the full turn of the crank is among them.
 inline bool limits_turn(const Constraints& constraints) {
-  return !constraints.clearances.empty() || is_limit(constraints.peak_acceleration_max) ||
-         is_limit(constraints.torque_ripple_max) || is_limit(constraints.speed_fluctuation_max) ||
-         is_limit(constraints.flywheel_inertia_max) || is_limit(constraints.motor_power_max);
+  return !constraints.clearances.empty() ||
+         std::ranges::any_of(constraints.cycle_max.values, is_limit);
 }
 
 /// Whether free points are met one after the other along the motion.
@@ -118,25 +114,27 @@ enum class SolverChoice {
   ipopt
 };
 
-/// `solve.objectives`: what of a design is to be best. See measures.hpp.
-enum class Measure {
-  error,
-  transmission_angle,
-  link_ratio,
-  size,
-  peak_acceleration,
-  torque_ripple,
-  speed_fluctuation,
-  flywheel_inertia,
-  motor_power
-};
+/// `solve.objectives`: what of a design is to be best; from `over_cycle` on the quantities over the
+/// cycle in their order.
+enum class DesignObjective { error, transmission_angle, link_ratio, size, over_cycle };
+
+/// The objective that makes a quantity over the cycle best.
+constexpr DesignObjective objective_of(CycleQuantity quantity) {
+  return DesignObjective(static_cast<std::size_t>(DesignObjective::over_cycle) +
+                         index_of(quantity));
+}
+
+/// Whether it is one of those.
+constexpr bool is_over_cycle(DesignObjective objective) {
+  return objective >= DesignObjective::over_cycle;
+}
 
 /// `[solve]`.
 struct Solve {
   SolverChoice solver = SolverChoice::automatic;
-  std::optional<int> starts;        ///< how many starts are refined; empty: chosen by the problem
-  int designs = 3;                  ///< how many different designs to return, 1…100
-  std::vector<Measure> objectives;  ///< empty: the error alone
+  std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
+  int designs = 3;            ///< how many different designs to return, 1…100
+  std::vector<DesignObjective> objectives;       ///< empty: the error alone
   synthesis::Loss loss = synthesis::Loss::none;  ///< what an error counts for; least squares only
   double loss_scale = 1;            ///< the error from which the loss differs: length or radians
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
@@ -159,7 +157,7 @@ std::span<const Named<SolverChoice>> names<SolverChoice>();
 template <>
 std::span<const Named<PointOrder>> names<PointOrder>();
 template <>
-std::span<const Named<Measure>> names<Measure>();
+std::span<const Named<DesignObjective>> names<DesignObjective>();
 template <>
 std::span<const Named<ErrorMeasure>> names<ErrorMeasure>();
 template <>

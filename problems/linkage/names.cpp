@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 
@@ -32,15 +36,21 @@ constexpr Named<SolverChoice> kSolvers[] = {
     {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
     {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
     {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
-constexpr Named<Measure> kMeasures[] = {{"error", Measure::error},
-                                        {"transmission_angle", Measure::transmission_angle},
-                                        {"link_ratio", Measure::link_ratio},
-                                        {"size", Measure::size},
-                                        {"peak_acceleration", Measure::peak_acceleration},
-                                        {"torque_ripple", Measure::torque_ripple},
-                                        {"speed_fluctuation", Measure::speed_fluctuation},
-                                        {"flywheel_inertia", Measure::flywheel_inertia},
-                                        {"motor_power", Measure::motor_power}};
+constexpr Named<DesignObjective> kGeometricObjectives[] = {
+    {"error", DesignObjective::error},
+    {"transmission_angle", DesignObjective::transmission_angle},
+    {"link_ratio", DesignObjective::link_ratio},
+    {"size", DesignObjective::size}};
+constexpr auto kObjectives = [] {
+  std::array<Named<DesignObjective>, std::size(kGeometricObjectives) + kCycleQuantities.size()>
+      all{};
+  const auto named = [](const CycleDeclaration& quantity) {
+    return Named<DesignObjective>{quantity.key(), objective_of(quantity.id)};
+  };
+  std::ranges::transform(kCycleQuantities, std::ranges::copy(kGeometricObjectives, all.begin()).out,
+                         named);
+  return all;
+}();
 constexpr Named<ErrorMeasure> kErrorMeasures[] = {
     {"rms_error_max", ErrorMeasure::rms_length},
     {"rms_error_deg_max", ErrorMeasure::rms_angle},
@@ -49,11 +59,10 @@ constexpr Named<synthesis::Loss> kLosses[] = {
     {"none", synthesis::Loss::none},       {"huber", synthesis::Loss::huber},
     {"soft-l1", synthesis::Loss::soft_l1}, {"cauchy", synthesis::Loss::cauchy},
     {"arctan", synthesis::Loss::arctan},   {"tukey", synthesis::Loss::tukey}};
-constexpr Named<Status> kStatuses[] = {{"solved", Status::solved},
-                                       {"infeasible", Status::infeasible},
-                                       {"no-solution", Status::no_solution},
-                                       {"time-limit", Status::time_limit},
-                                       {"interrupted", Status::interrupted}};
+constexpr Named<Status> kStatuses[] = {
+    {"solved", Status::solved},           {"infeasible", Status::infeasible},
+    {"no-solution", Status::no_solution}, {"time-limit", Status::time_limit},
+    {"interrupted", Status::interrupted}, {"invalid", Status::invalid}};
 constexpr Named<Defect> kDefects[] = {
     {"circuit", Defect::circuit}, {"branch", Defect::branch}, {"order", Defect::order}};
 constexpr Named<PointOrder> kPointOrders[] = {{"cyclic", PointOrder::cyclic},
@@ -92,8 +101,8 @@ std::span<const Named<SolverChoice>> names<SolverChoice>() {
 }
 
 template <>
-std::span<const Named<Measure>> names<Measure>() {
-  return kMeasures;
+std::span<const Named<DesignObjective>> names<DesignObjective>() {
+  return kObjectives;
 }
 
 template <>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "problems/basics/names.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/read_linkage.hpp"
 
 namespace cognate::problems::reading {
@@ -12,11 +13,10 @@ namespace {
 
 // The four lengths, for a message: "crank 2, coupler 1 to 3, …".
 std::string in_words(const LengthLimits& limits) {
-  constexpr std::string_view kNames[] = {"crank", "coupler", "rocker", "frame"};
   std::string text;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto& [min, max] = limits[i];
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", kNames[i], min);
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", kLinkKeys.at(i).key, min);
     if (max != min) text += fmt::format(" to {}", max);
   }
   return text;
@@ -36,7 +36,7 @@ void read_transmission_angle(TableReader& table, Constraints& constraints) {
   if (!range) return;
   if (range->min == range->max) {
     table.fault(kKey, fmt::format("allows only {} degrees, and no linkage keeps one transmission "
-                                  "angle; [min, max] with min < max is wanted",
+                                  "angle; expected [min, max] with min < max",
                                   range->min));
     return;
   }
@@ -61,7 +61,7 @@ void read_time_ratio(TableReader& table, Constraints& constraints) {
   constexpr std::string_view kKey = "time_ratio";
   constraints.time_ratio = table.range(kKey, kRatio);
   if (constraints.time_ratio && constraints.required_class != RequiredClass::crank_rocker) {
-    table.fault(kKey, "is that of a crank-rocker; class = \"crank-rocker\" is wanted besides");
+    table.fault(kKey, "is that of a crank-rocker; expected class = \"crank-rocker\" as well");
   }
 }
 
@@ -111,9 +111,10 @@ void read_pivot_region(TableReader& table, const Given& given, Constraints& cons
   if (!constraints.pivot_region) return;
   for (const auto& pivot : {given.pivot_a, given.pivot_d}) {
     if (pivot && !contains(*constraints.pivot_region, *pivot)) {
-      table.fault(kKey, fmt::format("does not contain the given pivot [{}, {}]; a region that "
-                                    "contains every given pivot is wanted",
-                                    pivot->x, pivot->y));
+      table.fault(kKey,
+                  fmt::format("does not contain the given pivot [{}, {}]; expected a region that "
+                              "contains every given pivot",
+                              pivot->x, pivot->y));
     }
   }
 }
@@ -149,22 +150,21 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve) {
   solve.loss_scale = scale.value_or(solve.loss_scale);
   for (const std::string_view key : {kLoss, kScale}) {
     if (other.empty() || !table.has(key)) continue;
-    table.fault(key, fmt::format("is given with {}, but a loss belongs to least squares; leave "
-                                 "it out",
+    table.fault(key, fmt::format("is given with {}, but a loss belongs to least squares; remove "
+                                 "it",
                                  other));
   }
   if (!other.empty()) return;
   const bool robust = solve.loss != synthesis::Loss::none;
   if (robust && !table.has(kScale)) {
     table.fault(kLoss,
-                fmt::format("is \"{}\" without a scale; loss_scale is wanted, the error from "
+                fmt::format("is \"{}\" without a scale; expected loss_scale, the error from "
                             "which it differs from least squares: a length for paths, radians "
                             "for functions",
                             to_string(solve.loss)));
   }
   if (!robust && scale && !table.has(kLoss)) {
-    table.fault(kScale,
-                "is given without a loss; add loss = \"huber\" or another, or leave it out");
+    table.fault(kScale, "is given without a loss; add loss = \"huber\" or another, or remove it");
   }
 }
 
@@ -172,7 +172,7 @@ void read_certificate(TableReader& table, std::string_view refusal, Solve& solve
   solve.certify = table.boolean("certify").value_or(false);
   const auto gap = table.number("certify_gap", kTolerance);
   if (gap && !solve.certify) {
-    table.fault("certify_gap", "is given without certify; add certify = true or leave it out");
+    table.fault("certify_gap", "is given without certify; add certify = true or remove it");
   }
   if (solve.certify && !refusal.empty()) table.fault("certify", std::string(refusal));
   if (solve.certify && solve.loss != synthesis::Loss::none) {

@@ -10,17 +10,17 @@
 namespace cognate::problems::reading {
 
 /// `[constraints]` of any linkage, without `pivot_region`; `limits` tells whether the class and the
-/// link ratio asked for are possible at all.
+/// link ratio requested are possible at all.
 void read_link_constraints(TableReader& table, const LengthLimits& limits,
                            Constraints& constraints);
 
 /// `constraints.pivot_region`, and whether the pivots given lie in it.
 void read_pivot_region(TableReader& table, const Given& given, Constraints& constraints);
 
-/// The most designs that a search may be asked for.
+/// The most designs that a search may be requested.
 inline constexpr int kMostSearchedDesigns = 100;
 
-/// `[solve]`, without the keys that it shares with `[target]`. `minimax`: the objective asked for.
+/// `[solve]`, without the keys that it shares with `[target]`. `minimax`: the objective requested.
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
 

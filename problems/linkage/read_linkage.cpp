@@ -7,33 +7,11 @@
 #include <optional>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
 namespace {
-
-// A link's key, and where its length and its limits are kept.
-struct Link {
-  std::string_view key;
-  std::optional<double> Given::*given;
-  std::optional<Range> Bounds::*bounds;
-};
-
-constexpr Link kLinks[] = {{"crank", &Given::crank, &Bounds::crank},
-                           {"coupler", &Given::coupler, &Bounds::coupler},
-                           {"rocker", &Given::rocker, &Bounds::rocker},
-                           {"frame", &Given::frame, &Bounds::frame}};
-
-// A place's key, and where it and its limits are kept.
-struct Place {
-  std::string_view key;
-  std::optional<Vec2d> Given::*given;
-  std::optional<Box> Bounds::*bounds;
-};
-
-constexpr Place kPlaces[] = {{"pivot_a", &Given::pivot_a, &Bounds::pivot_a},
-                             {"pivot_d", &Given::pivot_d, &Bounds::pivot_d},
-                             {"coupler_point", &Given::coupler_point, &Bounds::coupler_point}};
 
 // Relative difference at which two ways of giving a dimension contradict each other: far above the
 // rounding of decimal digits, far below any tolerance of a linkage.
@@ -42,7 +20,7 @@ constexpr double kSame = 1e-9;
 std::optional<Range> read_length_range(TableReader& bounds, std::string_view key) {
   const auto range = bounds.range(key, kLengthLimit);
   if (range && range->max == 0) {
-    bounds.fault(key, "is [0, 0]; lengths are positive, [min, max] with max > 0 is wanted");
+    bounds.fault(key, "is [0, 0]; lengths are positive, expected [min, max] with max > 0");
     return std::nullopt;
   }
   return range;
@@ -85,7 +63,7 @@ void check_pivots(TableReader& mechanism, const Given& given) {
     return;
   }
   if (given.frame && std::abs(*distance - *given.frame) > kSame * *given.frame) {
-    mechanism.fault("frame", fmt::format("is {}, but the pivots given are {} apart; leave out "
+    mechanism.fault("frame", fmt::format("is {}, but the pivots given are {} apart; remove "
                                          "frame or one of the pivots",
                                          *given.frame, *distance));
   }
@@ -94,13 +72,13 @@ void check_pivots(TableReader& mechanism, const Given& given) {
   if (given.frame_angle && !same_direction(angle, *given.frame_angle)) {
     mechanism.fault("frame_angle_deg",
                     fmt::format("contradicts the pivots given, whose direction is {} degrees; "
-                                "leave out frame_angle_deg or one of the pivots",
+                                "remove frame_angle_deg or one of the pivots",
                                 angle * 180 / kPi));
   }
 }
 
 void check_link_bounds(TableReader& mechanism, const Given& given, const Bounds& limits) {
-  for (const Link& link : kLinks) {
+  for (const LinkKey& link : kLinkKeys) {
     const auto& bounds = limits.*link.bounds;
     auto length = given.*link.given;
     std::string_view key = link.key;
@@ -116,7 +94,7 @@ void check_link_bounds(TableReader& mechanism, const Given& given, const Bounds&
 }
 
 void check_place_bounds(TableReader& mechanism, const Given& given, const Bounds& limits) {
-  for (const Place& place : kPlaces) {
+  for (const BoundedPlaceKey& place : kPlaceKeys) {
     const auto& point = given.*place.given;
     const auto& box = limits.*place.bounds;
     if (!point || !box || contains(*box, *point)) continue;
@@ -136,7 +114,7 @@ void check_frame_angle_bounds(TableReader& mechanism, const Given& given, const 
   const bool inside = excess <= range.max - range.min + kSame || kTurn - excess <= kSame;
   if (!inside) {
     mechanism.fault("frame_angle_deg",
-                    "lies outside bounds.frame_angle_deg; an angle within it is wanted");
+                    "lies outside bounds.frame_angle_deg; expected an angle within it");
   }
 }
 
@@ -164,12 +142,12 @@ void read_mechanism_type(TableReader& mechanism) {
 }
 
 void read_given_links(TableReader& mechanism, Given& given) {
-  for (const Link& link : kLinks) given.*link.given = mechanism.number(link.key, kLength);
+  for (const LinkKey& link : kLinkKeys) given.*link.given = mechanism.number(link.key, kLength);
   given.assembly = mechanism.choice<Assembly>("assembly");
 }
 
 void read_given_places(TableReader& mechanism, Given& given) {
-  for (const Place& place : kPlaces) given.*place.given = mechanism.point(place.key);
+  for (const BoundedPlaceKey& place : kPlaceKeys) given.*place.given = mechanism.point(place.key);
   read_fixed_pivots(mechanism, given);
   const auto angle = mechanism.number("frame_angle_deg", kAngle);
   if (angle) given.frame_angle = radians(*angle);
@@ -177,7 +155,7 @@ void read_given_places(TableReader& mechanism, Given& given) {
 
 void read_length_bounds(TableReader& bounds, Bounds& limits) {
   const auto common = read_length_range(bounds, "length");
-  for (const Link& link : kLinks) {
+  for (const LinkKey& link : kLinkKeys) {
     auto range = read_length_range(bounds, link.key);
     if (range && common) {
       const Range both{std::max(range->min, common->min), std::min(range->max, common->max)};
@@ -195,7 +173,7 @@ void read_length_bounds(TableReader& bounds, Bounds& limits) {
 }
 
 void read_place_bounds(TableReader& bounds, Bounds& limits) {
-  for (const Place& place : kPlaces) limits.*place.bounds = bounds.box(place.key);
+  for (const BoundedPlaceKey& place : kPlaceKeys) limits.*place.bounds = bounds.box(place.key);
   const auto angles = bounds.range("frame_angle_deg", kAngle);
   if (angles) limits.frame_angle = Range{radians(angles->min), radians(angles->max)};
 }
@@ -210,7 +188,7 @@ void check_given(TableReader& mechanism, const Given& given, const Bounds& limit
 LengthLimits length_limits(const Given& given, const Bounds& limits) {
   LengthLimits all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Link& link = kLinks[i];
+    const LinkKey& link = kLinkKeys.at(i);
     auto length = given.*link.given;
     if (!length && link.given == &Given::frame) length = pivot_distance(given);
     const auto& bounds = limits.*link.bounds;

@@ -32,18 +32,20 @@ std::optional<LinkPlace> axes_between(TableReader& table, std::string_view key) 
     if ((*names)[0] == near && (*names)[1] == far) return LinkPlace{.link = link};
     if ((*names)[0] == far && (*names)[1] == near) return LinkPlace{.link = link, .share = 1};
   }
-  table.fault(key, fmt::format("are {} and {}, which are not the joints of one moving link; A and "
-                               "B, B and C, or C and D are wanted",
-                               in_quotes((*names)[0]), in_quotes((*names)[1])));
+  table.fault(
+      key, fmt::format("are {} and {}, which are not the joints of one moving link; expected A and "
+                       "B, B and C, or C and D",
+                       in_quotes((*names)[0]), in_quotes((*names)[1])));
   return std::nullopt;
 }
 
 std::optional<LinkPlace> read_axes(TableReader& link) {
   if (link.has("name") == link.has(kBetween)) {
-    link.fault(kBetween, link.has(kBetween)
-                             ? "is given beside name; give one of them"
-                             : "is missing; two joints of the link, between = [\"B\", \"C\"], or "
-                               "its name are wanted");
+    link.fault(kBetween,
+               link.has(kBetween)
+                   ? "is given beside name; give one of them"
+                   : "is missing; expected two joints of the link, between = [\"B\", \"C\"], or "
+                     "its name");
     return std::nullopt;
   }
   if (link.has(kBetween)) return axes_between(link, kBetween);
@@ -65,13 +67,14 @@ LinkMass read_mass(TableReader& link, const LinkPlace& axes) {
   mass.centre = placed(axes, centre ? Vec2d{(*centre)[0], (*centre)[1]} : Vec2d{});
   if (!link.has(kRod)) {
     if (!link.has("mass") && !link.has("inertia")) {
-      link.fault("mass",
-                 "is missing; the link's mass, its inertia about the centre of mass, or both, or "
-                 "mass_per_length of a slender rod are wanted");
+      link.fault(
+          "mass",
+          "is missing; expected the link's mass, its inertia about the centre of mass, or both, or "
+          "mass_per_length of a slender rod");
     }
     if (mass.mass > 0 && !link.has("centre")) {
       link.fault("centre",
-                 "is missing; the centre of mass [u, v] is wanted (the origin at the first point "
+                 "is missing; expected the centre of mass [u, v] (the origin at the first point "
                  "named, the first axis towards the second)");
     }
     return mass;
@@ -96,9 +99,10 @@ void read_links(TableReader& document, Operation& operation) {
     if (!axes) continue;
     const auto index = static_cast<std::size_t>(axes->link);
     if (given.at(index)) {
-      link.faults().add(link.where(), fmt::format("[[link]] gives {} a second time; one table for "
-                                                  "each link is wanted",
-                                                  in_quotes(to_string(axes->link))));
+      link.faults().add(link.where(),
+                        fmt::format("[[link]] gives {} a second time; expected one table for "
+                                    "each link",
+                                    in_quotes(to_string(axes->link))));
     }
     given.at(index) = true;
     operation.links.at(index) = mass;
@@ -108,7 +112,7 @@ void read_links(TableReader& document, Operation& operation) {
 /// A joint, the coupler point or a link by name; or, in brackets, two joints of a link.
 std::optional<LinkPlace> read_place(TableReader& load, bool has_coupler_point) {
   if (!load.has(kOn)) {
-    load.fault(kOn, "is missing; \"coupler-point\", \"B\", \"C\" or a link is wanted");
+    load.fault(kOn, "is missing; expected \"coupler-point\", \"B\", \"C\" or a link");
     return std::nullopt;
   }
   if (!load.has_text(kOn)) return axes_between(load, kOn);
@@ -120,7 +124,7 @@ std::optional<LinkPlace> read_place(TableReader& load, bool has_coupler_point) {
   if (!chosen) return std::nullopt;
   if (*chosen >= points) return LinkPlace{.link = names<MovingLink>()[*chosen - points].value};
   if (load.has(kAt)) {
-    load.fault(kAt, fmt::format("is given for the point {}; it is wanted for a link only",
+    load.fault(kAt, fmt::format("is given for the point {}; expected it for a link only",
                                 in_quotes(allowed[*chosen])));
   }
   switch (names<MovingPoint>()[*chosen].value) {
@@ -132,9 +136,8 @@ std::optional<LinkPlace> read_place(TableReader& load, bool has_coupler_point) {
       break;
   }
   if (!has_coupler_point) {
-    load.fault(kOn,
-               "is \"coupler-point\", which nothing asks for here; \"B\", \"C\" or a link is "
-               "wanted");
+    load.fault(
+        kOn, "is \"coupler-point\", which nothing asks for here; expected \"B\", \"C\" or a link");
   }
   return LinkPlace{.link = MovingLink::coupler, .at_coupler_point = true};
 }
@@ -146,19 +149,19 @@ LoadSense read_sense(TableReader& load, const std::optional<LinkPlace>& place, b
   if (!load.has_text(kWhen)) {
     load.fault(kWhen,
                "is no word, but loads of a design problem act all the time or in strokes of the "
-               "rocker; \"always\", \"advance\" or \"return\" is wanted");
+               "rocker; expected \"always\", \"advance\" or \"return\"");
     return LoadSense::always;
   }
   const LoadSense sense = load.choice<LoadSense>(kWhen).value_or(LoadSense::always);
   if (sense == LoadSense::always) return sense;
   if (place && place->link != MovingLink::rocker) {
     load.fault(kWhen,
-               "names a stroke of the rocker, on which the load is not; \"always\" is wanted, or "
+               "names a stroke of the rocker, on which the load is not; expected \"always\", or "
                "a load on \"rocker\" or \"C\"");
   } else if (!has_strokes) {
     load.fault(kWhen,
                "names a stroke of the rocker, which needs constraints.class = \"crank-rocker\"; "
-               "\"always\" is wanted, or that class");
+               "expected \"always\", or that class");
   }
   return sense;
 }
@@ -171,7 +174,7 @@ void read_loads(TableReader& document, const OperationUse& use, Operation& opera
     WorkingLoad rule{.force = {force[0], force[1]}};
     rule.torque = load.number("torque", kQuantity).value_or(0);
     if (!load.has("force") && !load.has("torque")) {
-      load.fault("force", "is missing; a force [fx, fy], a torque, or both are wanted");
+      load.fault("force", "is missing; expected a force [fx, fy], a torque, or both");
     }
     rule.sense = read_sense(load, place, use.has_strokes);
     load.finish();
@@ -187,22 +190,23 @@ bool weighs(const Operation& operation) {
   });
 }
 
+/// Of what is given though only the quantities with `has` depend on it.
+std::string unused(bool CycleDeclaration::*has) {
+  return fmt::format("is given, but no limit depends on it; add {}, or remove it", limit_keys(has));
+}
+
 void read_drive(TableReader& document, const OperationUse& use, Operation& operation) {
   constexpr std::string_view kDrive = "drive", kKey = "speed";
   TableReader drive = document.table(kDrive);
   operation.speed = drive.number(kKey, kSpeed).value_or(operation.speed);
-  if (!drive.has(kKey) && (use.by_energy() || use.by_power)) {
-    drive.fault(kKey,
-                "is missing; the crank's mean speed in rad/s is wanted, on which the speed's "
-                "fluctuation, the flywheel and the power depend");
+  if (!drive.has(kKey) && use.asked.any(&CycleDeclaration::needs_speed)) {
+    const auto words = [](const CycleDeclaration& of) { return std::string(of.words); };
+    drive.fault(kKey, fmt::format("is missing; expected the crank's mean speed in rad/s, on which "
+                                  "{} depend",
+                                  list_of(words, " and ", &CycleDeclaration::needs_speed)));
   }
   drive.finish();
-  if (document.has(kDrive) && !use.by_acceleration && !use.by_forces()) {
-    document.fault(kDrive,
-                   "is given, but no limit depends on it; add "
-                   "constraints.peak_acceleration_max, torque_ripple_max, speed_fluctuation_max, "
-                   "flywheel_inertia_max or motor_power_max, or leave it out");
-  }
+  if (document.has(kDrive) && !use.asked.any()) document.fault(kDrive, unused(nullptr));
 }
 
 void read_flywheel(TableReader& document, const OperationUse& use, Operation& operation) {
@@ -210,20 +214,19 @@ void read_flywheel(TableReader& document, const OperationUse& use, Operation& op
   TableReader flywheel = document.table("flywheel");
   operation.flywheel = flywheel.number(kInertia, kDensity).value_or(0);
   operation.fluctuation = flywheel.number(kFluctuation, kSpeedFluctuation).value_or(0);
-  if (flywheel.has(kInertia) && !use.by_fluctuation) {
-    flywheel.fault(kInertia,
-                   "is given, but no limit depends on it; add constraints.speed_fluctuation_max, "
-                   "or leave it out");
+  constexpr auto kByInertia = &CycleDeclaration::by_flywheel;
+  constexpr auto kByFluctuation = &CycleDeclaration::by_fluctuation;
+  const bool asks_inertia = use.asked.any(kByInertia),
+             asks_fluctuation = use.asked.any(kByFluctuation);
+  if (flywheel.has(kInertia) && !asks_inertia) flywheel.fault(kInertia, unused(kByInertia));
+  if (flywheel.has(kFluctuation) && !asks_fluctuation) {
+    flywheel.fault(kFluctuation, unused(kByFluctuation));
   }
-  if (flywheel.has(kFluctuation) && !use.by_flywheel) {
-    flywheel.fault(kFluctuation,
-                   "is given, but no limit depends on it; add constraints.flywheel_inertia_max, "
-                   "or leave it out");
-  }
-  if (!flywheel.has(kFluctuation) && use.by_flywheel) {
-    flywheel.fault(kFluctuation,
-                   "is missing; the fluctuation that the flywheel is to leave, above 0 and below "
-                   "2, is wanted");
+  if (!flywheel.has(kFluctuation) && asks_fluctuation) {
+    flywheel.fault(
+        kFluctuation,
+        "is missing; expected the fluctuation that the flywheel is to leave, above 0 and below "
+        "2");
   }
   flywheel.finish();
 }
@@ -233,13 +236,14 @@ void check_bodies(TableReader& document, const OperationUse& use, const Operatio
   if (!weighs(operation) && operation.loads.empty()) {
     document.fault("link",
                    "is missing, and so is load, without which no torque drives the linkage; "
-                   "[[link]] with masses or [[load]] is wanted with what the constraints or "
+                   "expected [[link]] with masses or [[load]] with what the constraints or "
                    "objectives say of torque, speed, flywheel or power");
-  } else if (use.by_fluctuation && !weighs(operation) && operation.flywheel == 0) {
+  } else if (use.asked.any(&CycleDeclaration::by_flywheel) && !weighs(operation) &&
+             operation.flywheel == 0) {
     document.fault("link",
                    "is missing, and so is flywheel.inertia, without which nothing keeps up the "
-                   "speed; [[link]] with masses or a flywheel is wanted with "
-                   "constraints.speed_fluctuation_max");
+                   "speed; expected [[link]] with masses or a flywheel with " +
+                       limit_keys(&CycleDeclaration::by_flywheel));
   }
 }
 
@@ -256,16 +260,14 @@ Operation read_operation(TableReader& document, const OperationUse& use) {
   const Two gravity = document.two(kGravity, kQuantity, "[x, y]").value_or(Two{});
   operation.gravity = {gravity[0], gravity[1]};
 
+  const bool by_forces = use.asked.any(&CycleDeclaration::by_forces);
   for (const std::string_view key :
        {std::string_view("link"), std::string_view("load"), kGravity}) {
-    if (use.by_forces() || !document.has(key)) continue;
-    document.fault(key,
-                   "is given, but no limit depends on it; add constraints.torque_ripple_max, "
-                   "speed_fluctuation_max, flywheel_inertia_max or motor_power_max, or leave it "
-                   "out");
+    if (by_forces || !document.has(key)) continue;
+    document.fault(key, unused(&CycleDeclaration::by_forces));
   }
   const bool sound = document.faults().size() == before;
-  if (use.by_forces() && sound) check_bodies(document, use, operation);
+  if (by_forces && sound) check_bodies(document, use, operation);
   return operation;
 }
 

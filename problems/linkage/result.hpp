@@ -12,8 +12,8 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
-#include "problems/basics/fact.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/basics/quantity.hpp"
 #include "problems/linkage/certificate.hpp"
 #include "problems/linkage/curve_placement.hpp"
 #include "problems/linkage/linkage_limits.hpp"
@@ -45,7 +45,8 @@ enum class Defect { circuit, branch, order };
 
 /// What the analysis kernel says of a design.
 struct Metrics {
-  std::optional<MobilityClass> mobility;  ///< of a four-bar; `facts` hold another type's "class"
+  std::optional<MobilityClass>
+      mobility;  ///< of a four-bar; `quantities` hold another type's "class"
   bool change_point = false;
   /// Extremes of the transmission angle over the motion used: the full turn of a crank that turns
   /// fully, else the range between the target positions (of a function its whole domain). In [0,
@@ -55,15 +56,10 @@ struct Metrics {
   double transmission_acute_min = 0;  ///< min(μ, π − μ) over the same motion, at its least
   std::optional<double> time_ratio;   ///< K; empty where the crank does not turn fully
   std::vector<Defect> defects;
-  /// Over the full turn, where the file limits them: of the coupler point (length/s²) or, of a
-  /// function, the rocker (rad/s²); greatest less least driving torque.
-  std::optional<double> peak_acceleration, torque_ripple;
-  /// Likewise: of the steady motion, 2 and more where it would not come round; the least flywheel
-  /// (kg·m²); the greatest power of the drive (W).
-  std::optional<double> speed_fluctuation, flywheel_inertia, motor_power;
+  CycleValues cycle;  ///< over the full turn, where the file limits them or makes them least
   std::optional<double> input_start, output_start;      ///< function generation: α₀, φ₀
   std::optional<double> precision_residual, condition;  ///< exact synthesis: of what it solved
-  std::vector<Fact> facts;  ///< what the kind of problem or the type of mechanism adds
+  std::vector<Quantity> quantities;  ///< what the kind of problem or the type of mechanism adds
 };
 
 /// A mechanism that was found, what it is like, and what it misses.
@@ -105,10 +101,11 @@ struct Family {
 };
 
 /// How a run ended: with a design that meets every constraint, with none that does, with no design
-/// at all, out of time, or stopped.
-enum class Status { solved, infeasible, no_solution, time_limit, interrupted };
+/// at all, out of time, or stopped; or not begun, since the problem is `invalid` (no file that was
+/// read is).
+enum class Status { solved, infeasible, no_solution, time_limit, interrupted, invalid };
 
-/// What was evaluated, and what was skipped because nothing asked for it.
+/// What was evaluated, and what was skipped because nothing requested it.
 struct Work {
   double seconds = 0;
   int threads = 1;
@@ -128,7 +125,7 @@ struct Result {
   std::vector<Design> designs;  ///< best first; feasible ones before others
   std::vector<Locus> loci;
   std::vector<Family> families;
-  std::vector<Fact> facts;  ///< counts of a synthesis as a whole: "complex_solutions"
+  std::vector<Quantity> quantities;  ///< counts of a synthesis as a whole: "complex_solutions"
   std::optional<Certificate> certificate;  ///< where the file asks for one and a design is feasible
   Work work;
   std::vector<std::string> notes;  ///< sentences for the user: degeneracies, why nothing was found

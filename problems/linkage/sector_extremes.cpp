@@ -6,7 +6,7 @@
 
 namespace cognate::problems {
 
-TurnTable::TurnTable(const TurnDimensions& dimensions, TurnAngles angles)
+CycleTable::CycleTable(const CycleDimensions& dimensions, CycleAngles angles)
     : angles_(angles), assembly_(sign(dimensions.assembly)), step_(std::tan(kPi / kAngles)) {
   const auto& [links, point, pivot, angle, assembly] = dimensions;
   plain_ = {links, point, pivot, {std::cos(angle), std::sin(angle)}};
@@ -30,18 +30,18 @@ TurnTable::TurnTable(const TurnDimensions& dimensions, TurnAngles angles)
     sample.state = turn_state(links, closure, direction, assembly_);
     sample.closes = std::isfinite(sample.state.rocker.bend);
   }
-  if (angles_ == TurnAngles::all) follow_angles();
+  if (angles_ == CycleAngles::all) follow_angles();
 }
 
 /// From each angle at which the linkage closes to the next; what is added in a whole turn is whole
 /// turns.
-void TurnTable::follow_angles() {
-  const TurnState<double>* first = nullptr;
-  const TurnState<double>* last = nullptr;
+void CycleTable::follow_angles() {
+  const CycleState<double>* first = nullptr;
+  const CycleState<double>* last = nullptr;
   for (int k = 0; k < kAngles; ++k) {
     Sample& sample = states_.at(at(k));
     if (!sample.closes) continue;
-    TurnState<double>& state = sample.state;
+    CycleState<double>& state = sample.state;
     state.crank.angle = crank_angle(k, 0);
     if (last != nullptr) {
       state.coupler.angle = angle_near(last->coupler, 0, state.coupler.direction);
@@ -59,7 +59,7 @@ void TurnTable::follow_angles() {
   turns_ = {1, whole(last->coupler, first->coupler), whole(last->rocker, first->rocker)};
 }
 
-const std::array<Vec2d, TurnTable::kAngles + 1>& TurnTable::half_directions() {
+const std::array<Vec2d, CycleTable::kAngles + 1>& CycleTable::half_directions() {
   static const auto all = [] {
     std::array<Vec2d, kAngles + 1> halves;
     for (int k = 0; k <= kAngles; ++k) {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/turn_limits.hpp"
-#include "problems/linkage/turn_motion.hpp"
+#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle_motion.hpp"
 
 namespace cognate::problems {
 
@@ -22,20 +22,20 @@ struct SectorExtreme {
   double value = std::numeric_limits<double>::infinity();
   LimitSlopes slopes{};
 };
-using SectorExtremes = std::array<SectorExtreme, TurnLimits::kSectors>;
+using SectorExtremes = std::array<SectorExtreme, CycleLimits::kSectors>;
 
 /// A number with its derivatives by the dimensions.
 using DimensionJet = ceres::Jet<double, std::tuple_size_v<LimitSlopes>>;
 
-/// Whether the links' angles are wanted, besides their directions.
-enum class TurnAngles { none, all };
+/// Whether the links' angles are requested, besides their directions.
+enum class CycleAngles { none, all };
 
 /// A four-bar at a table of crank angles from its frame.
-class TurnTable {
+class CycleTable {
  public:
-  explicit TurnTable(const TurnDimensions& dimensions, TurnAngles angles = TurnAngles::none);
+  explicit CycleTable(const CycleDimensions& dimensions, CycleAngles angles = CycleAngles::none);
 
-  /// Of `quantity`, which maps (PlacedLinkage<T>, TurnState<T>) to T for every number type;
+  /// Of `quantity`, which maps (LinkagePose<T>, CycleState<T>) to T for every number type;
   /// `with_slopes`: derivatives too.
   template <class Quantity>
   SectorExtremes least(const Quantity& quantity, bool with_slopes) const {
@@ -46,7 +46,7 @@ class TurnTable {
     }
     values.back() = values.front();
     SectorExtremes all;
-    for (int sector = 0; sector < TurnLimits::kSectors; ++sector) {
+    for (int sector = 0; sector < CycleLimits::kSectors; ++sector) {
       all.at(at(sector)) = least_in(quantity, values, sector * kPerSector, with_slopes);
     }
     return all;
@@ -85,7 +85,7 @@ class TurnTable {
 
  private:
   static constexpr int kPerSector = 12;
-  static constexpr int kAngles = kPerSector * TurnLimits::kSectors;
+  static constexpr int kAngles = kPerSector * CycleLimits::kSectors;
   static constexpr int kDimensions = DimensionJet::DIMENSION;
   using OneJet = ceres::Jet<double, 1>;
   using FullJet = DimensionJet;
@@ -94,7 +94,7 @@ class TurnTable {
   static constexpr double kFlat = 1e-8;
 
   struct Sample {
-    TurnState<double> state;
+    CycleState<double> state;
     bool closes = false;
   };
 
@@ -111,9 +111,9 @@ class TurnTable {
   /// Adds the links' angles to a state beyond angle k of the table, where the crank stands at
   /// `crank`.
   template <class T>
-  void add_angles(int k, const T& crank, TurnState<T>& state) const {
+  void add_angles(int k, const T& crank, CycleState<T>& state) const {
     const bool again = k == kAngles;
-    const TurnState<double>& near = states_[at(again ? 0 : k)].state;
+    const CycleState<double>& near = states_[at(again ? 0 : k)].state;
     const auto turned = [&](MovingLink link) { return again ? kTurn * turns(link) : 0; };
     state.crank.angle = crank;
     state.coupler.angle =
@@ -154,7 +154,7 @@ class TurnTable {
   Sloping sloping(const Quantity& quantity, int k, double offset) const {
     auto state =
         turn_state(one_.links, one_closure_, turning(half_direction(k, offset)), assembly_);
-    if (angles_ == TurnAngles::all) add_angles(k, OneJet(crank_angle(k, offset), 0), state);
+    if (angles_ == CycleAngles::all) add_angles(k, OneJet(crank_angle(k, offset), 0), state);
     const OneJet value = quantity(one_, state);
     return {offset, value.a, value.v[0]};
   }
@@ -191,7 +191,7 @@ class TurnTable {
     const CrankDirection<FullJet> direction{FullJet(plain.cos), FullJet(plain.sin),
                                             FullJet(plain.versine), plain.side};
     auto state = turn_state(full_.links, full_closure_, direction, assembly_);
-    if (angles_ == TurnAngles::all) add_angles(k, FullJet(crank_angle(k, offset)), state);
+    if (angles_ == CycleAngles::all) add_angles(k, FullJet(crank_angle(k, offset)), state);
     return quantity(full_, state);
   }
 
@@ -241,13 +241,13 @@ class TurnTable {
     return extreme(quantity, best, left, right, with_slopes);
   }
 
-  TurnAngles angles_;
+  CycleAngles angles_;
   std::array<double, 3> turns_{1, 0, 0};
   double assembly_;
   double step_;  ///< tangent of half an angle of the table
-  PlacedLinkage<double> plain_;
-  PlacedLinkage<OneJet> one_;
-  PlacedLinkage<FullJet> full_;
+  LinkagePose<double> plain_;
+  LinkagePose<OneJet> one_;
+  LinkagePose<FullJet> full_;
   Closure<OneJet> one_closure_;
   Closure<FullJet> full_closure_;
   std::array<Sample, kAngles> states_;

@@ -1,5 +1,7 @@
 #include "problems/linkage/similarity.hpp"
 
+#include "problems/linkage/linkage_keys.hpp"
+
 namespace cognate::problems {
 
 void Similarity::shrink(std::optional<double>& length) const {
@@ -23,16 +25,14 @@ void Similarity::move(std::optional<Box>& box) const {
 }
 
 void Similarity::move(Given& given) const {
-  for (auto* length : {&given.crank, &given.coupler, &given.rocker, &given.frame}) shrink(*length);
+  for (const LinkKey& link : kLinkKeys) shrink(given.*link.given);
   move(given.pivot_a);
   move(given.pivot_d);
   if (given.coupler_point) given.coupler_point = (1 / size) * *given.coupler_point;
 }
 
 void Similarity::move(Bounds& bounds) const {
-  for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
-    shrink(*range);
-  }
+  for (const LinkKey& link : kLinkKeys) shrink(bounds.*link.bounds);
   move(bounds.pivot_a);
   move(bounds.pivot_d);
   shrink(bounds.coupler_point);
@@ -63,10 +63,12 @@ void Similarity::move(Constraints& constraints) const {
   for (Clearance& clearance : constraints.clearances) {
     clearance.box = {point(clearance.box.min), point(clearance.box.max)};
   }
-  shrink(constraints.peak_acceleration_max);
-  for (auto* of_energy : {&constraints.torque_ripple_max, &constraints.flywheel_inertia_max,
-                          &constraints.motor_power_max}) {
-    if (*of_energy) **of_energy /= size * size;
+  for (const CycleDeclaration& quantity : kCycleQuantities) {
+    auto& most = constraints.cycle_max[quantity.id];
+    if (!most) continue;
+    double scale = 1;
+    for (int i = 0; i < quantity.length_power; ++i) scale *= size;
+    *most /= scale;
   }
   shrink_operation(constraints.operation, size);
 }

@@ -11,6 +11,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/linkage/motion_within.hpp"
+#include "problems/linkage/linkage_keys.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -60,8 +61,8 @@ Metrics design_metrics(const FourBar& linkage, std::span<const CrankPosition> po
         positions.empty() ? CrankPosition{0, linkage.assembly} : positions.front();
     FourBar standing = linkage;
     standing.assembly = at.side;
-    metrics.facts.push_back(
-        {"change_point_kind", std::string(change_point_kind(standing, at.crank_angle))});
+    metrics.quantities.push_back(
+        quantity(kChangePointKindKey, std::string(change_point_kind(standing, at.crank_angle))));
   }
   metrics.transmission_min = angles.min;
   metrics.transmission_max = angles.max;

@@ -1,4 +1,4 @@
-/// @file What a finished design is and whether it keeps to its problem, computed by the analysis
+/// @file What a finished design is and whether it satisfies its problem, computed by the analysis
 /// kernel from the linkage alone, in the file's units: no variable, scale or constraint of a solver
 /// enters. The closure is the kernel's in both; the tests hold it against the textbook's triangle.
 #pragma once
@@ -17,7 +17,7 @@ namespace cognate::problems {
 /// How a design passes through its target positions.
 struct MotionKind {
   PointOrder order = PointOrder::cyclic;
-  bool timed = false;  ///< crank angles are prescribed: `order` is then of no account
+  bool timed = false;  ///< crank angles are prescribed: `order` is then ignored
   /// Crank angles from the x axis between which the crank turns, those of the positions among them;
   /// empty: the motion runs between the positions, by the shorter way where it is timed. A linkage
   /// at a change point is judged over its travel, not over the full turn.

@@ -20,7 +20,7 @@ double degrees_of(double phi) {
   return std::abs(degrees) < kSlack ? 0 : degrees;
 }
 
-std::string undetermined_in_words(const CourseRun& run) {
+std::string undetermined_in_words(const AssemblyRange& run) {
   const auto change = std::ranges::find(run.changes, false, &Change::determined);
   if (change == run.changes.end()) return {};
   return fmt::format(
@@ -32,32 +32,33 @@ std::string undetermined_in_words(const CourseRun& run) {
 
 }  // namespace
 
-std::string gap_in_words(const Course& course) {
-  if (course.runs.empty()) return "the mechanism cannot be assembled at any angle of its drive";
-  std::vector<CourseRun> runs = course.runs;
-  const bool closes = runs.front().from <= course.start + kSlack &&
-                      runs.back().to >= course.end - kSlack && runs.front().from_dyad < 0 &&
-                      runs.back().to_dyad < 0;
+std::string gap_in_words(const AssemblyRanges& assembly_ranges) {
+  if (assembly_ranges.runs.empty())
+    return "the mechanism cannot be assembled at any angle of its drive";
+  std::vector<AssemblyRange> runs = assembly_ranges.runs;
+  const bool closes = runs.front().from <= assembly_ranges.start + kSlack &&
+                      runs.back().to >= assembly_ranges.end - kSlack &&
+                      runs.front().from_dyad < 0 && runs.back().to_dyad < 0;
   if (closes && runs.size() == 1) return undetermined_in_words(runs.front());
   if (closes) {
     runs.front().from = runs.back().from - kTurn;
     runs.pop_back();
   }
   std::string ranges;
-  for (const CourseRun& run : runs) {
+  for (const AssemblyRange& run : runs) {
     ranges += fmt::format("{}from {:.6g}° to {:.6g}°", ranges.empty() ? "" : " and ",
                           degrees_of(run.from), degrees_of(run.to));
   }
   return fmt::format("the drive cannot turn fully: the mechanism can be assembled {}", ranges);
 }
 
-std::vector<double> walls(const Course& course) {
+std::vector<double> walls(const AssemblyRanges& assembly_ranges) {
   std::vector<double> found;
-  const double period = course.end - course.start;
-  for (std::size_t i = 0; i < course.runs.size(); ++i) {
-    const CourseRun& run = course.runs[i];
-    const bool is_last = i + 1 == course.runs.size();
-    const CourseRun& next = course.runs[is_last ? 0 : i + 1];
+  const double period = assembly_ranges.end - assembly_ranges.start;
+  for (std::size_t i = 0; i < assembly_ranges.runs.size(); ++i) {
+    const AssemblyRange& run = assembly_ranges.runs[i];
+    const bool is_last = i + 1 == assembly_ranges.runs.size();
+    const AssemblyRange& next = assembly_ranges.runs[is_last ? 0 : i + 1];
     const double gap = next.from + (is_last ? period : 0) - run.to;
     const bool ends = run.to_dyad >= 0 || next.from_dyad >= 0;
     if (ends && gap <= kSlack) found.push_back(in_period(run.to, period));

@@ -11,10 +11,11 @@
 
 namespace cognate::problems {
 
-LoadTravel::LoadTravel(const Mechanism<double>& mechanism, const Course& course, int body)
+LoadTravel::LoadTravel(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges,
+                       int body)
     : travel_(travels(mechanism)[static_cast<std::size_t>(body)]) {
   if (travel_.slides) return;
-  const auto range = output_range(mechanism, course, travel_);
+  const auto range = output_range(mechanism, assembly_ranges, travel_);
   constexpr double kWhole = kTurn - 1e-6;
   if (!range || range->stroke() >= kWhole) return;
   swings_ = true;

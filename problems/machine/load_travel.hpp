@@ -3,19 +3,19 @@
 
 #include <span>
 
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/motion_state.hpp"
 #include "analysis/mechanism/travel.hpp"
 
 namespace cognate::problems {
 
-/// A body's travel over a course, without leaps: of a body that slides its displacement; of one
-/// that swings the angle by which it has turned counter-clockwise from the one end of its swing, at
-/// which that is 0, to the other, however the mechanism lies in the plane. Of one that turns fully
-/// the angle from the x axis, in [0, 2π), which begins anew with each turn.
+/// A body's travel over a set of assembly ranges, without leaps: of a body that slides its
+/// displacement; of one that swings the angle by which it has turned counter-clockwise from the one
+/// end of its swing, at which that is 0, to the other, however the mechanism lies in the plane. Of
+/// one that turns fully the angle from the x axis, in [0, 2π), which begins anew with each turn.
 class LoadTravel {
  public:
-  LoadTravel(const Mechanism<double>& mechanism, const Course& course, int body);
+  LoadTravel(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges, int body);
 
   /// Of the mechanism's bodies where it stands.
   double travelled(std::span<const BodyMotion<double, 2>> bodies) const;

@@ -46,7 +46,7 @@ LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoa
 
 /// Whether all bodies stand after a turn as they did before; `two_turns` is the motion from where a
 /// machine's course begins. Beside that place, since a change point may lie there.
-bool repeats(const Mechanism<double>& mechanism, const Course& two_turns) {
+bool repeats(const Mechanism<double>& mechanism, const AssemblyRanges& two_turns) {
   constexpr double kBeside = 0.01, kSame = 1e-6;
   FollowedMotion<0> first(mechanism, two_turns), second(mechanism, two_turns);
   if (!first.move_to(two_turns.start + kBeside)) return true;
@@ -128,24 +128,25 @@ MachineModel::MachineModel(const MachineProblem& problem, const Deadline& deadli
 void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Deadline& deadline) {
   AnalysisProblem all = with_all_loads(mechanism, problem_.loads);
   all.drive.start = in_one_turn(problem_.run.start_phi);
-  course_ = whole_motion(all, deadline);
-  gap_ = gap_in_words(course_);
-  if (turns() && !course_.runs.front().changes.empty()) {
-    Course two_turns = follow_until(all, course_.start, course_.start + 2 * kTurn, deadline);
+  assembly_ranges_ = whole_motion(all, deadline);
+  gap_ = gap_in_words(assembly_ranges_);
+  if (turns() && !assembly_ranges_.runs.front().changes.empty()) {
+    AssemblyRanges two_turns =
+        follow_until(all, assembly_ranges_.start, assembly_ranges_.start + 2 * kTurn, deadline);
     if (!repeats(all.mechanism.mechanism, two_turns)) {
       period_ = 2 * kTurn;
-      course_ = std::move(two_turns);
+      assembly_ranges_ = std::move(two_turns);
     }
   }
   strokes_ = load_strokes(all, deadline);
   for (std::size_t i = 0; i < all.loads.size(); ++i) {
     const Stroke stroke = i < strokes_.size() ? strokes_[i] : Stroke{};
     const LoadRule rule = rule_of_breaks(all, problem_.loads, i);
-    const auto more = load_breaks(all.mechanism.mechanism, course_, rule, stroke);
+    const auto more = load_breaks(all.mechanism.mechanism, assembly_ranges_, rule, stroke);
     breaks_.insert(breaks_.end(), more.begin(), more.end());
   }
   for (const MachineLoad& load : problem_.loads) add_travel(all.mechanism.mechanism, load);
-  walls_ = walls(course_);
+  walls_ = walls(assembly_ranges_);
   for (const double wall : walls_) {
     breaks_.insert(breaks_.end(), {wall - kNearWall, wall + kNearWall});
   }
@@ -153,11 +154,11 @@ void MachineModel::prepare_mechanism(const AnalysisProblem& mechanism, const Dea
 }
 
 void MachineModel::add_travel(const Mechanism<double>& mechanism, const MachineLoad& load) {
-  const LoadTravel& travel = travels_.emplace_back(mechanism, course_, load.rule.at.body);
+  const LoadTravel& travel = travels_.emplace_back(mechanism, assembly_ranges_, load.rule.at.body);
   if (!load.of_travel || !travel.begins_anew()) return;
   LoadRule whole_turn = load.rule;
   whole_turn.within_stroke = {0, 1};
-  const auto begins = load_breaks(mechanism, course_, whole_turn, {0, kTurn});
+  const auto begins = load_breaks(mechanism, assembly_ranges_, whole_turn, {0, kTurn});
   breaks_.insert(breaks_.end(), begins.begin(), begins.end());
 }
 
@@ -170,7 +171,8 @@ void MachineModel::add_breaks(const std::vector<double>& of_a_turn) {
 machine::Machine MachineModel::machine(const MachineParts& parts) const {
   auto all = std::make_shared<Parts>();
   if (problem_.mechanism) {
-    all->mechanism.emplace(*problem_.mechanism, problem_.loads, course_, strokes_, travels_);
+    all->mechanism.emplace(*problem_.mechanism, problem_.loads, assembly_ranges_, strokes_,
+                           travels_);
   }
   all->inertia = problem_.inertia;
   all->torque = problem_.torque;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/machine/machine.hpp"
-#include "analysis/mechanism/course.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/linkage/deadline.hpp"
 #include "problems/machine/load_travel.hpp"
@@ -54,7 +54,7 @@ class MachineModel {
 
   const MachineProblem& problem_;
   double period_;
-  Course course_;
+  AssemblyRanges assembly_ranges_;
   std::vector<Stroke> strokes_;      ///< of the mechanism's loads, then of those that are functions
   std::vector<LoadTravel> travels_;  ///< of the bodies of the loads that are functions
   std::vector<double> walls_, breaks_;

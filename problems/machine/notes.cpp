@@ -127,7 +127,7 @@ std::string coarse_note(const std::string& name, std::size_t rows, double turns)
   if (static_cast<double>(rows) >= kOfATurn * std::abs(turns)) return {};
   return fmt::format(
       "the table of {} has {} rows for {:.6g} turns: too few to show what happens within a turn; "
-      "a greater run.steps, or an earlier end, is wanted for that",
+      "expected a greater run.steps, or an earlier end, for that",
       name, rows, std::abs(turns));
 }
 

@@ -1,4 +1,4 @@
-/// @file Why a machine does not do what was asked for, in sentences.
+/// @file Why a machine does not do what was requested, in sentences.
 #pragma once
 
 #include <cstddef>

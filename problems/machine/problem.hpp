@@ -4,9 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/problem.hpp"
 
@@ -54,7 +56,7 @@ struct MachineLoad {
       of_travel{};
 };
 
-/// What is wanted of the machine.
+/// What is requested of the machine.
 enum class MachineTask { steady, start, stop };
 
 /// `[run]`
@@ -81,6 +83,14 @@ struct MachineProblem {
   std::optional<double> fluctuation;  ///< that the flywheel to be found shall leave
   std::optional<double> brake;        ///< of a stop: torque against the motion, the motor off
   MachineRunRequest run;
+};
+
+template <>
+struct KindTraits<MachineProblem> {
+  static constexpr std::string_view kWord = "machine";
+  static MachineProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<MachineProblem, std::vector<std::string>> checked(
+      const MachineProblem& problem);
 };
 
 template <>

@@ -1,22 +1,108 @@
-#include "problems/machine/read.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/machine/problem.hpp"
 #include "problems/machine/read_function.hpp"
-#include "problems/machine/read_loads.hpp"
 #include "problems/machine/read_motor.hpp"
-#include "problems/machine/read_run.hpp"
 #include "problems/mechanism/drive_angle.hpp"
+#include "problems/mechanism/part_names.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_links.hpp"
 #include "problems/mechanism/read_whole_mechanism.hpp"
+#include "problems/toml/nearest.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
+
+constexpr std::string_view kTasks = "tasks";
+
+constexpr NumberRule kTime{is_positive_quantity, "a time from 1e-30 to 1e30 seconds"};
+constexpr NumberRule kTurns{[](double x) { return x >= 1e-6 && x <= 1e6; },
+                            "a number of turns from 1e-6 to 1e6"};
+constexpr NumberRule kSpeed{[](double x) { return x >= 0 && is_quantity(x); },
+                            "a speed in rad/s, 0 or from 1e-30 to 1e30,"};
+constexpr NumberRule kRelative{[](double x) { return x >= 1e-13 && x <= 1e-3; },
+                               "a relative tolerance from 1e-13 to 1e-3"};
+constexpr int kFewestSteps = 12;
+constexpr int kMostSteps = 100'000;
+
+std::optional<MachineTask> task_named(std::string_view word) {
+  for (const auto& [name, task] : names<MachineTask>()) {
+    if (name == word) return task;
+  }
+  return std::nullopt;
+}
+
+std::vector<MachineTask> read_tasks(TableReader& run) {
+  std::vector<MachineTask> tasks;
+  if (!run.has(kTasks)) return {MachineTask::steady};
+  const auto words = run.texts(kTasks, {1, std::size(names<MachineTask>()), "tasks"});
+  if (!words) return tasks;
+  std::vector<std::string_view> allowed;
+  for (const auto& named : names<MachineTask>()) allowed.push_back(named.name);
+  for (std::size_t i = 0; i < words->size(); ++i) {
+    const auto task = task_named((*words)[i]);
+    if (!task) {
+      const auto meant = nearest((*words)[i], allowed);
+      run.faults().add(
+          run.where(kTasks, i),
+          fmt::format("entry {} of {} is {}{}; allowed are {}", i + 1, run.name(kTasks),
+                      in_quotes((*words)[i]), meant ? ", perhaps for " + in_quotes(*meant) : "",
+                      quoted_list(allowed)));
+    } else if (std::ranges::find(tasks, *task) != tasks.end()) {
+      run.faults().add(run.where(kTasks, i),
+                       fmt::format("entry {} of {} is {} again; expected each task once", i + 1,
+                                   run.name(kTasks), in_quotes((*words)[i])));
+    } else {
+      tasks.push_back(*task);
+    }
+  }
+  return tasks;
+}
+
+/// Whether `task` is among those wanted.
+bool asks_for(const MachineRunRequest& run, MachineTask task) {
+  return std::ranges::find(run.tasks, task) != run.tasks.end();
+}
+
+/// The request in `table`, complete if no fault was added.
+MachineRunRequest read_run(TableReader& table) {
+  MachineRunRequest run;
+  run.tasks = read_tasks(table);
+  run.start_phi = radians(table.number("start_deg", kAngle).value_or(0));
+  run.start_speed = table.number("start_speed", kSpeed).value_or(0);
+  run.time_max = table.number("time_max", kTime);
+  run.turns_max = table.number("turns_max", kTurns);
+  run.speed_end = table.number("speed_end", kSpeed);
+  run.steps = table.integer("steps", kFewestSteps, kMostSteps).value_or(run.steps);
+  run.tolerance = table.number("tolerance", kRelative).value_or(run.tolerance);
+  table.finish();
+  return run;
+}
+
+/// The tables `[[load]]` of `table`, into `problem.mechanism` and `problem.loads`.
+void read_machine_loads(TableReader& table, const PartNames& names, MachineProblem& problem) {
+  constexpr std::string_view kValue = "value";
+  for (TableReader& load : load_tables(table)) {
+    const auto rule = read_load(load, names, false);
+    const bool smooth = read_interpolation(load, {kValue});
+    if (!load.has(kValue)) {
+      if (rule) problem.mechanism->loads.push_back(*rule);
+    } else if (auto value = read_machine_function(load, kValue, {FunctionOf::load}, smooth);
+               value && rule) {
+      problem.loads.push_back({*rule, std::move(value->function), std::move(value->of_travel)});
+    }
+    load.finish();
+  }
+}
 
 constexpr std::string_view kMechanism = "mechanism";
 constexpr std::string_view kEquivalent = "equivalent";
@@ -31,9 +117,10 @@ constexpr NumberRule kUnevenness{[](double x) { return x >= 1e-6 && x <= 1; },
                                  "(greatest - least speed)/mean from 1e-6 to 1"};
 
 void fault_sliding_drive(TableReader& mechanism) {
-  mechanism.fault("type",
-                  "is a chain that a slider drives; one that a crank drives, which turns on and "
-                  "on, is wanted");
+  mechanism.fault(
+      "type",
+      "is a chain that a slider drives; expected one that a crank drives, which turns on and "
+      "on");
 }
 
 void read_loaded_mechanism(TableReader& document, MachineProblem& problem) {
@@ -55,9 +142,10 @@ void refuse_parts(TableReader& document) {
   for (const std::string_view key :
        {"link", "load", "gravity", "point", "pivot", "crank", "slider", "dyad"}) {
     if (!document.has(key)) continue;
-    document.fault(key,
-                   "is given without [mechanism], whose part it is; a [mechanism] with its "
-                   "type is wanted, or leave it out");
+    document.fault(
+        key,
+        "is given without [mechanism], whose part it is; expected a [mechanism] with its "
+        "type, or remove it");
   }
 }
 
@@ -73,7 +161,7 @@ void read_equivalent(TableReader& document, MachineProblem& problem) {
     if (torque) problem.torque = std::move(torque->function);
   }
   if (!table.has(kInertia) && !table.has(kTorque)) {
-    table.fault(kInertia, "is missing; an inertia, a torque, or both are wanted");
+    table.fault(kInertia, "is missing; expected an inertia, a torque, or both");
   }
   table.finish();
 }
@@ -83,29 +171,30 @@ void read_flywheel(TableReader& document, MachineProblem& problem) {
   problem.flywheel = table.number(kInertia, kMass).value_or(0);
   problem.fluctuation = table.number(kFluctuation, kUnevenness);
   if (table.has(kInertia) && table.has(kFluctuation)) {
-    table.fault(kFluctuation,
-                "is given beside flywheel.inertia; the flywheel that is there, or the fluctuation "
-                "that one to be found shall leave, is wanted");
+    table.fault(
+        kFluctuation,
+        "is given beside flywheel.inertia; expected the flywheel that is there, or the fluctuation "
+        "that one to be found shall leave");
   } else if (!table.has(kInertia) && !table.has(kFluctuation)) {
     table.fault(kInertia,
-                "is missing; the flywheel's inertia, or the fluctuation that one to be found shall "
-                "leave, is wanted");
+                "is missing; expected the flywheel's inertia, or the fluctuation that one to be "
+                "found shall "
+                "leave");
   } else if (table.has(kFluctuation) && !asks_for(problem.run, MachineTask::steady)) {
-    table.fault(kFluctuation,
-                "is of the steady motion, which run.tasks leaves out; \"steady\" among the tasks "
-                "is wanted");
+    table.fault(
+        kFluctuation,
+        "is of the steady motion, which run.tasks leaves out; expected \"steady\" among the tasks");
   }
   table.finish();
 }
 
 void read_brake(TableReader& document, MachineProblem& problem) {
   TableReader table = document.table(kBrake);
-  if (!table.has(kTorque)) table.fault(kTorque, "is missing; the brake's torque is wanted");
+  if (!table.has(kTorque)) table.fault(kTorque, "is missing; expected the brake's torque");
   problem.brake = table.number(kTorque, kPositiveTorque);
   if (!asks_for(problem.run, MachineTask::stop)) {
     table.fault(kTorque,
-                "is of a stop, which run.tasks leaves out; \"stop\" among the tasks is "
-                "wanted");
+                "is of a stop, which run.tasks leaves out; expected \"stop\" among the tasks");
   }
   table.finish();
 }
@@ -119,23 +208,31 @@ bool has_mass(const MachineProblem& problem) {
 void check_mass(TableReader& document, const MachineProblem& problem) {
   if (has_mass(problem)) return;
   const std::string_view where = problem.mechanism ? kMechanism : kEquivalent;
-  document.fault(where,
-                 "has no inertia, so that any torque would bring any speed at once; [[link]], "
-                 "equivalent.inertia, flywheel.inertia or motor.inertia is wanted");
+  document.fault(
+      where,
+      "has no inertia, so that any torque would bring any speed at once; expected [[link]], "
+      "equivalent.inertia, flywheel.inertia or motor.inertia");
 }
 
 }  // namespace
 
-MachineProblem read_machine_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+MachineProblem KindTraits<MachineProblem>::read(reading::TableReader& document,
+                                                const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   MachineProblem problem;
   TableReader run = document.table("run");
   problem.run = read_run(run);
   const bool has_mechanism = document.has(kMechanism);
   const bool has_equivalent = document.has(kEquivalent);
   if (!has_mechanism && !has_equivalent) {
-    document.fault(kMechanism,
-                   "is missing; a [mechanism] with its links, or [equivalent] with inertia and "
-                   "torque at the drive, is wanted");
+    document.fault(
+        kMechanism,
+        "is missing; expected a [mechanism] with its links, or [equivalent] with inertia and "
+        "torque at the drive");
   }
   if (has_mechanism) read_loaded_mechanism(document, problem);
   if (!has_mechanism) refuse_parts(document);
@@ -156,4 +253,4 @@ MachineProblem read_machine_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -60,14 +60,14 @@ bool check_turn(TableReader& table, std::string_view key, const FunctionRule& ru
   for (int i = 0; i < kIntervals; ++i) {
     const double value = function.value(kTurn * i / kIntervals, 1, 0);
     if (values.accepts(value) || (!rule.positive && std::abs(value) < kLeast)) continue;
-    table.fault(key, fmt::format("is {} at phi = {:.6g} ({:.6g} degrees); {} is wanted everywhere",
+    table.fault(key, fmt::format("is {} at phi = {:.6g} ({:.6g} degrees); expected {} everywhere",
                                  value_in_words(value), kTurn * i / kIntervals,
                                  360.0 * i / kIntervals, values.allowed));
     return false;
   }
   if (!rule.positive || function.breaks.empty()) return true;
   table.fault(key, fmt::format("jumps at phi = {:.6g} ({:.6g} degrees), where the energy would "
-                               "jump, too; an inertia without jumps is wanted",
+                               "jump, too; expected an inertia without jumps",
                                function.breaks.front(), function.breaks.front() * 360 / kTurn));
   return false;
 }
@@ -131,8 +131,8 @@ bool check_rows(TableReader& table, std::string_view key,
     if ((*all[i])[0] - (*all[i - 1])[0] >= kLeastDegrees * (1 - kRounding)) continue;
     table.faults().add(
         table.where(key, i),
-        fmt::format("row {} of {} has the angle {} after {}; increasing angles, "
-                    "{} degrees apart at least, are wanted",
+        fmt::format("row {} of {} has the angle {} after {}; expected increasing angles, "
+                    "{} degrees apart at least",
                     i + 1, table.name(key), (*all[i])[0], (*all[i - 1])[0], kLeastDegrees));
     sound = false;
   }
@@ -141,16 +141,15 @@ bool check_rows(TableReader& table, std::string_view key,
   const auto [last, last_value] = *all.back();
   if (last - first > 360) {
     table.faults().add(table.where(key, all.size() - 1),
-                       fmt::format("{} spans {} degrees; a turn, 360 degrees, at most is wanted",
+                       fmt::format("{} spans {} degrees; expected a turn, 360 degrees, at most",
                                    table.name(key), last - first));
     return false;
   }
   if (is_whole_turn(first, last) && last_value != first_value) {
-    table.faults().add(
-        table.where(key, all.size() - 1),
-        fmt::format("the last row of {} is {} a turn after the first, {}; the same value is "
-                    "wanted, or no such row",
-                    table.name(key), last_value, first_value));
+    table.faults().add(table.where(key, all.size() - 1),
+                       fmt::format("the last row of {} is {} a turn after the first, {}; expected "
+                                   "the same value, or no such row",
+                                   table.name(key), last_value, first_value));
     return false;
   }
   return true;
@@ -163,7 +162,7 @@ std::optional<ReadFunction> read_table(TableReader& table, std::string_view key,
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i] || values_of(rule).accepts((*rows[i])[1])) continue;
     table.faults().add(table.where(key, i),
-                       fmt::format("row {} of {} is {}; {} is wanted", i + 1, table.name(key),
+                       fmt::format("row {} of {} is {}; expected {}", i + 1, table.name(key),
                                    (*rows[i])[1], values_of(rule).allowed));
     sound = false;
   }
@@ -205,7 +204,7 @@ bool read_interpolation(TableReader& table, std::initializer_list<std::string_vi
   if (!table.has(kKey)) return false;
   const auto way = table.choice_of(kKey, kWays);
   if (std::ranges::none_of(tables, [&](auto key) { return table.has_array(key); })) {
-    table.fault(kKey, "is given, but there is no table whose rows it could join; leave it out");
+    table.fault(kKey, "is given, but there is no table whose rows it could join; remove it");
   }
   return way == 1;
 }

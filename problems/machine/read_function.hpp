@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostMachineRows = 5000;
 /// 0 to 2π within each turn; w, t; of a load also its body's travel s and its rate v.
 enum class FunctionOf { phi, motion, load };
 
-/// What is wanted under a key.
+/// What is requested under a key.
 struct FunctionRule {
   FunctionOf of = FunctionOf::motion;
   bool positive = false;  ///< an inertia: above 0 and without jumps

@@ -27,22 +27,23 @@ bool has_exactly_one(TableReader& motor) {
   for (const std::string_view key : {kTorqueKey, kLine, kTable}) {
     if (!motor.has(key)) continue;
     if (!first.empty()) {
-      motor.fault(key, fmt::format("is given beside motor.{}; one of torque, line and table is "
-                                   "wanted",
-                                   first));
+      motor.fault(
+          key,
+          fmt::format("is given beside motor.{}; expected one of torque, line and table", first));
       return false;
     }
     first = key;
   }
   if (!first.empty()) return true;
-  motor.fault(kTorqueKey,
-              "is missing; a torque, a line = {stall_torque, no_load_speed} or a table = [[speed, "
-              "torque], ...] is wanted");
+  motor.fault(
+      kTorqueKey,
+      "is missing; expected a torque, a line = {stall_torque, no_load_speed} or a table = [[speed, "
+      "torque], ...]");
   return false;
 }
 
 double require(TableReader& table, std::string_view key, std::string_view what) {
-  if (!table.has(key)) table.fault(key, fmt::format("is missing; {} is wanted", what));
+  if (!table.has(key)) table.fault(key, fmt::format("is missing; expected {}", what));
   return table.number(key, kPositive).value_or(1);
 }
 
@@ -65,10 +66,11 @@ void read_speed_table(TableReader& motor, Motor& read) {
   bool sound = true;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (!rows[i] || !rows[i - 1] || (*rows[i])[0] > (*rows[i - 1])[0]) continue;
-    motor.faults().add(motor.where(kTable, i),
-                       fmt::format("row {} of motor.table has the speed {} after {}; increasing "
-                                   "speeds are wanted",
-                                   i + 1, (*rows[i])[0], (*rows[i - 1])[0]));
+    motor.faults().add(
+        motor.where(kTable, i),
+        fmt::format("row {} of motor.table has the speed {} after {}; expected increasing "
+                    "speeds",
+                    i + 1, (*rows[i])[0], (*rows[i - 1])[0]));
     sound = false;
   }
   const auto all = all_or_none(rows);
@@ -85,7 +87,7 @@ void read_speed_table(TableReader& motor, Motor& read) {
 void read_torque(TableReader& motor, Motor& read) {
   if (motor.has_array(kTorqueKey)) {
     motor.fault(kTorqueKey,
-                "is an array; a number or an expression in phi, w and t is wanted, and speeds with "
+                "is an array; expected a number or an expression in phi, w and t, and speeds with "
                 "their torques under table = [[speed, torque], ...]");
     return;
   }

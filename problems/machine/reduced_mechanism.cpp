@@ -10,10 +10,11 @@
 namespace cognate::problems {
 
 ReducedMechanism::ReducedMechanism(const AnalysisProblem& problem,
-                                   const std::vector<MachineLoad>& loads, const Course& course,
+                                   const std::vector<MachineLoad>& loads,
+                                   const AssemblyRanges& assembly_ranges,
                                    const std::vector<Stroke>& strokes,
                                    const std::vector<LoadTravel>& travels)
-    : motion_(problem.mechanism.mechanism, course),
+    : motion_(problem.mechanism.mechanism, assembly_ranges),
       inertias_(problem.inertias),
       gravity_(problem.gravity),
       active_(problem.mechanism.mechanism, problem.loads, strokes) {
@@ -28,10 +29,11 @@ ReducedMechanism::ReducedMechanism(const AnalysisProblem& problem,
 
 machine::EquivalentInertia ReducedMechanism::move_to(double phi) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const Course& course = motion_.course();
+  const AssemblyRanges& assembly_ranges = motion_.assembly_ranges();
   phi_ = phi;
-  const double on_course = phi < course.start ? phi + (course.end - course.start) : phi;
-  if (!motion_.move_to(std::min(on_course, course.end))) return {kNone, kNone};
+  const double on_assembly_ranges =
+      phi < assembly_ranges.start ? phi + (assembly_ranges.end - assembly_ranges.start) : phi;
+  if (!motion_.move_to(std::min(on_assembly_ranges, assembly_ranges.end))) return {kNone, kNone};
   weights_ = machine::weight_torque(motion_.bodies(), inertias_, gravity_);
   const auto inertia = machine::equivalent_inertia(motion_.bodies(), inertias_);
   return std::isfinite(inertia.value) ? inertia : machine::EquivalentInertia{kNone, kNone};

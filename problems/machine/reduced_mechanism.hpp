@@ -11,18 +11,18 @@
 
 namespace cognate::problems {
 
-/// Evaluated once at a position, whose torques may then be asked for at several speeds. Allocates
+/// Evaluated once at a position, whose torques may then be requested at several speeds. Allocates
 /// nothing after it is made.
 class ReducedMechanism {
  public:
   /// `strokes`: of the mechanism's loads, then of `loads`; may be empty where no load needs them.
   /// `travels`: of the body of each of `loads`.
   ReducedMechanism(const AnalysisProblem& problem, const std::vector<MachineLoad>& loads,
-                   const Course& course, const std::vector<Stroke>& strokes,
+                   const AssemblyRanges& assembly_ranges, const std::vector<Stroke>& strokes,
                    const std::vector<LoadTravel>& travels);
 
-  /// Stands at `phi`, from 0 to the length of the course (which may begin elsewhere). Not numbers
-  /// where the mechanism cannot be assembled, or stands at a dead point.
+  /// Stands at `phi`, from 0 to the length of the set of assembly ranges (which may begin
+  /// elsewhere). Not numbers where the mechanism cannot be assembled, or stands at a dead point.
   machine::EquivalentInertia move_to(double phi);
 
   /// Of weights and loads.

@@ -12,7 +12,7 @@
 
 namespace cognate::problems {
 
-/// One of the motions that were asked for, as a table: time, drive, speed, inertia, torques, power,
+/// One of the motions that were requested, as a table: time, drive, speed, inertia, torques, power,
 /// energies.
 struct MachineMotion {
   MachineTask task = MachineTask::steady;
@@ -21,14 +21,18 @@ struct MachineMotion {
 };
 
 struct MachineResult {
-  Status status = Status::no_solution;  ///< `solved` where every motion asked for exists
+  Status status = Status::no_solution;  ///< `solved` where every motion requested exists
   std::vector<MachineMotion> motions;
-  std::vector<Fact> facts;
+  std::vector<Quantity> quantities;
   Work work;
   std::vector<std::string> notes;
 };
 
-/// What the machine does, as far as it was asked for.
+/// What the machine does, as far as it was requested.
 MachineResult run_machine(const MachineProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
+std::vector<std::string> validate(const MachineProblem& problem);
 
 }  // namespace cognate::problems

@@ -8,11 +8,12 @@
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/machine/model.hpp"
 #include "problems/machine/motion_table.hpp"
 #include "problems/machine/notes.hpp"
 #include "problems/machine/result.hpp"
-#include "problems/machine/steady_facts.hpp"
+#include "problems/machine/steady_quantities.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
@@ -32,8 +33,8 @@ constexpr double kStarted = 0.01;
 /// Turns after which a start or stop ends for which the file gives no limit.
 constexpr double kMostTurns = 1000;
 
-void append(std::vector<Fact>& facts, std::vector<Fact> more) {
-  std::ranges::move(more, std::back_inserter(facts));
+void append(std::vector<Quantity>& quantities, std::vector<Quantity> more) {
+  std::ranges::move(more, std::back_inserter(quantities));
 }
 
 class MachineTasks {
@@ -103,7 +104,7 @@ class MachineTasks {
                                                     accuracy_, problem_.run.steps);
     if (found.found) {
       flywheel_ = found.inertia;
-      append(result_.facts, flywheel_facts(found));
+      append(result_.quantities, flywheel_quantities(found));
       if (found.without.states.empty()) {
         result_.notes.emplace_back(
             "without a flywheel the machine does not get round, so that there is no fluctuation "
@@ -143,7 +144,7 @@ class MachineTasks {
     }
     const Machine whole = machine();
     result_.motions.push_back({MachineTask::steady, motion_table(whole, found.states)});
-    append(result_.facts, steady_facts(problem_, whole, found));
+    append(result_.quantities, steady_quantities(problem_, whole, found));
   }
 
   /// Whether motor and loads, in the mean over a period, push the drive backwards from rest.
@@ -196,9 +197,9 @@ class MachineTasks {
     const std::string name = task == MachineTask::start ? "start" : "stop";
     const MachineState& last = run.states.back();
     const double turns = (last.phi - run.states.front().phi) / kTurn;
-    result_.facts.push_back({name + "_time_s", last.time});
-    result_.facts.push_back({name + "_turns", turns});
-    result_.facts.push_back({name + "_end_speed_rad_s", last.omega});
+    result_.quantities.push_back({name + "_time_s", last.time});
+    result_.quantities.push_back({name + "_turns", turns});
+    result_.quantities.push_back({name + "_end_speed_rad_s", last.omega});
     const std::string coarse = coarse_note("the " + name, run.states.size(), turns);
     if (model_.depends_on_angle() && !coarse.empty()) result_.notes.push_back(coarse);
   }
@@ -272,7 +273,10 @@ class MachineTasks {
 
 }  // namespace
 
-MachineResult run_machine(const MachineProblem& problem, const Run& run) {
+MachineResult run_machine(const MachineProblem& given, const Run& run) {
+  const auto valid = KindTraits<MachineProblem>::checked(given);
+  if (!valid) return refused<MachineResult>(valid.error());
+  const MachineProblem& problem = *valid;
   return MachineTasks(problem, run).answer();
 }
 

@@ -82,4 +82,18 @@ using MechanismDescription =
     std::variant<FourBar, SliderCrank, GuideBar, OscillatingBlock, FixedBlock, ScotchYoke,
                  TangentGenerator, EllipticTrammel, OldhamCoupling, ChainDescription>;
 
+/// `mechanism.type`: the place of its alternative.
+enum class MechanismType {
+  four_bar,
+  slider_crank,
+  guide_bar,
+  oscillating_block,
+  fixed_block,
+  scotch_yoke,
+  tangent_generator,
+  elliptic_trammel,
+  oldham_coupling,
+  chain
+};
+
 }  // namespace cognate::problems

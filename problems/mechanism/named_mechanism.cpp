@@ -5,14 +5,14 @@
 #include <variant>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/mechanism/simple_parts.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::problems {
 namespace {
 
 void set_parts(NamedMechanism& mechanism, const NamedParts& parts) {
   for (const Body& body : parts.bodies) mechanism.bodies.push_back(body.name);
-  for (const PlacedPoint& point : parts.points) {
+  for (const PointOnLink& point : parts.points) {
     mechanism.points.push_back({point.name, point.on.front()});
   }
 }
@@ -25,11 +25,11 @@ NamedMechanism named(const MechanismDescription& description) {
   mechanism.description = description;
   if (const auto* linkage = std::get_if<FourBar>(&description)) mechanism.four_bar = *linkage;
   std::visit(
-      [&]<class Dimensions>(const Dimensions& dimensions) {
-        if constexpr (!std::is_same_v<Dimensions, ChainDescription>) {
+      [&]<class Type>(const Type& dimensions) {
+        if constexpr (SimpleType<Type>) {
           mechanism.mechanism = as_mechanism(dimensions);
-          set_parts(mechanism, parts_of(dimensions));
-          mechanism.output = output_of(mechanism.type);
+          set_parts(mechanism, TypeTraits<Type>::parts(dimensions));
+          mechanism.output = TypeTraits<Type>::kOutput;
         }
       },
       description);

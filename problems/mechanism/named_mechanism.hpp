@@ -12,20 +12,6 @@
 
 namespace cognate::problems {
 
-/// `mechanism.type`.
-enum class MechanismType {
-  four_bar,
-  slider_crank,
-  guide_bar,
-  oscillating_block,
-  fixed_block,
-  scotch_yoke,
-  tangent_generator,
-  elliptic_trammel,
-  oldham_coupling,
-  chain
-};
-
 /// A point that users know by name: a joint, a pivot, or a point of a link.
 struct NamedPoint {
   std::string name;
@@ -43,7 +29,7 @@ struct NamedMechanism {
   std::vector<PointDescription> extra_points;  ///< `[[point]]`, also among `points`
 };
 
-/// The mechanism that `description` tells, any but a chain, with the names of `simple_parts.hpp`.
+/// The mechanism that `description` tells, any but a chain, named by `mechanism_types.hpp`.
 NamedMechanism named(const MechanismDescription& description);
 
 /// Adds a point of the body called `body`, at `at` in that body's axes, under `name`.

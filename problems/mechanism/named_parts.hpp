@@ -17,7 +17,7 @@ struct Body {
 
 /// A point that users know by name, on every body that it is fixed on: a pin lies on two or more.
 /// The bodies rise; the last is the farthest from the frame and the drive.
-struct PlacedPoint {
+struct PointOnLink {
   std::string name;
   std::vector<Attached<double>> on;
 };
@@ -25,13 +25,13 @@ struct PlacedPoint {
 /// What has been named so far, in the order of the bodies' numbers; body 0 is "frame".
 struct NamedParts {
   std::vector<Body> bodies{{"frame", false}};
-  std::vector<PlacedPoint> points;
+  std::vector<PointOnLink> points;
 };
 
 /// Where `point` lies in the axes of `body`; empty where it is not fixed on it.
-std::optional<Vec2d> place_on(const PlacedPoint& point, int body);
+std::optional<Vec2d> place_on(const PointOnLink& point, int body);
 
 /// The number of a body on which both points are fixed, the frame last; empty where there is none.
-std::optional<int> common_body(const PlacedPoint& first, const PlacedPoint& second);
+std::optional<int> common_body(const PointOnLink& first, const PointOnLink& second);
 
 }  // namespace cognate::problems

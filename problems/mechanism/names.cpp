@@ -1,20 +1,21 @@
+#include <array>
+#include <type_traits>
+#include <variant>
+
 #include "problems/mechanism/load_sense.hpp"
-#include "problems/mechanism/named_mechanism.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr Named<MechanismType> kMechanismTypes[] = {
-    {"four-bar", MechanismType::four_bar},
-    {"slider-crank", MechanismType::slider_crank},
-    {"guide-bar", MechanismType::guide_bar},
-    {"oscillating-block", MechanismType::oscillating_block},
-    {"fixed-block", MechanismType::fixed_block},
-    {"scotch-yoke", MechanismType::scotch_yoke},
-    {"tangent-generator", MechanismType::tangent_generator},
-    {"elliptic-trammel", MechanismType::elliptic_trammel},
-    {"oldham-coupling", MechanismType::oldham_coupling},
-    {"chain", MechanismType::chain}};
+template <class... Type>
+constexpr std::array<Named<MechanismType>, sizeof...(Type)> words_of(
+    std::type_identity<std::variant<Type...>>) {
+  int number = 0;
+  return {Named<MechanismType>{TypeTraits<Type>::kWord, MechanismType{number++}}...};
+}
+
+constexpr auto kMechanismTypes = words_of(std::type_identity<MechanismDescription>{});
 constexpr Named<DyadType> kDyadTypes[] = {{"RRR", DyadType::rrr},
                                           {"RRP", DyadType::rrp},
                                           {"RPR", DyadType::rpr},

@@ -26,7 +26,7 @@ std::optional<int> PartNames::body(const std::string& name) const {
 
 std::vector<std::string_view> PartNames::all_points() const {
   std::vector<std::string_view> names;
-  for (const PlacedPoint& point : parts_.points) names.push_back(point.name);
+  for (const PointOnLink& point : parts_.points) names.push_back(point.name);
   for (const std::string& name : announced_) {
     if (!point(name)) names.emplace_back(name);
   }

@@ -34,8 +34,8 @@ class PartNames {
   /// Takes note that `point` is fixed on a body, besides those that it is known to be on.
   void place(const std::string& point, const Attached<double>& on);
 
-  /// Whether a part was left out because of a fault. What hangs on it is not found, and that is no
-  /// further fault.
+  /// Whether a part was left out because of a fault. What depends on it is not found, and that is
+  /// no further fault.
   bool incomplete = false;
 
  private:

@@ -13,7 +13,7 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::size_t kLongestName = 40;
-constexpr std::string_view kFit = "a name of 1 to 40 letters, digits, - _ . or ' is wanted";
+constexpr std::string_view kFit = "expected a name of 1 to 40 letters, digits, - _ . or '";
 
 // How many names a message lists.
 constexpr std::size_t kMostListed = 20;
@@ -38,7 +38,7 @@ std::vector<std::string_view> body_names(const NamedParts& parts) {
 
 std::vector<std::string_view> point_names(const NamedParts& parts) {
   std::vector<std::string_view> words;
-  for (const PlacedPoint& point : parts.points) words.push_back(point.name);
+  for (const PointOnLink& point : parts.points) words.push_back(point.name);
   return words;
 }
 
@@ -55,9 +55,10 @@ std::optional<Axes> axes_of_one(const PartNames& names, const Mention& mention, 
     if (names.parts().bodies[body].slider) return Axes{.body = body};
     faults.add(
         mention.where,
-        fmt::format("{} has the point {}, which is the pin of no slider; the name of a body "
-                    "({}) or two points of one are wanted",
-                    mention.called, in_quotes(mention.name), listed(body_names(names.parts()))));
+        fmt::format(
+            "{} has the point {}, which is the pin of no slider; expected the name of a body "
+            "({}) or two points of one",
+            mention.called, in_quotes(mention.name), listed(body_names(names.parts()))));
     return std::nullopt;
   }
   if (names.incomplete || fault_briefly(mention, faults)) return std::nullopt;
@@ -77,24 +78,26 @@ std::optional<Axes> axes_of_two(const PartNames& names, const Mention& first, co
   const auto origin = find_point(names, first, faults);
   const auto towards = find_point(names, second, faults);
   if (!origin || !towards) return std::nullopt;
-  const PlacedPoint& from = names.parts().points[*origin];
-  const PlacedPoint& to = names.parts().points[*towards];
+  const PointOnLink& from = names.parts().points[*origin];
+  const PointOnLink& to = names.parts().points[*towards];
   const auto body = common_body(from, to);
   if (!body) {
-    faults.add(second.where,
-               fmt::format("{}: no body has both {} (on {}) and {} (on {}); two points of one body "
-                           "are wanted",
-                           second.called, in_quotes(from.name), body_list(names.parts(), from.on),
-                           in_quotes(to.name), body_list(names.parts(), to.on)));
+    faults.add(
+        second.where,
+        fmt::format(
+            "{}: no body has both {} (on {}) and {} (on {}); expected two points of one body",
+            second.called, in_quotes(from.name), body_list(names.parts(), from.on),
+            in_quotes(to.name), body_list(names.parts(), to.on)));
     return std::nullopt;
   }
   const Vec2d start = *place_on(from, *body);
   const Vec2d along = *place_on(to, *body) - start;
   const double distance = std::hypot(along.x, along.y);
   if (!(distance > 0)) {
-    faults.add(second.where, fmt::format("{}: {} and {} coincide and give no direction; two "
-                                         "different points of one body are wanted",
-                                         second.called, in_quotes(from.name), in_quotes(to.name)));
+    faults.add(second.where,
+               fmt::format("{}: {} and {} coincide and give no direction; expected two "
+                           "different points of one body",
+                           second.called, in_quotes(from.name), in_quotes(to.name)));
     return std::nullopt;
   }
   return Axes{*body, start, {along.x / distance, along.y / distance}};
@@ -118,7 +121,7 @@ std::optional<std::string> read_name(TableReader& table, std::string_view key) {
 std::optional<std::string> require_name(TableReader& table, std::string_view key,
                                         std::string_view what) {
   if (!table.has(key)) {
-    table.fault(key, fmt::format("is missing; the name of {} is wanted", what));
+    table.fault(key, fmt::format("is missing; expected the name of {}", what));
     return std::nullopt;
   }
   return read_name(table, key);
@@ -144,13 +147,14 @@ std::optional<std::vector<Mention>> read_mentions(TableReader& table, std::strin
 
 void announce(PartNames& names, const Mention& point, FaultList& faults) {
   if (names.is_announced(point.name)) {
-    faults.add(point.where, fmt::format("{} is {}, which is a point already; a name that no other "
-                                        "point has is wanted",
-                                        point.called, in_quotes(point.name)));
+    faults.add(point.where,
+               fmt::format("{} is {}, which is a point already; expected a name that no other "
+                           "point has",
+                           point.called, in_quotes(point.name)));
   } else if (names.body(point.name)) {
-    faults.add(point.where, fmt::format("{} is {}, which is a body; a name that no body has is "
-                                        "wanted",
-                                        point.called, in_quotes(point.name)));
+    faults.add(point.where,
+               fmt::format("{} is {}, which is a body; expected a name that no body has",
+                           point.called, in_quotes(point.name)));
   }
   names.announce(point.name);
 }
@@ -158,13 +162,15 @@ void announce(PartNames& names, const Mention& point, FaultList& faults) {
 void add_body(PartNames& names, const Mention& body, bool slider, std::string_view pin,
               FaultList& faults) {
   if (names.body(body.name)) {
-    faults.add(body.where, fmt::format("{} is {}, which is a body already; a name that no other "
-                                       "body has is wanted: names = [\"...\", \"...\"]",
-                                       body.called, in_quotes(body.name)));
+    faults.add(body.where,
+               fmt::format("{} is {}, which is a body already; expected a name that no other "
+                           "body has: names = [\"...\", \"...\"]",
+                           body.called, in_quotes(body.name)));
   } else if (body.name != pin && names.is_announced(body.name)) {
-    faults.add(body.where, fmt::format("{} is {}, which is a point and not the pin of this body; a "
-                                       "name that no point has is wanted",
-                                       body.called, in_quotes(body.name)));
+    faults.add(body.where,
+               fmt::format("{} is {}, which is a point and not the pin of this body; expected a "
+                           "name that no point has",
+                           body.called, in_quotes(body.name)));
   }
   names.add_body({body.name, slider});
 }
@@ -172,7 +178,7 @@ void add_body(PartNames& names, const Mention& body, bool slider, std::string_vi
 bool fault_briefly(const Mention& mention, FaultList& faults) {
   const bool enough = faults.size() >= FaultList::kMost;
   if (enough) {
-    faults.add(mention.where, fmt::format("{} has the unknown name {}; a known one is wanted",
+    faults.add(mention.where, fmt::format("{} has the unknown name {}; expected a known one",
                                           mention.called, in_quotes(mention.name)));
   }
   return enough;
@@ -214,7 +220,7 @@ std::optional<Axes> find_axes(const PartNames& names, const std::vector<Mention>
   return axes_of_one(names, mentions[0], faults);
 }
 
-Attached<double> bearer(const NamedParts& parts, const PlacedPoint& point) {
+Attached<double> bearer(const NamedParts& parts, const PointOnLink& point) {
   for (const auto& place : point.on) {
     if (parts.bodies[place.body].slider && place.at == Vec2d{}) return place;
   }

@@ -60,7 +60,7 @@ std::optional<int> find_body(const PartNames& names, const Mention& mention, Fau
 
 /// Which of its bodies a point is taken to belong to where only one can be meant: the slider that
 /// it is the pin of, else the last, that which the drive moves through all the others.
-Attached<double> bearer(const NamedParts& parts, const PlacedPoint& point);
+Attached<double> bearer(const NamedParts& parts, const PointOnLink& point);
 
 /// A body and the axes in which points of it are given: where their origin and first axis stand in
 /// the body's own.

@@ -15,7 +15,7 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::size_t kMostPivots = 1000;
-// The course of a motion takes time that grows with their square: with 200 some seconds.
+// The assembly ranges of a motion takes time that grows with their square: with 200 some seconds.
 constexpr std::size_t kMostDyads = 200;
 constexpr std::string_view kCrank = "crank";
 constexpr std::string_view kSlider = "slider";
@@ -30,7 +30,7 @@ void read_pivot(TableReader& table, Chain& chain) {
   constexpr std::string_view kAt = "at";
   const auto name = require_name(table, kName, "the pivot");
   announce_name(table, kName, chain.names);
-  if (!table.has(kAt)) table.fault(kAt, "is missing; [x, y] is wanted");
+  if (!table.has(kAt)) table.fault(kAt, "is missing; expected [x, y]");
   const auto at = table.two(kAt, kQuantity, "[x, y]");
   table.finish();
   if (!name || !at) {
@@ -60,7 +60,7 @@ void read_crank(TableReader& table, Chain& chain) {
   crank.at = pivot.value_or("");
   crank.pin = require_name(table, "pin", "its pin").value_or("");
   crank.name = read_name(table, "name").value_or(crank.name);
-  if (!table.has(kLength)) table.fault(kLength, "is missing; a length is wanted");
+  if (!table.has(kLength)) table.fault(kLength, "is missing; expected a length");
   crank.length = table.number(kLength, kLinkLength).value_or(0);
   table.finish();
   const auto index =
@@ -114,12 +114,12 @@ void read_drive(TableReader& crank_holder, TableReader& slider_holder, std::size
   const bool crank = crank_holder.has(kCrank);
   const bool slider = slider_holder.has(kSlider);
   if (crank == slider) {
-    crank_holder.fault(
-        crank ? kSlider : kCrank,
-        crank ? fmt::format("is given beside {}: {}; one drive is wanted",
-                            crank_holder.name(kCrank), mobility(dyads, 2))
-              : fmt::format("is missing: {}; a [crank] or a driving [slider] is wanted",
-                            mobility(dyads, 0)));
+    crank_holder.fault(crank ? kSlider : kCrank,
+                       crank
+                           ? fmt::format("is given beside {}: {}; expected one drive",
+                                         crank_holder.name(kCrank), mobility(dyads, 2))
+                           : fmt::format("is missing: {}; expected a [crank] or a driving [slider]",
+                                         mobility(dyads, 0)));
     chain.names.incomplete = true;
     return;
   }
@@ -137,7 +137,7 @@ void place_waiting(std::vector<WaitingPoint>& waiting, Chain& chain) {
   std::ranges::move(placed, std::back_inserter(chain.points));
 }
 
-// A pivot that nothing hangs on is a slip of the pen: what was to turn about it is missing.
+// A pivot that nothing depends on is a slip of the pen: what was to turn about it is missing.
 void check_pivots_used(std::vector<TableReader>& pivots, const Chain& chain,
                        const std::vector<WaitingPoint>& waiting) {
   for (TableReader& pivot : pivots) {
@@ -150,7 +150,7 @@ void check_pivots_used(std::vector<TableReader>& pivots, const Chain& chain,
     if (name.empty() || used) continue;
     pivot.fault("name",
                 fmt::format("is {}, which nothing joins: the rest has {} without it; join it by a "
-                            "[[dyad]] or leave it out",
+                            "[[dyad]] or remove it",
                             in_quotes(name), mobility(chain.mechanism.dyads.size(), 1)));
   }
 }

@@ -119,9 +119,10 @@ void read_rpp(TableReader& table, Chain& chain, ReadDyad& read) {
   const Vec2d slot = unit_vector_at_degrees(degrees);
   read_new(table, dyad);
   if (are_parallel(slot, {1, 0})) {
-    table.fault("slot_deg", fmt::format("is {}, parallel to the slide; an angle from the slide "
-                                        "that is no multiple of 180 is wanted",
-                                        degrees));
+    table.fault("slot_deg",
+                fmt::format("is {}, parallel to the slide; expected an angle from the slide "
+                            "that is no multiple of 180",
+                            degrees));
     return;
   }
   if (joins.empty() || !slide || !may_move(table, chain, joins[0], slide->guide.body)) return;
@@ -185,11 +186,11 @@ void add_bodies(TableReader& table, Chain& chain, ReadDyad& read,
 void read_dyad(TableReader& table, Chain& chain) {
   constexpr std::string_view kType = "type";
   if (!table.has(kType)) {
-    table.fault(kType, "is missing; \"RRR\", \"RRP\", \"RPR\", \"PRP\" or \"RPP\" is wanted");
+    table.fault(kType, "is missing; expected \"RRR\", \"RRP\", \"RPR\", \"PRP\" or \"RPP\"");
   }
   const std::size_t before = table.faults().size();
   const auto type = table.choice<DyadType>(kType);
-  if (!type) {  // which keys it has cannot be told
+  if (!type) {  // which keys it has cannot be known
     chain.names.incomplete = true;
     return;
   }

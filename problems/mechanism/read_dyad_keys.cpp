@@ -18,7 +18,7 @@ constexpr std::string_view kSlides = "slides";
 std::vector<std::size_t> read_joins(TableReader& table, Chain& chain, std::size_t count,
                                     std::string_view form, DyadDescription& dyad) {
   if (!table.has(kJoins)) {
-    table.fault(kJoins, fmt::format("is missing; {} is wanted", form));
+    table.fault(kJoins, fmt::format("is missing; expected {}", form));
     return {};
   }
   const auto mentions = read_mentions(table, kJoins, {count, count, "points"});
@@ -36,17 +36,17 @@ std::vector<std::size_t> read_joins(TableReader& table, Chain& chain, std::size_
 
 bool may_move(TableReader& table, const Chain& chain, const std::vector<std::size_t>& joins) {
   const NamedParts& parts = chain.names.parts();
-  const PlacedPoint& first = parts.points[joins[0]];
-  const PlacedPoint& second = parts.points[joins[1]];
+  const PointOnLink& first = parts.points[joins[0]];
+  const PointOnLink& second = parts.points[joins[1]];
   if (joins[0] == joins[1]) {
-    table.fault(kJoins, fmt::format("has {} twice; two different points are wanted",
-                                    in_quotes(first.name)));
+    table.fault(kJoins,
+                fmt::format("has {} twice; expected two different points", in_quotes(first.name)));
     return false;
   }
   const auto body = common_body(first, second);
   if (body) {
     table.fault(kJoins, fmt::format("has {} and {}, both points of {}, so that the group cannot "
-                                    "move on it (mobility 0); points of two bodies are wanted",
+                                    "move on it (mobility 0); expected points of two bodies",
                                     in_quotes(first.name), in_quotes(second.name),
                                     in_quotes(parts.bodies[*body].name)));
   }
@@ -55,12 +55,12 @@ bool may_move(TableReader& table, const Chain& chain, const std::vector<std::siz
 
 bool may_move(TableReader& table, const Chain& chain, std::size_t joined, int guide_body) {
   const NamedParts& parts = chain.names.parts();
-  const PlacedPoint& point = parts.points[joined];
+  const PointOnLink& point = parts.points[joined];
   if (!place_on(point, guide_body)) return true;
-  table.fault(kJoins, fmt::format("has {}, a point of {}, which also bears the slide, so that the "
-                                  "group cannot move on it (mobility 0); a point of another body "
-                                  "is wanted",
-                                  in_quotes(point.name), in_quotes(parts.bodies[guide_body].name)));
+  table.fault(kJoins,
+              fmt::format("has {}, a point of {}, which also bears the slide, so that the group "
+                          "cannot move on it (mobility 0); expected a point of another body",
+                          in_quotes(point.name), in_quotes(parts.bodies[guide_body].name)));
   return false;
 }
 
@@ -73,10 +73,9 @@ std::optional<std::vector<double>> read_lengths(TableReader& table, std::size_t 
   }
   if (!table.has(kLengths)) {
     table.fault(count == 1 ? kLength : kLengths,
-                count == 1 ? "is missing; the length from the joined point to the slider's pin is "
-                             "wanted"
-                           : "is missing; [l1, l2], from the joined points to the new one, is "
-                             "wanted");
+                count == 1
+                    ? "is missing; expected the length from the joined point to the slider's pin"
+                    : "is missing; expected [l1, l2], from the joined points to the new one");
     return std::nullopt;
   }
   return table.numbers(kLengths, kLinkLength, {count, count, "lengths"});
@@ -85,8 +84,7 @@ std::optional<std::vector<double>> read_lengths(TableReader& table, std::size_t 
 std::vector<ReadSlide> read_two_slides(TableReader& table, Chain& chain) {
   if (!table.has(kSlides)) {
     table.fault(kSlides,
-                "is missing; slides = [{through = ..., direction_deg = ...}, {...}] is "
-                "wanted");
+                "is missing; expected slides = [{through = ..., direction_deg = ...}, {...}]");
     return {};
   }
   std::vector<ReadSlide> slides;
@@ -113,7 +111,7 @@ bool may_move(TableReader& table, const Chain& chain, const Guide<double>& first
               const Guide<double>& second) {
   if (first.body == second.body) {
     table.fault(kSlides, fmt::format("are both on {}, so that the group cannot move on it "
-                                     "(mobility 0); slides on two bodies are wanted",
+                                     "(mobility 0); expected slides on two bodies",
                                      in_quotes(chain.names.parts().bodies[first.body].name)));
     return false;
   }
@@ -122,8 +120,8 @@ bool may_move(TableReader& table, const Chain& chain, const Guide<double>& first
   const bool cross = !a || !b || !are_parallel(*a, *b);
   if (!cross) {
     table.fault(kSlides,
-                "stay parallel and never cross in one point; slides in different "
-                "directions are wanted");
+                "stay parallel and never cross in one point; expected slides in different "
+                "directions");
   }
   return cross;
 }

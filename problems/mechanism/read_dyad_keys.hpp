@@ -24,7 +24,7 @@ std::vector<ReadSlide> read_two_slides(TableReader& table, Chain& chain);
 void read_assembly(TableReader& table, DyadDescription& dyad);
 void read_new(TableReader& table, DyadDescription& dyad);
 
-/// Whether the outer joints of a dyad hang on different bodies: between two points of one body, a
+/// Whether the outer joints of a dyad depend on different bodies: between two points of one body, a
 /// point and a slide, or two slides, it would only be one more rigid part of that body. A fault
 /// where they do not.
 bool may_move(TableReader& table, const Chain& chain, const std::vector<std::size_t>& joins);

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPoints = 1000;
 std::vector<Mention> read_on(TableReader& table) {
   constexpr std::string_view kKey = "on";
   if (!table.has(kKey)) {
-    table.fault(kKey, "is missing; the name of a body or two of its points are wanted");
+    table.fault(kKey, "is missing; expected the name of a body or two of its points");
     return {};
   }
   return read_mentions(table, kKey, {1, 2, "names"}).value_or(std::vector<Mention>{});
@@ -31,7 +31,7 @@ std::optional<WaitingPoint> read_extra_point(TableReader& table, PartNames& name
              table.faults());
   }
   point.on = read_on(table);
-  if (!table.has(kAt)) table.fault(kAt, "is missing; [u, v] in the axes of its body is wanted");
+  if (!table.has(kAt)) table.fault(kAt, "is missing; expected [u, v] in the axes of its body");
   const Two at = table.two(kAt, kQuantity, "[u, v]").value_or(Two{});
   table.finish();
   if (table.faults().size() != before) return std::nullopt;

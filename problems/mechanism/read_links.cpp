@@ -22,9 +22,9 @@ std::optional<Axes> read_link_axes(TableReader& link, const PartNames& names) {
   }
   const std::string_view key = link.has(kName) ? kName : kBetween;
   if (!link.has(key)) {
-    link.fault(kBetween,
-               "is missing; two points of the body, between = [\"...\", \"...\"], or its name are "
-               "wanted");
+    link.fault(
+        kBetween,
+        "is missing; expected two points of the body, between = [\"...\", \"...\"], or its name");
     return std::nullopt;
   }
   const auto mentions = read_mentions(link, key, {1, 2, "names"});
@@ -37,13 +37,13 @@ Inertia read_inertia(TableReader& link, const Axes& axes, bool slider) {
   inertia.mass = link.number("mass", kMass).value_or(0);
   inertia.moment = link.number("inertia", kMass).value_or(0);
   if (!link.has("mass") && !link.has("inertia")) {
-    link.fault("mass",
-               "is missing; the link's mass, its inertia about the centre of mass, or both "
-               "are wanted");
+    link.fault(
+        "mass",
+        "is missing; expected the link's mass, its inertia about the centre of mass, or both");
   }
   if (!link.has(kCentre) && inertia.mass > 0 && !slider) {
     link.fault(kCentre,
-               "is missing; the centre of mass [u, v] is wanted (the origin at the first point "
+               "is missing; expected the centre of mass [u, v] (the origin at the first point "
                "named, the first axis towards the second)");
   }
   const auto centre = link.two(kCentre, kQuantity, "[u, v]");
@@ -62,12 +62,13 @@ void read_link(TableReader& link, const PartNames& names, std::vector<Inertia>& 
   const std::string name = in_quotes(names.parts().bodies[body].name);
   if (body == 0) {
     link.faults().add(link.where(),
-                      "[[link]] is the frame, which does not move; the mass of a "
-                      "moving body is wanted");
+                      "[[link]] is the frame, which does not move; expected the mass of a "
+                      "moving body");
   } else if (given[body]) {
-    link.faults().add(link.where(), fmt::format("[[link]] gives {} a second time; one table for "
-                                                "each body is wanted",
-                                                name));
+    link.faults().add(link.where(),
+                      fmt::format("[[link]] gives {} a second time; expected one table for "
+                                  "each body",
+                                  name));
   }
   given[body] = true;
   inertias[body] = inertia;

@@ -15,7 +15,7 @@ constexpr std::size_t kMostLoads = 2000;
 std::optional<Attached<double>> read_place(TableReader& load, const PartNames& names) {
   constexpr std::string_view kOn = "on";
   if (!load.has(kOn)) {
-    load.fault(kOn, "is missing; a point, the name of a body or two of its points are wanted");
+    load.fault(kOn, "is missing; expected a point, the name of a body or two of its points");
     return std::nullopt;
   }
   const auto mentions = read_mentions(load, kOn, {1, 2, "names"});
@@ -24,9 +24,9 @@ std::optional<Attached<double>> read_place(TableReader& load, const PartNames& n
   const std::string& name = mentions->front().name;
   const auto index = mentions->size() == 1 ? names.point(name) : std::nullopt;
   if (index && !names.body(name)) {
-    const PlacedPoint& point = names.parts().points[*index];
+    const PointOnLink& point = names.parts().points[*index];
     if (load.has("at")) {
-      load.fault("at", fmt::format("is given for the point {}; it is wanted for a body or between "
+      load.fault("at", fmt::format("is given for the point {}; expected it for a body or between "
                                    "two points only",
                                    in_quotes(point.name)));
     }
@@ -43,7 +43,7 @@ void read_force(TableReader& load, LoadRule& rule) {
   rule.force = {force[0], force[1]};
   rule.torque = load.number("torque", kQuantity).value_or(0);
   if (!load.has("force") && !load.has("torque")) {
-    load.fault("force", "is missing; a force [fx, fy], a torque, or both are wanted");
+    load.fault("force", "is missing; expected a force [fx, fy], a torque, or both");
   }
 }
 
@@ -61,9 +61,10 @@ void read_when(TableReader& load, bool slides, LoadRule& rule) {
   if (!ends) return;
   const auto [from, to] = *ends;
   if (from == to || (slides && from > to)) {
-    load.fault(kWhen, fmt::format("is an interval from {} to {}; one that holds more than a "
-                                  "position is wanted",
-                                  from, to));
+    load.fault(kWhen,
+               fmt::format("is an interval from {} to {}; expected one that holds more than a "
+                           "position",
+                           from, to));
     return;
   }
   rule.between = slides ? std::pair(from, to) : std::pair(radians(from), radians(to));
@@ -74,7 +75,7 @@ void read_stroke(TableReader& load, LoadRule& rule) {
   const auto part = load.two(kStroke, kShare, "[from, to]");
   if (!part) return;
   if ((*part)[0] >= (*part)[1]) {
-    load.fault(kStroke, "is empty; fractions [from, to] of the stroke with from < to are wanted");
+    load.fault(kStroke, "is empty; expected fractions [from, to] of the stroke with from < to");
     return;
   }
   rule.within_stroke = std::pair((*part)[0], (*part)[1]);
@@ -91,8 +92,8 @@ std::optional<LoadRule> read_load(TableReader& load, const PartNames& names, boo
   if (!place) return std::nullopt;
   if (place->body == 0) {
     load.fault("on",
-               "is a point of the frame, where a load does nothing; a point of a moving "
-               "body is wanted");
+               "is a point of the frame, where a load does nothing; expected a point of a moving "
+               "body");
   }
   rule.at = *place;
   return rule;

@@ -12,6 +12,7 @@ struct ReadMechanism {
   MechanismDescription description;
   Mechanism<double> mechanism;
   NamedParts parts;
+  int output = 0;  ///< the body whose motion is the mechanism's output
   bool sound =
       false;  ///< false where a fault was added: then only the names of the parts are right
 };

@@ -27,14 +27,15 @@ std::optional<Vec2d> read_named_point(TableReader& table, Chain& chain, int body
   const auto index = find_point(chain.names, mention, table.faults());
   if (!index) return std::nullopt;
   const NamedParts& parts = chain.names.parts();
-  const PlacedPoint& point = parts.points[*index];
+  const PointOnLink& point = parts.points[*index];
   const auto place = place_on(point, body);
   if (!place) {
-    table.fault(kThrough,
-                fmt::format("is {}, which is no point of {} but of {}; on = one of these, or a "
-                            "point of the slide's body, is wanted",
-                            in_quotes(point.name), in_quotes(parts.bodies[body].name),
-                            body_list(parts, point.on)));
+    table.fault(
+        kThrough,
+        fmt::format("is {}, which is no point of {} but of {}; expected on = one of these, or a "
+                    "point of the slide's body",
+                    in_quotes(point.name), in_quotes(parts.bodies[body].name),
+                    body_list(parts, point.on)));
   }
   return place;
 }
@@ -42,7 +43,7 @@ std::optional<Vec2d> read_named_point(TableReader& table, Chain& chain, int body
 std::optional<Vec2d> read_through(TableReader& table, Chain& chain, int body,
                                   SlideDescription& slide) {
   if (!table.has(kThrough)) {
-    table.fault(kThrough, "is missing; a point [x, y] or the name of one is wanted");
+    table.fault(kThrough, "is missing; expected a point [x, y] or the name of one");
     return std::nullopt;
   }
   if (table.has_text(kThrough)) return read_named_point(table, chain, body, slide);
@@ -72,7 +73,7 @@ std::optional<ReadSlide> read_slide(TableReader& table, Chain& chain) {
 std::optional<ReadSlide> read_slide_of(TableReader& table, Chain& chain) {
   constexpr std::string_view kSlide = "slide";
   if (!table.has(kSlide)) {
-    table.fault(kSlide, "is missing; slide = {through = ..., direction_deg = ...} is wanted");
+    table.fault(kSlide, "is missing; expected slide = {through = ..., direction_deg = ...}");
     return std::nullopt;
   }
   TableReader slide = table.table(kSlide);

@@ -8,7 +8,6 @@
 #include "problems/mechanism/read_chain.hpp"
 #include "problems/mechanism/read_extra_points.hpp"
 #include "problems/mechanism/read_simple_mechanism.hpp"
-#include "problems/mechanism/simple_parts.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -31,7 +30,7 @@ WholeMechanism read_simple(TableReader& document, TableReader& mechanism, Mechan
     read.names = PartNames(std::move(whole.parts));
   } else {  // of the points only the names are right
     read.names = PartNames({std::move(whole.parts.bodies), {}});
-    for (const PlacedPoint& point : whole.parts.points) read.names.announce(point.name);
+    for (const PointOnLink& point : whole.parts.points) read.names.announce(point.name);
     read.names.incomplete = true;
   }
   read.mechanism.mechanism = std::move(whole.mechanism);
@@ -39,7 +38,7 @@ WholeMechanism read_simple(TableReader& document, TableReader& mechanism, Mechan
   auto points = read_extra_points(holder("point", document, mechanism), read.names);
   read.mechanism.extra_points = place_extra_points(points, read.names);
   fault_unplaced(points, read.names, document.faults());
-  read.mechanism.output = output_of(type);
+  read.mechanism.output = whole.output;
   return read;
 }
 
@@ -62,7 +61,7 @@ WholeMechanism read_mechanism(TableReader& document, TableReader& mechanism, Mec
     if (type == MechanismType::four_bar) read.mechanism.four_bar = *four_bar;
   }
   for (const Body& body : read.names.parts().bodies) read.mechanism.bodies.push_back(body.name);
-  for (const PlacedPoint& point : read.names.parts().points) {
+  for (const PointOnLink& point : read.names.parts().points) {
     read.mechanism.points.push_back({point.name, point.on.front()});
   }
   return read;

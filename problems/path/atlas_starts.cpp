@@ -86,7 +86,7 @@ FourBar moved(FourBar linkage, const Turning& turning) {
 
 std::vector<Vec2d> curve_points(const FourBar& linkage) {
   CurveRoom curve;
-  sample_circuit(linkage, {linkage.assembly, 1}, TurnTable(kSteps), curve);
+  sample_circuit(linkage, {linkage.assembly, 1}, CycleTable(kSteps), curve);
   std::vector<Vec2d> points(kSteps);
   for (std::size_t i = 0; i < kSteps; ++i) points[i] = {curve.x[i], curve.y[i]};
   return points;
@@ -108,9 +108,9 @@ std::vector<double> crank_angles_at(const FourBar& linkage, std::span<const Vec2
 
 }  // namespace
 
-PlacedCurve place_on_target(const PathProblem& problem, const FourBar& linkage) {
+CurvePose place_on_target(const PathProblem& problem, const FourBar& linkage) {
   const std::vector<Vec2d> target = problem.curve->curve.equally_spaced(kPoints);
-  PlacedCurve best{linkage, {}, std::numeric_limits<double>::infinity()};
+  CurvePose best{linkage, {}, std::numeric_limits<double>::infinity()};
   for (const FourBar& image : {linkage, mirrored(linkage)}) {
     const ClosedCurve curve(curve_points(image));
     const Turning turning = best_turning(target, curve.equally_spaced(kCurveBeginnings));
@@ -131,13 +131,13 @@ std::vector<Design> atlas_starts(const PathProblem& problem, std::span<const Atl
   }
   const std::size_t count = std::min(most, order.size());
   std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(count));
-  std::vector<PlacedCurve> placed;
+  std::vector<CurvePose> placed;
   for (std::size_t i = 0; i < count; ++i) {
     placed.push_back(place_on_target(problem, atlas[order[i].second].linkage));
   }
-  std::ranges::stable_sort(placed, {}, &PlacedCurve::error);
+  std::ranges::stable_sort(placed, {}, &CurvePose::error);
   std::vector<Design> starts;
-  for (PlacedCurve& curve : placed) {
+  for (CurvePose& curve : placed) {
     Design design;
     design.mechanism = named(curve.linkage);
     design.mechanism.four_bar = curve.linkage;

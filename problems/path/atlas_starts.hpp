@@ -20,14 +20,14 @@ struct AtlasCurve {
 
 /// A linkage moved, turned, enlarged and perhaps mirrored, and its crank angles, from the x axis,
 /// at the points of the problem.
-struct PlacedCurve {
+struct CurvePose {
   FourBar linkage;
   std::vector<double> crank_angles;
   double error = 0;  ///< sum of squares between curve and target at equal steps of both
 };
 
 /// `linkage` where its curve lies on the closed target of `problem` best.
-PlacedCurve place_on_target(const PathProblem& problem, const FourBar& linkage);
+CurvePose place_on_target(const PathProblem& problem, const FourBar& linkage);
 
 /// The `most` curves of `atlas` that are nearest to the problem's closed target by their
 /// descriptors, each placed on it; the best placed first.

@@ -9,7 +9,7 @@
 namespace cognate::problems {
 
 /// Whether a crank that meets the points at `crank_angles` (from the x axis) turns in the sense
-/// asked for: that in which it turns less, going one way only.
+/// requested: that in which it turns less, going one way only.
 ConstraintCheck check_sense(CrankSense wanted, std::span<const double> crank_angles);
 
 /// Whether the problem lets the crank meet its points in either sense: by no angles of its own and

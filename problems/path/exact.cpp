@@ -58,7 +58,7 @@ class Solver {
 
  private:
   Solved solved(const std::vector<synthesis::PathPose>& positions,
-                const synthesis::GivenParts& parts, double from, double to) {
+                const synthesis::FixedParts& parts, double from, double to) {
     const auto progress = [this, from, to](double share) {
       if (run_.progress) run_.progress(from + share * (to - from), best_);
     };
@@ -151,8 +151,8 @@ class Solver {
       if (one.solutions.status != ExactPathStatus::solved) failed = std::move(one.solutions);
       if (deadline_.reached() && i + 1 < tries) unfinished_ = true;
     }
-    result_.facts.push_back({"free_parameters", double(free)});
-    result_.facts.push_back({"family_members_solved", double(members)});
+    result_.quantities.push_back({"free_parameters", double(free)});
+    result_.quantities.push_back({"family_members_solved", double(members)});
     if (members == 0 && failed) tell_status(*failed, result_);
     result_.notes.push_back(fmt::format(
         "{} positions leave {} of a four-bar's dimensions free: a family of solutions passes "
@@ -184,7 +184,7 @@ class Solver {
   const PathProblem& problem_;
   const Run& run_;
   Deadline deadline_;
-  std::atomic<bool> unfinished_{false};  ///< something was left undone for want of time
+  std::atomic<bool> unfinished_{false};  ///< something was left undone for lack of time
   Result result_;
   std::vector<TracedDesign> designs_;
   double best_ = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@ namespace cognate::problems {
 /// Every four-bar of the real plane through the positions of a problem with method `exact`, the
 /// sound ones first, where positions and given parts make as many conditions as a four-bar has
 /// dimensions (eight beside the reference); else the best of a sample of the family that there is.
-/// `facts` count what was found, `notes` say it in words.
+/// `quantities` count what was found, `notes` say it in words.
 Result solve_exactly(const PathProblem& problem, const Run& run);
 
 }  // namespace cognate::problems

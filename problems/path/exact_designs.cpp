@@ -151,7 +151,7 @@ std::optional<Design> design_of(const PathSystem& system, const PathRoot& root,
   design.metrics.condition = root.condition;
   if (const auto error = angle_error(poses, problem.pose_angles);
       error && problem.pose_angles.size() > 1) {
-    design.metrics.facts.push_back({"angle_error_max_deg", degrees(*error)});
+    design.metrics.quantities.push_back({"angle_error_max_deg", degrees(*error)});
   }
   design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
                                          linkage, design.metrics);
@@ -208,7 +208,7 @@ std::vector<synthesis::PathPose> positions_of(const PathProblem& problem) {
   return positions;
 }
 
-synthesis::GivenParts given_parts(const Given& given) {
+synthesis::FixedParts given_parts(const Given& given) {
   return {.pivot_a = given.pivot_a,
           .pivot_d = given.pivot_d,
           .coupler_point = given.coupler_point,

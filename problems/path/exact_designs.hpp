@@ -6,7 +6,7 @@
 
 #include "problems/linkage/result.hpp"
 #include "synthesis/exact/nine_point/certificate.hpp"
-#include "synthesis/exact/nine_point/given_parts.hpp"
+#include "synthesis/exact/nine_point/fixed_parts.hpp"
 
 namespace cognate::problems {
 
@@ -14,7 +14,7 @@ namespace cognate::problems {
 std::vector<synthesis::PathPose> positions_of(const PathProblem& problem);
 
 /// The parts that `[mechanism]` gives.
-synthesis::GivenParts given_parts(const Given& given);
+synthesis::FixedParts given_parts(const Given& given);
 
 /// How many equations beside the reference a problem has: 8 determine a four-bar.
 int equation_count(const PathProblem& problem);

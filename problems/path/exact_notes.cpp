@@ -111,7 +111,7 @@ void tell_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
   const int real_certified = int(std::ranges::count_if(
       roots.certificates, [](const auto& proof) { return proof.certified && proof.real; }));
   const auto add = [&](const char* name, int count) {
-    result.facts.push_back({name, double(count)});
+    result.quantities.push_back({name, double(count)});
   };
   add("expected_solutions", solutions.tracked);
   add("complex_solutions", solutions.finite);
@@ -137,7 +137,8 @@ void tell_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
   if (const int unknown = solutions.lost + solutions.duplicates; unknown > 0) {
     result.notes.push_back(fmt::format(
         "{} solutions are not known, so that there may be linkages that are not listed: positions "
-        "so close together, or so nearly degenerate, are not told apart with the digits there are. "
+        "so close together, or so nearly degenerate, are not distinguished with the digits there "
+        "are. "
         "Fewer positions, farther apart, or least squares may find more.",
         unknown));
   }

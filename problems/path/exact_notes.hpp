@@ -1,4 +1,4 @@
-/// @file What an exact synthesis of paths found, as facts and in words.
+/// @file What an exact synthesis of paths found, as quantities and in words.
 #pragma once
 
 #include <span>

@@ -7,11 +7,12 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/path/deviation_between_samples.hpp"
 #include "problems/path/exact_starts.hpp"
 #include "problems/path/lane_fits.hpp"
 #include "problems/path/order.hpp"
 #include "problems/path/starts.hpp"
-#include "problems/path/straying.hpp"
+#include "synthesis/search/search.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -44,8 +45,6 @@ constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 6000;
 constexpr int kMostLimitedStarts = 1000, kMostStartsTimesPoints = 120'000;
 /// A search goes on until it has drawn so many times the starts after which its best was found.
 constexpr int kPatience = 3;
-/// A best that is better than the one before it by less, of its own cost, is the same.
-constexpr double kBetterBy = 1e-3;
 /// About how many of the best timings starts are drawn, once there are any.
 constexpr std::size_t kKnownTimings = 12;
 /// Fits that end with costs equal to their last six digits or so are this far apart.
@@ -53,23 +52,12 @@ constexpr double kSameFit = 1e-4;
 
 // For progress: the exploration's share of the search, and where in a round its starts have been
 // drawn and fitted.
-constexpr double kExploredByFewest = 0.6, kExplored = 0.7, kDrawn = 0.2, kFitted = 0.7;
-/// The best minimum counts as well known once so many starts have come to it.
-constexpr int kEnoughHits = 5;
+constexpr double kExplored = 0.7, kDrawn = 0.2, kFitted = 0.7;
 
-std::mt19937_64 generator(std::uint64_t seed, int start) {
-  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                         static_cast<std::uint32_t>(start)};
-  return std::mt19937_64(sequence);
-}
-
-/// Whether the transmission angle is limited over the range that prescribed timing drives a crank
-/// through which does not turn fully.
-bool limits_driven_range(const PathProblem& problem) {
-  const auto& required = problem.constraints.required_class;
-  const bool turns = required && (*required == RequiredClass::crank_rocker ||
-                                  *required == RequiredClass::double_crank);
-  return problem.timing == Timing::prescribed && problem.constraints.transmission_angle && !turns;
+/// Whether the transmission angle is limited over the way of a crank that does not turn fully.
+bool limits_way(const PathProblem& problem) {
+  const Constraints& constraints = problem.constraints;
+  return constraints.transmission_angle && !turns_fully(constraints.required_class);
 }
 
 /// Whether more is demanded than soundness and what screening knows, the limits on lengths.
@@ -81,58 +69,58 @@ bool is_limited(const PathProblem& problem) {
          bounds.pivot_a || bounds.pivot_d || bounds.coupler_point;
 }
 
-/// The rounds of an exploration; `pool_` holds the best so far.
+/// The rounds of an exploration.
 class Explorer {
  public:
   Explorer(const PathProblem& problem, const PathExploration& exploration, const Deadline& deadline,
            Work& work)
       : problem_(problem),
         source_(problem),
-        straying_(problem),
+        deviation_(problem),
         exploration_(exploration),
         deadline_(deadline),
-        work_(work) {
+        work_(work),
+        search_({.by_cost = true}, {exploration.run.threads, deadline, exploration.run.progress}) {
     fit_.threads = exploration.run.threads;
     fit_.stop = [this] { return deadline_.reached(); };
   }
 
   ExploredPaths take() {
-    const int most = exploration_.starts.value_or(most_starts());
-    int done = 0;
+    const synthesis::StartRule rule{.starts = exploration_.starts,
+                                    .round = kRound,
+                                    .fewest = kFewestStarts,
+                                    .most = most_starts(),
+                                    .patience = kPatience};
     add_known();
-    while (done < most && !deadline_.reached()) {
-      const int count = std::min(kRound, most - done);
-      add_round(done, count, most);
-      done += count;
-      note_best(done);
-      if (!exploration_.starts && done >= kFewestStarts && knows_enough(done)) break;
-    }
+    search_.explore(
+        rule, {0, kExplored}, [&](int first, int count) { add_round(first, count); },
+        [&] { return is_met() || search_.best_is_known(rule); });
     if (!exploration_.starts) add_exact();
-    return {std::move(pool_), done, independent_};
+    return {std::move(search_.all()), search_.starts(), independent_};
   }
 
  private:
   int most_starts() const {
     if (!knows_lanes_ || problem_.order == PointOrder::any) return kMostLimitedStarts;
+    if (limits_way_) return 3 * kMostLimitedStarts;
     const int affordable = kMostStartsTimesPoints / static_cast<int>(problem_.points.size());
     return std::clamp(affordable, kMostLimitedStarts, kMostStarts);
   }
 
-  void add_round(int first, int count, int most) {
+  void add_round(int first, int count) {
     const Run& run = exploration_.run;
     std::vector<PathFound> fresh(static_cast<std::size_t>(count));
-    round_ = {explored(first, most), explored(first + count, most)};
     const std::vector<PathStarts::CrankTiming> known = known_timings();
-    parallel_for(count, run.threads, [&](int index, int thread) {
-      if (deadline_.reached()) return;
-      std::mt19937_64 random = generator(run.seed, first + index);
+    const auto draw = [&](std::size_t i) {
+      const int index = first + static_cast<int>(i);
+      std::mt19937_64 random = synthesis::start_random(run.seed, index);
       const bool about = !known.empty() && random() % 2 == 0;
-      const auto start = source_.draw(random, candidates(first + index),
+      const auto start = source_.draw(random, candidates(index),
                                       about ? &known[random() % known.size()] : nullptr);
-      if (start) fresh[index] = placed(problem_, *start);
-      if (about) fresh[index].hits = 0;  // says nothing of how easily its minimum is found
-      if (thread == 0) report(kDrawn * index / count);
-    });
+      if (start) fresh[i] = placed(problem_, *start);
+      if (about) fresh[i].hits = 0;  // says nothing of how easily its minimum is found
+    };
+    search_.for_each(fresh.size(), draw, {0, kDrawn});
     std::uint64_t screened = 0;
     for (int index = 0; index < count; ++index) screened += 2 * candidates(first + index);
     work_.candidates += screened;
@@ -145,7 +133,7 @@ class Explorer {
   std::vector<PathStarts::CrankTiming> known_timings() const {
     std::vector<PathStarts::CrankTiming> known;
     if (problem_.timing != Timing::free) return known;
-    for (const PathFound& found : pool_) {
+    for (const PathFound& found : search_.all()) {
       if (known.size() == kKnownTimings || found.strays) break;
       const auto& minimum = found.minimum;
       known.push_back(
@@ -159,27 +147,10 @@ class Explorer {
     return is_limited_ && start % 2 == 1 ? kFewCandidates : kCandidatesPerStart;
   }
 
-  /// The share of the search that is done after so many starts: most searches need the fewest only.
-  double explored(int starts, int most) const {
-    if (exploration_.starts) return kExplored * starts / most;
-    if (starts <= kFewestStarts) return kExploredByFewest * starts / kFewestStarts;
-    return kExploredByFewest +
-           (kExplored - kExploredByFewest) * (starts - kFewestStarts) / (most - kFewestStarts);
-  }
-
-  /// Tells that `part` of the round is done.
-  void report(double part) const {
-    const Run& run = exploration_.run;
-    if (!run.progress) return;
-    const bool any = !pool_.empty() && pool_.front().minimum.solution.violation == 0;
-    run.progress(
-        round_.min + part * (round_.max - round_.min),
-        any ? pool_.front().minimum.solution.objective : std::numeric_limits<double>::infinity());
-  }
-
   /// Linkages through nine of the points, where the search has not met all of them.
   void add_exact() {
-    const bool met = !pool_.empty() && pool_.front().cost < kMetExactly;
+    const auto& all = search_.all();
+    const bool met = !all.empty() && all.front().cost < kMetExactly;
     if (met || !has_exact_starts(problem_) || deadline_.reached()) return;
     std::vector<PathFound> fresh;
     for (const PathStart& start : exact_starts(problem_, exploration_.run, deadline_)) {
@@ -214,23 +185,28 @@ class Explorer {
   void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
     fit_.tolerance = kExploringTolerance;
+    // Half of the starts, of both kinds, are fitted within the limits on the way, of which the
+    // lanes know nothing: what is found without them may hide better minima within them.
+    for (std::size_t i = 0; limits_way_ && i < fresh.size(); ++i) {
+      fresh[i].binds = i % 4 < 2 && !turns_fully(fresh[i].minimum.confined_to);
+    }
     fit(fresh, {kDrawn, kFitted}, false);
-    std::ranges::move(fresh, std::back_inserter(pool_));
-    sort_and_merge(pool_, costs_less, kSameFit);
+    search_.add(std::move(fresh), kSameFit);
     deepen();
   }
 
   /// Fits the best to their end and keeps them.
   void deepen() {
-    if (pool_.size() > exploration_.kept) pool_.resize(exploration_.kept);
+    search_.keep(exploration_.kept);
+    auto& all = search_.all();
     const auto done =
-        std::stable_partition(pool_.begin(), pool_.end(), std::not_fn(&PathFound::deepened));
+        std::stable_partition(all.begin(), all.end(), std::not_fn(&PathFound::deepened));
     fit_.most_iterations =
         limits_turn(problem_.constraints) ? kLimitedIterations : kDeepenedFitIterations;
     fit_.tolerance = kDeepeningTolerance;
-    deepen({pool_.begin(), done});
-    for (auto it = pool_.begin(); it != done; ++it) it->deepened = true;
-    sort_and_merge(pool_, costs_less, kSameFit);
+    deepen({all.begin(), done});
+    for (auto it = all.begin(); it != done; ++it) it->deepened = true;
+    search_.merge(kSameFit);
   }
 
   /// With free timing a fit that has left the order, and is worse once its points are back in it,
@@ -259,16 +235,16 @@ class Explorer {
     for (std::size_t k = 0; k < lost.size(); ++k) some[lost[k]] = std::move(again[k]);
   }
 
-  /// `parts`: of the round, between which progress is told. Points between timed ones are placed
+  /// `part`: of the round, between which progress is told. Points between timed ones are placed
   /// in order after half of the first fits alone: it leads some away from minima within reach.
-  void fit(std::span<PathFound> some, const Range& parts, bool deepening) {
+  void fit(std::span<PathFound> some, synthesis::Shares part, bool deepening) {
     const auto others = std::stable_partition(
         some.begin(), some.end(), [&](const auto& found) { return knows_lanes_ && !found.binds; });
     const std::span<PathFound> in_lanes(some.begin(), others);
     fit_in_lanes(problem_, in_lanes, fit_);
     const bool half = problem_.timing == Timing::mixed && !deepening;
     place_in_order(half ? in_lanes.first(in_lanes.size() / 2) : in_lanes);
-    fit_one_by_one({others, some.end()}, parts);
+    fit_one_by_one({others, some.end()}, part);
     count_work(some, problem_.points.size(), work_);
     if (problem_.constraints.full_turn) mark_strays(some);
   }
@@ -285,66 +261,59 @@ class Explorer {
       if (!found.valid) return;
       const PathModel model = model_of(problem_, found.minimum);
       const auto& x = found.minimum.solution.x;
-      found.strays = straying_.strays(model.linkage(x), model.crank_angles(x));
+      found.strays = deviation_.strays(model.linkage(x), model.crank_angles(x));
     });
   }
 
   /// By the solver that refines them later, under all limits.
-  void fit_one_by_one(std::span<PathFound> some, const Range& parts) {
-    const double step = (parts.max - parts.min) / std::max<double>(1, double(some.size()));
-    parallel_for(static_cast<int>(some.size()), fit_.threads, [&](int index, int thread) {
-      if (thread == 0) report(parts.min + step * index);
-      PathFound& found = some[index];
+  void fit_one_by_one(std::span<PathFound> some, synthesis::Shares part) {
+    const auto fit_one = [&](std::size_t i) {
+      PathFound& found = some[i];
       if (!found.valid) return;
-      if (deadline_.reached()) {
-        found.valid = found.fitted;
-        return;
+      if (!found.fitted) {
+        const bool binds = found.binds;
+        problems::place_in_order(problem_, found);
+        found.binds = found.binds || binds;
       }
-      if (!found.fitted) problems::place_in_order(problem_, found);
       found.fitted = true;
       Solution& solution = found.minimum.solution;
-      solution =
-          minimise(problem_, found, synthesis::Backend::gauss_newton,
-                   {.tolerance = fit_.tolerance,
-                    .feasibility = kPathFeasibility,
-                    .max_iterations = found.binds ? kOrderedIterations : fit_.most_iterations,
-                    .time_limit = deadline_.remaining(),
-                    .interrupted = deadline_.flag()});
+      solution = minimise(
+          problem_, found, synthesis::Backend::gauss_newton,
+          synthesis::until(deadline_, {.tolerance = fit_.tolerance,
+                                       .feasibility = kPathFeasibility,
+                                       .max_iterations = found.binds ? kOrderedIterations
+                                                                     : fit_.most_iterations}));
       const double missing = fit_.penalty * solution.violation;
       found.cost = solution.objective + missing * missing;
       found.valid = solution.stop != synthesis::Stop::no_value;
-    });
+    };
+    search_.for_each(some.size(), fit_one, part);
+    for (PathFound& found : some) found.valid = found.valid && found.fitted;  // not if time is up
   }
 
-  void note_best(int done) {
-    if (pool_.empty() || !(pool_.front().cost < (1 - kBetterBy) * best_cost_)) return;
-    best_cost_ = pool_.front().cost;
-    best_since_ = done;
-  }
-
-  bool knows_enough(int done) const {
-    if (pool_.empty()) return false;
-    const bool met = pool_.size() >= exploration_.kept && pool_.back().cost < kMetExactly;
-    return met || (pool_.front().hits >= kEnoughHits && done >= kPatience * best_since_);
+  /// Whether the points are met by as many designs as are kept.
+  bool is_met() const {
+    const auto& all = search_.all();
+    return !all.empty() && all.size() >= exploration_.kept && all.back().cost < kMetExactly;
   }
 
   const PathProblem& problem_;
   PathStarts source_;
-  PathStraying straying_;
+  DeviationBetweenSamples deviation_;
   const PathExploration& exploration_;
   const Deadline& deadline_;
   Work& work_;
   /// The lanes know no loss and no limits over the turn. What they would find without those has
   /// been seen to hide better minima within them.
   const bool knows_lanes_ = problem_.solve.loss == synthesis::Loss::none &&
-                            !limits_turn(problem_.constraints) && !limits_driven_range(problem_);
+                            !limits_turn(problem_.constraints) &&
+                            !(problem_.timing == Timing::prescribed && limits_way(problem_));
   const bool is_limited_ = is_limited(problem_);
+  /// Whether untimed points are placed within limits of the transmission angle.
+  const bool limits_way_ = assigns_places(problem_) && limits_way(problem_);
   synthesis::PathFitOptions fit_;
-  std::vector<PathFound> pool_;
-  double best_cost_ = std::numeric_limits<double>::infinity();
+  synthesis::MultiStart<PathRules> search_;
   int independent_ = 0;  ///< starts drawn without regard to what was found before
-  int best_since_ = 0;   ///< after how many starts the best was found
-  Range round_{0, 0};    ///< shares of the whole search at the round's beginning and end
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/path/exact_designs.hpp"
@@ -75,7 +76,7 @@ Box pivot_box(const PathProblem& problem, const std::optional<Box>& bounds) {
 
 Vec2d direction(std::mt19937_64& random) {
   const double angle = uniform(random, -kPi, kPi);
-  return {std::cos(angle), std::sin(angle)};
+  return unit_vector(angle);
 }
 
 Vec2d point_in(const Box& box, std::mt19937_64& random) {
@@ -103,8 +104,8 @@ Vec2d point_of_curve(const PathProblem& problem, std::mt19937_64& random) {
 }
 
 /// Chooses both pivots, as far as they are free.
-synthesis::GivenParts with_pivots(const PathProblem& problem, std::mt19937_64& random) {
-  synthesis::GivenParts parts = given_parts(problem.given);
+synthesis::FixedParts with_pivots(const PathProblem& problem, std::mt19937_64& random) {
+  synthesis::FixedParts parts = given_parts(problem.given);
   const auto choose = [&](std::optional<Vec2d>& pivot, const std::optional<Box>& bounds) {
     if (!pivot) pivot = point_in(pivot_box(problem, bounds), random);
   };
@@ -124,7 +125,7 @@ synthesis::GivenParts with_pivots(const PathProblem& problem, std::mt19937_64& r
 
 FamilyMember random_member(const PathProblem& problem, int free, std::mt19937_64& random) {
   FamilyMember member{positions_of(problem), given_parts(problem.given)};
-  const synthesis::GivenParts chosen = with_pivots(problem, random);
+  const synthesis::FixedParts chosen = with_pivots(problem, random);
   const int added = condition_count(chosen) - condition_count(member.parts);
   int missing = free;
   if (added <= free && are_independent(synthesis::class_of(member.positions), chosen)) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/path/problem.hpp"
-#include "synthesis/exact/nine_point/given_parts.hpp"
+#include "synthesis/exact/nine_point/fixed_parts.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::problems {
@@ -13,7 +13,7 @@ namespace cognate::problems {
 /// A problem with as many equations as a four-bar has dimensions.
 struct FamilyMember {
   std::vector<synthesis::PathPose> positions;  ///< the problem's, then those chosen
-  synthesis::GivenParts parts;
+  synthesis::FixedParts parts;
 };
 
 /// Chooses what `free` equations are missing. The pivots where they are not more than that, each

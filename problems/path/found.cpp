@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "analysis/linkage/defects.hpp"
@@ -41,17 +42,24 @@ bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
   return true;
 }
 
-/// Whether the crank passes the points of a solution as the problem has it, within one range.
+/// Whether the crank passes the points of a solution as the problem has it, within one range and
+/// the limits of its transmission angle.
 bool keeps_order(const PathProblem& problem, const PathModel& model,
                  const synthesis::Solution& solution) {
   if (solution.stop == synthesis::Stop::no_value) return true;
   const bool in_order = problem.order == PointOrder::cyclic && problem.constraints.no_order_defect;
   const std::vector<double> angles = model.crank_angles(solution.x);
-  const Defects defects = find_defects(model.linkage(solution.x), angles,
-                                       in_order ? Sequence::one_sense : Sequence::any);
+  const FourBar linkage = model.linkage(solution.x);
+  const Defects defects =
+      find_defects(linkage, angles, in_order ? Sequence::one_sense : Sequence::any);
+  if (defects.circuit || defects.order) return false;
   const bool free_sense = problem.crank_sense == CrankSense::either || !leaves_sense_open(problem);
-  return !defects.circuit && !defects.order &&
-         (free_sense || check_sense(problem.crank_sense, angles).satisfied);
+  if (!free_sense && !check_sense(problem.crank_sense, angles).satisfied) return false;
+  const auto limits = model.transmission_on_the_way();
+  if (!limits) return true;
+  const Metrics metrics = design_metrics(linkage, angles, {problem.order, false});
+  return metrics.transmission_min >= limits->min - kCheckTolerance &&
+         metrics.transmission_max <= limits->max + kCheckTolerance;
 }
 
 /// The problem without the demand that all points lie on one circuit, for a solver that takes no
@@ -65,16 +73,17 @@ PathProblem unsound(const PathProblem& problem) {
 /// Linkages whose Grashof excess is below so much of their perimeter are near a change point.
 constexpr double kNearChangePoint = 3e-4;
 
-/// The class that a linkage near a change point has, unless the file demands one.
-std::optional<RequiredClass> side_of_change_point(const PathProblem& problem,
-                                                  const FourBar& linkage) {
-  const auto& required = problem.constraints.required_class;
-  if (required && *required != RequiredClass::grashof) return std::nullopt;
-  const Lengths<double> links = lengths(linkage);
+bool is_near_change_point(const Lengths<double>& links) {
   const auto [least, greatest] =
       std::minmax({links.crank, links.coupler, links.rocker, links.frame});
   const double sum = links.crank + links.coupler + links.rocker + links.frame;
-  if (std::abs(2 * (least + greatest) - sum) > kNearChangePoint * sum) return std::nullopt;
+  return std::abs(2 * (least + greatest) - sum) <= kNearChangePoint * sum;
+}
+
+/// The class of a linkage, unless the file demands one.
+std::optional<RequiredClass> open_class(const PathProblem& problem, const Lengths<double>& links) {
+  const auto& required = problem.constraints.required_class;
+  if (required && *required != RequiredClass::grashof) return std::nullopt;
   switch (mobility_class(links)) {
     case MobilityClass::crank_rocker:
       return RequiredClass::crank_rocker;
@@ -115,24 +124,14 @@ bool costs_less(const PathFound& a, const PathFound& b) {
   return a.cost < b.cost;
 }
 
-void sort_and_merge(std::vector<PathFound>& all,
-                    const std::function<bool(const PathFound&, const PathFound&)>& before,
-                    double tolerance) {
-  std::erase_if(all, [](const PathFound& found) { return !found.valid; });
-  std::ranges::stable_sort(all, before);
-  std::vector<PathFound> distinct;
-  for (PathFound& found : all) {
-    const auto known = std::ranges::find_if(distinct, [&](const PathFound& other) {
-      return is_same(other.minimum, found.minimum, tolerance);
-    });
-    if (known == distinct.end()) {
-      distinct.push_back(std::move(found));
-    } else {
-      known->hits += found.hits;
-      known->minimum.from_exact = known->minimum.from_exact || found.minimum.from_exact;
-    }
-  }
-  all = std::move(distinct);
+bool PathRules::is_same(const PathFound& known, const PathFound& other, double tolerance) {
+  return problems::is_same(known.minimum, other.minimum, tolerance);
+}
+
+double PathRules::value(const PathFound& found) {
+  const synthesis::Solution& solution = found.minimum.solution;
+  return solution.violation <= kPathFeasibility ? solution.objective
+                                                : std::numeric_limits<double>::infinity();
 }
 
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
@@ -166,16 +165,22 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
     return solution;
   };
   synthesis::Solution solution = in_order(model);
-  const auto side = side_of_change_point(problem, model.linkage(solution.x));
+  const Lengths<double> links = lengths(model.linkage(solution.x));
+  // A crank that has come to turn fully has to keep its transmission angle over the turn. And a
+  // curve may end at a change point: a descent towards it crawls unless it knows of the border.
+  const bool turns = model.transmission_on_the_way() && crank_rotates(links);
+  const auto side =
+      turns || is_near_change_point(links) ? open_class(problem, links) : std::nullopt;
   if (!side || found.minimum.confined_to == side) return solution;
-  // The curve ends at the change point: a descent towards it crawls unless it knows of the border.
   const auto confined_to = std::exchange(found.minimum.confined_to, side);
+  const PathModel confined = model_of(problem, found.minimum);
+  if (turns) solution.violation = std::max(solution.violation, violation(confined, solution.x));
   const PathMinimum start = std::exchange(
       found.minimum,
       {found.minimum.assembly, found.minimum.clockwise, side, solution, found.minimum.from_exact});
-  synthesis::Solution along = in_order(knows_limits ? model_of(problem, found.minimum) : model);
+  synthesis::Solution along = in_order(knows_limits ? confined : model);
   if (along.stop != synthesis::Stop::no_value && along.violation <= kPathFeasibility &&
-      along.objective < solution.objective)
+      (along.objective < solution.objective || solution.violation > kPathFeasibility))
     return along;
   found.minimum = start;
   found.minimum.confined_to = confined_to;

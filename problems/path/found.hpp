@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "problems/path/search.hpp"
+#include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
 
@@ -33,11 +33,23 @@ bool is_better(const PathFound& a, const PathFound& b);
 /// Those that stray last, then by the cost of a fit in lanes.
 bool costs_less(const PathFound& a, const PathFound& b);
 
-/// Sorts by `before`, drops those without a value and counts those that are the same point as an
-/// earlier one, up to `tolerance` relative to 1 + |x|, among its hits.
-void sort_and_merge(std::vector<PathFound>& all,
-                    const std::function<bool(const PathFound&, const PathFound&)>& before,
-                    double tolerance);
+/// How minima are ranked, while starts are explored by cost, and distinguished.
+struct PathRules {
+  using Candidate = PathFound;
+  bool by_cost = false;
+
+  static bool has_value(const PathFound& found) { return found.valid; }
+  bool precedes(const PathFound& a, const PathFound& b) const {
+    return by_cost ? costs_less(a, b) : is_better(a, b);
+  }
+  /// Whether they are the same point up to `tolerance` relative to 1 + |x|, or lie in one valley.
+  static bool is_same(const PathFound& known, const PathFound& other, double tolerance);
+  static void absorb(PathFound& known, const PathFound& same) {
+    known.minimum.from_exact = known.minimum.from_exact || same.minimum.from_exact;
+  }
+  static double value(const PathFound& found);
+  double merit(const PathFound& found) const { return by_cost ? found.cost : value(found); }
+};
 
 /// Goes on from the point of `found`, by the loss that the problem asks for (a point's two
 /// residuals being one error), and counts the work.

@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/path/order_intervals.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -55,13 +56,13 @@ PathModel::PathModel(const PathProblem& problem, Assembly assembly, bool clockwi
       assembly_(sign(assembly)),
       anchor_is_d_(problem.given.pivot_d && !problem.given.pivot_a),
       linkage_constraints_(problem.constraints, 1.0),
-      turn_limits_(problem.constraints, Accelerated::coupler_point) {
+      cycle_limits_(problem.constraints, CycleOutput::coupler_point) {
   problem_.given = with_frame_from_pivots(problem.given);
   while (first_timed_ < problem.points.size() && !problem.is_timed(first_timed_)) ++first_timed_;
   list_variables();
   list_increments(clockwise);
   list_local_angles();
-  driven_range_ = driven_range();
+  driven_range_ = driven_range(clockwise);
   for (const double weight : problem_.weights) root_weight_.push_back(std::sqrt(weight));
   root_weight_.resize(problem_.points.size(), 1.0);
 }
@@ -194,7 +195,7 @@ bool PathModel::residuals(std::span<const double> x, std::span<double> r,
 }
 
 int PathModel::constraint_count() const {
-  return linkage_constraints_.count() + pivot_limits() + turn_limits_.count() +
+  return linkage_constraints_.count() + pivot_limits() + cycle_limits_.count() +
          driven_range_.count();
 }
 
@@ -225,24 +226,34 @@ void PathModel::constraints(std::span<const double> x, std::span<double> c,
   limit_pivot(v, c.subspan(links), rest(links));
   const auto before_turn = links + static_cast<std::size_t>(pivot_limits());
   limit_turn(v, c.subspan(before_turn), rest(before_turn));
-  const auto before_range = before_turn + static_cast<std::size_t>(turn_limits_.count());
+  const auto before_range = before_turn + static_cast<std::size_t>(cycle_limits_.count());
   limit_driven_range(v, c.subspan(before_range), rest(before_range));
 }
 
-/// That of a crank which is not kept to a class that turns it fully, where all points are timed:
-/// from each to the next it turns by the shorter way.
-DrivenRange PathModel::driven_range() const {
-  const auto& required = problem_.constraints.required_class;
-  const bool turns =
-      required == RequiredClass::crank_rocker || required == RequiredClass::double_crank;
-  if (turns || local_count_ > 0 || increment_.empty()) return {};
-  Range range{increment_.front(), increment_.front()};
-  double at = range.min;
-  for (std::size_t j = 1; j < increment_.size(); ++j) {
-    at += std::remainder(increment_[j] - increment_[j - 1], kTurn);
-    range = {std::min(range.min, at), std::max(range.max, at)};
+std::optional<Range> PathModel::transmission_on_the_way() const {
+  const Constraints& constraints = problem_.constraints;
+  return turns_fully(constraints.required_class) ? std::nullopt : constraints.transmission_angle;
+}
+
+/// That of a crank which is not kept to a class that turns it fully, between timed points. Where
+/// all are timed it turns by the shorter way from each to the next; else, in order, in its sense.
+DrivenRange PathModel::driven_range(bool clockwise) const {
+  const bool all_timed = local_count_ == 0;
+  const bool is_limited = all_timed || transmission_on_the_way();
+  if (turns_fully(problem_.constraints.required_class) || !is_limited) return {};
+  const bool one_sense = !all_timed && problem_.order == PointOrder::cyclic;
+  const double sense = clockwise ? -1 : 1;
+  std::optional<Range> range;
+  double at = 0, before = 0;
+  for (std::size_t j = 0; j < increment_.size(); ++j) {
+    if (!is_timed(j)) continue;
+    if (!range) at = before = increment_[j], range = Range{at, at};
+    at += one_sense ? sense * step_forward(sense * before, sense * increment_[j])
+                    : std::remainder(increment_[j] - before, kTurn);
+    before = increment_[j];
+    range = {std::min(range->min, at), std::max(range->max, at)};
   }
-  return {problem_.constraints, range};
+  return range ? DrivenRange(problem_.constraints, *range) : DrivenRange();
 }
 
 void PathModel::limit_driven_range(const Full& v, std::span<double> c,
@@ -292,18 +303,18 @@ void PathModel::limit_pivot(const Full& v, std::span<double> c, std::span<double
 
 /// The rows of the limits over the turn, whose dimensions are the model's up to the anchor.
 void PathModel::limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const {
-  if (turn_limits_.count() == 0) return;
+  if (cycle_limits_.count() == 0) return;
   const std::size_t n = free_.size();
   const Vec2d turn = unit_vector(v[angle]), anchor{v[anchor_x], v[anchor_y]};
   const Vec2d pivot_a = anchor_is_d_ ? anchor - v[frame] * turn : anchor;
   std::vector<LimitSlopes> all(jacobian.empty() ? 0
-                                                : static_cast<std::size_t>(turn_limits_.count()));
-  turn_limits_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]},
-                         {v[point_u], v[point_v]},
-                         pivot_a,
-                         v[angle],
-                         assembly_ > 0 ? Assembly::open : Assembly::crossed},
-                        c, all);
+                                                : static_cast<std::size_t>(cycle_limits_.count()));
+  cycle_limits_.evaluate({{v[crank], v[coupler], v[rocker], v[frame]},
+                          {v[point_u], v[point_v]},
+                          pivot_a,
+                          v[angle],
+                          assembly_ > 0 ? Assembly::open : Assembly::crossed},
+                         c, all);
   for (std::size_t row = 0; row < all.size(); ++row) {
     Full slopes{};
     std::ranges::copy(all[row], slopes.begin());

@@ -6,15 +6,20 @@
 #include <vector>
 
 #include "analysis/linkage/closure.hpp"
+#include "problems/linkage/cycle_limits.hpp"
 #include "problems/linkage/driven_range.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_limits.hpp"
-#include "problems/linkage/turn_limits.hpp"
 #include "problems/path/problem.hpp"
 #include "synthesis/lanes/path_fit.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::problems {
+
+/// Whether the crank of a linkage that is kept to this class turns fully.
+inline bool turns_fully(const std::optional<RequiredClass>& required) {
+  return required == RequiredClass::crank_rocker || required == RequiredClass::double_crank;
+}
 
 /// Distances from coupler points to target points, with exact derivatives.
 ///
@@ -53,7 +58,7 @@ class PathModel final : public synthesis::Model {
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override;
   /// Not with limits over the full turn.
-  bool has_hessian() const override { return turn_limits_.count() == 0; }
+  bool has_hessian() const override { return cycle_limits_.count() == 0; }
   bool lagrangian_hessian(std::span<const double> x, std::span<const double> of_residuals,
                           std::span<const double> of_constraints,
                           std::span<double> out) const override;
@@ -72,6 +77,11 @@ class PathModel final : public synthesis::Model {
 
   /// Which dimension each global variable is, ascending.
   std::span<const int> free_dimensions() const { return free_; }
+
+  /// The limits of the transmission angle, unless the crank is kept to a class that turns it fully:
+  /// they are then constraints over the turn. Those on the way between timed points are constraints
+  /// too; where the points that are not timed may lie, whoever places them sees to.
+  std::optional<Range> transmission_on_the_way() const;
 
   FourBar linkage(std::span<const double> x) const;
   std::vector<double> crank_angles(std::span<const double> x) const;  ///< from the x axis
@@ -97,7 +107,7 @@ class PathModel final : public synthesis::Model {
   int pivot_limits() const;
   void limit_pivot(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   void limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const;
-  DrivenRange driven_range() const;
+  DrivenRange driven_range(bool clockwise) const;
   void limit_driven_range(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   Vec2d pivot_pull(std::span<const double> of_constraints) const;
 
@@ -115,7 +125,7 @@ class PathModel final : public synthesis::Model {
   std::vector<double> increment_;      ///< of timed points: crank angle before phase or angle
   std::vector<Vec2d> increment_half_;  ///< unit vectors of their halves
   LinkageConstraints linkage_constraints_;
-  TurnLimits turn_limits_;
+  CycleLimits cycle_limits_;
   DrivenRange driven_range_;
   Box other_pivot_box_;  ///< limits of the pivot that is not the anchor; sides may be infinite
 };

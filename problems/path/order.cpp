@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/path/curve/curve_branch.hpp"
+#include "problems/path/order_intervals.hpp"
 #include "problems/path/placing.hpp"
-#include "problems/path/stretches.hpp"
 
 namespace cognate::problems {
 
 struct PathOrderMemory {
   std::vector<Vec2d> targets;  ///< in the axes of the linkage
   std::vector<double> timed_at;
-  std::vector<Stretch> stretches;
+  std::vector<OrderInterval> intervals;
   PlacingWorkspace placing;
   OrderedPlaces best, other;
 };
@@ -27,25 +29,77 @@ namespace {
 /// How far from a dead point the crank stays: beyond, rounding decides whether the linkage closes.
 constexpr double kFromDeadPoint = 1e-10;
 
-/// Enters the blocks of a stretch.
-void enter(std::span<const Block> blocks, const Stretch& stretch, const Travel& travel,
+/// Where μ satisfies its limits, B–D being as long as they make it, from the frame line.
+std::vector<CrankRange> ranges_within(const Lengths<double>& links, const Range& limits) {
+  const auto& [l1, l2, l3, l4] = links;
+  const double product = 4 * l2 * l3;
+  // The angle θ at which μ is a limit: 4 l₁ l₄ sin²(θ/2) = d² − (l₄ − l₁)², and with the cosine
+  // (l₄ + l₁)² − d²; not positive where no angle reaches it.
+  struct End {
+    double beyond_near, before_far;
+    double angle() const { return 2 * std::atan2(std::sqrt(beyond_near), std::sqrt(before_far)); }
+  };
+  const auto end = [&](double mu) {
+    const double sine = std::sin(0.5 * mu), cosine = std::cos(0.5 * mu);
+    return End{(l2 - l3 + l4 - l1) * (l2 - l3 - l4 + l1) + product * sine * sine,
+               (l4 + l1 + l2 + l3) * (l4 + l1 - l2 - l3) + product * cosine * cosine};
+  };
+  const End least = end(limits.min), greatest = end(limits.max);
+  if (least.before_far <= 0 || greatest.beyond_near <= 0) return {};
+  const bool passes_near = least.beyond_near <= 0, passes_far = greatest.before_far <= 0;
+  if (passes_near && passes_far) return {{0, kTurn}};
+  if (passes_near) return {{-greatest.angle(), greatest.angle()}};
+  if (passes_far) return {{least.angle(), kTurn - least.angle()}};
+  return {{least.angle(), greatest.angle()}, {-greatest.angle(), -least.angle()}};
+}
+
+/// The parts of `whole` in the ranges `within`, each enlarged as far as the timed points reach.
+std::vector<CrankRange> parts_within(const CrankRange& whole, std::span<const CrankRange> within,
+                                     const std::optional<CrankRange>& timed) {
+  std::vector<CrankRange> parts;
+  for (const CrankRange& range : within) {
+    const double turns = kTurn * std::ceil((whole.from - range.to) / kTurn);
+    CrankRange part{std::max(range.from + turns, whole.from), std::min(range.to + turns, whole.to)};
+    if (!(part.from < part.to)) continue;
+    if (timed) part = {std::min(part.from, timed->from), std::max(part.to, timed->to)};
+    parts.push_back(part);
+  }
+  if (parts.empty() && timed) parts.push_back(*timed);
+  return parts;
+}
+
+/// The part of `whole` between the first and the last of crank angles in it, a little more at both
+/// ends; empty where not all lie in it.
+std::optional<CrankRange> reach(const CrankRange& whole, std::span<const double> angles) {
+  CrankRange all{whole.to, whole.from};
+  for (const double angle : angles) {
+    const double place = whole.from + in_one_turn(angle - whole.from);
+    all = {std::min(all.from, place), std::max(all.to, place)};
+  }
+  if (all.to > whole.to) return std::nullopt;
+  return CrankRange{std::max(all.from - 2 * kFromDeadPoint, whole.from),
+                    std::min(all.to + 2 * kFromDeadPoint, whole.to)};
+}
+
+/// Enters the blocks of an interval.
+void enter(std::span<const Block> blocks, const OrderInterval& interval, const Travel& travel,
            OrderedPlaces& places) {
-  const std::size_t count = stretch.points.size();
+  const std::size_t count = interval.points.size();
   for (const Block& block : blocks) {
     PlaceInOrder place{HeldBy::nothing, travel.angle(block.at), places.blocks++, 0};
-    if (!stretch.is_closed && block.at <= stretch.from) {
-      place.held_by = stretch.at_start;
-      place.timed_point = stretch.timed_before;
-    } else if (!stretch.is_closed && block.at >= stretch.to) {
-      place.held_by = stretch.at_end;
-      place.timed_point = stretch.timed_after;
+    if (!interval.is_closed && block.at <= interval.from) {
+      place.held_by = interval.at_start;
+      place.timed_point = interval.timed_before;
+    } else if (!interval.is_closed && block.at >= interval.to) {
+      place.held_by = interval.at_end;
+      place.timed_point = interval.timed_after;
     }
     if (place.held_by == HeldBy::timed_point) {
       place.angle = places.of_point[place.timed_point].angle;
     }
-    // A block across the seam of a closed stretch goes on at its beginning.
+    // A block across the seam of a closed interval goes on at its beginning.
     for (std::size_t k = block.first;; k = (k + 1) % count) {
-      places.of_point[stretch.points[k]] = place;
+      places.of_point[interval.points[k]] = place;
       if (k == block.last) break;
     }
   }
@@ -60,7 +114,7 @@ struct Motion {
   bool in_order = true;
 };
 
-/// Fills `found` by the stretches of the motion in `own`; the cost is infinite where they cannot be
+/// Fills `found` by the intervals of the motion in `own`; the cost is infinite where they cannot be
 /// passed.
 void place(const Motion& motion, PathOrderMemory& own, OrderedPlaces& found) {
   const std::size_t n = own.targets.size();
@@ -70,14 +124,14 @@ void place(const Motion& motion, PathOrderMemory& own, OrderedPlaces& found) {
   for (std::size_t k = 0; k < motion.timed.size(); ++k) {
     found.of_point[motion.timed[k]].angle = motion.travel.sense * own.timed_at[k];
   }
-  for (Stretch& stretch : own.stretches) {
-    if (stretch.points.empty()) continue;
-    stretch.from = motion.travel.place(stretch.from);
-    stretch.to = motion.travel.place(stretch.to);
-    PathPlacing placing(motion.branch, motion.travel, stretch, own.targets, motion.weights,
+  for (OrderInterval& interval : own.intervals) {
+    if (interval.points.empty()) continue;
+    interval.from = motion.travel.place(interval.from);
+    interval.to = motion.travel.place(interval.to);
+    PathPlacing placing(motion.branch, motion.travel, interval, own.targets, motion.weights,
                         own.placing);
     if (!placing.is_possible()) return;
-    enter(motion.in_order ? placing.in_order() : placing.in_any_order(), stretch, motion.travel,
+    enter(motion.in_order ? placing.in_order() : placing.in_any_order(), interval, motion.travel,
           found);
   }
   found.cost = 0;
@@ -106,18 +160,36 @@ bool OrderedPlaces::any_held() const {
   return alone < untimed || blocks < untimed;
 }
 
-PathOrder::PathOrder(const PathProblem& scaled)
+PathOrder::PathOrder(const PathProblem& scaled, std::optional<Range> transmission)
     : points_(scaled.points),
       weights_(scaled.weights),
-      in_order_(scaled.order == PointOrder::cyclic && scaled.constraints.no_order_defect) {
+      in_order_(scaled.order == PointOrder::cyclic && scaled.constraints.no_order_defect),
+      transmission_(transmission) {
   weights_.resize(points_.size(), 1.0);
   for (std::size_t j = 0; j < points_.size(); ++j) {
     if (scaled.is_timed(j)) timed_.push_back(j);
   }
-  stretches_ = std::make_unique<PathStretches>(points_.size(), timed_, in_order_);
+  intervals_ = std::make_unique<OrderIntervals>(points_.size(), timed_, in_order_);
 }
 
 PathOrder::~PathOrder() = default;
+
+/// Those of a crank that does not turn fully, from the frame line.
+std::vector<CrankRange> PathOrder::ranges(const Lengths<double>& links,
+                                          std::span<const double> timed_at, double sense) const {
+  const std::vector<CrankRange> whole = crank_ranges(links);
+  if (!transmission_) return whole;
+  const std::vector<CrankRange> within = ranges_within(links, *transmission_);
+  std::vector<double> angles;
+  for (const double at : timed_at) angles.push_back(sense * at);
+  std::vector<CrankRange> parts;
+  for (const CrankRange& range : whole) {
+    const auto timed = angles.empty() ? std::nullopt : reach(range, angles);
+    if (!angles.empty() && !timed) continue;
+    std::ranges::copy(parts_within(range, within, timed), std::back_inserter(parts));
+  }
+  return parts;
+}
 
 const OrderedPlaces* PathOrder::places(const FourBar& linkage, std::span<const double> crank_angles,
                                        bool clockwise, PathOrderWorkspace& workspace) const {
@@ -136,17 +208,17 @@ const OrderedPlaces* PathOrder::places(const FourBar& linkage, std::span<const d
   };
   const Lengths<double> links = lengths(linkage);
   if (crank_rotates(links)) {
-    stretches_->round(own.timed_at, own.stretches);
+    intervals_->round(own.timed_at, own.intervals);
     try_out({.sense = sense});
     return std::isfinite(own.best.cost) ? &own.best : nullptr;
   }
-  for (const CrankRange& range : crank_ranges(links)) {
+  for (const CrankRange& range : ranges(links, own.timed_at, sense)) {
     const double half = 0.5 * (range.to - range.from);
     if (!(half > kFromDeadPoint)) continue;
     const double middle = sense * (range.from + half);
     const bool passes =
-        stretches_->between(middle - half + kFromDeadPoint, middle + half - kFromDeadPoint,
-                            own.timed_at, own.stretches);
+        intervals_->between(middle - half + kFromDeadPoint, middle + half - kFromDeadPoint,
+                            own.timed_at, own.intervals);
     if (passes) try_out({sense, false, middle, half});
   }
   return std::isfinite(own.best.cost) ? &own.best : nullptr;

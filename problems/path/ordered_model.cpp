@@ -9,7 +9,7 @@ namespace cognate::problems {
 OrderedPathModel::OrderedPathModel(const PathProblem& scaled, const PathModel& model,
                                    bool clockwise)
     : model_(model),
-      order_(scaled),
+      order_(scaled, model.transmission_on_the_way()),
       globals_(static_cast<std::size_t>(model.global_count())),
       clockwise_(clockwise),
       counted_from_x_(scaled.crank_reference == CrankReference::global) {
@@ -51,7 +51,8 @@ bool OrderedPathModel::residuals(std::span<const double> x, std::span<double> r,
 }
 
 /// What the angle that holds a point, from the frame line, changes by with each dimension. At an
-/// end of the crank's range B–D is l₂ + l₃ or |l₂ − l₃|, and cos θ = (l₁² + l₄² − BD²)/(2 l₁ l₄).
+/// end of the crank's range μ stays as it is, with BD² = l₂² + l₃² − 2 l₂ l₃ cos μ and
+/// cos θ = (l₁² + l₄² − BD²)/(2 l₁ l₄).
 OrderedPathModel::Slopes OrderedPathModel::slopes_of(const PlaceInOrder& place,
                                                      const Lengths<double>& links) const {
   Slopes slopes{};
@@ -59,16 +60,14 @@ OrderedPathModel::Slopes OrderedPathModel::slopes_of(const PlaceInOrder& place,
     slopes[counted_from_x_ ? PathModel::angle : PathModel::phase] = counted_from_x_ ? -1 : 1;
     return slopes;
   }
-  const double l1 = links.crank, l4 = links.frame;
+  const auto& [l1, l2, l3, l4] = links;
   const double cosine = std::cos(place.angle), sine = std::sin(place.angle);
-  const double diagonal = std::hypot(l4 - l1 * cosine, l1 * sine);
-  const double folded = links.coupler - links.rocker;
-  const bool extended = 2 * diagonal > links.coupler + links.rocker + std::abs(folded);
-  const double per_diagonal = diagonal / (l1 * l4 * sine);
+  const double square = (l4 - l1 * cosine) * (l4 - l1 * cosine) + l1 * sine * l1 * sine;
+  const double cos_mu = (l2 * l2 + l3 * l3 - square) / (2 * l2 * l3);
   slopes[PathModel::crank] = (cosine / l1 - 1 / l4) / sine;
   slopes[PathModel::frame] = (cosine / l4 - 1 / l1) / sine;
-  slopes[PathModel::coupler] = extended || folded > 0 ? per_diagonal : -per_diagonal;
-  slopes[PathModel::rocker] = extended || folded < 0 ? per_diagonal : -per_diagonal;
+  slopes[PathModel::coupler] = (l2 - l3 * cos_mu) / (l1 * l4 * sine);
+  slopes[PathModel::rocker] = (l3 - l2 * cos_mu) / (l1 * l4 * sine);
   return slopes;
 }
 

@@ -10,7 +10,9 @@
 namespace cognate::problems {
 
 /// A path model whose untimed points lie, for each linkage, at the places that `PathOrder` finds:
-/// the variables are the global ones of the model. No linkage has a defect of order or circuit.
+/// the variables are the global ones of the model. No linkage has a defect of order or circuit, and
+/// where its crank does not turn fully, untimed points satisfy the limits of the transmission
+/// angle.
 ///
 /// Derivatives are those of the residuals less what the places, were they free to move within their
 /// blocks, would make up for (Kaufman 1975, "A variable projection method for solving separable

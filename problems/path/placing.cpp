@@ -14,19 +14,19 @@ constexpr std::size_t kBeginnings = 24;
 
 }  // namespace
 
-PathPlacing::PathPlacing(const CurveBranch& branch, const Travel& travel, const Stretch& stretch,
-                         std::span<const Vec2d> targets, std::span<const double> weights,
-                         PlacingWorkspace& workspace)
+PathPlacing::PathPlacing(const CurveBranch& branch, const Travel& travel,
+                         const OrderInterval& interval, std::span<const Vec2d> targets,
+                         std::span<const double> weights, PlacingWorkspace& workspace)
     : branch_(branch),
       travel_(travel),
-      stretch_(stretch),
+      stretch_(interval),
       targets_(targets),
       weights_(weights),
       own_(workspace),
       samples_(workspace.samples) {
-  branch.sample(travel, stretch.from, stretch.to, samples_, workspace.finer);
+  branch.sample(travel, interval.from, interval.to, samples_, workspace.finer);
   // The last sample of a whole turn is its first again.
-  if (stretch.is_closed && !samples_.empty()) samples_.pop_back();
+  if (interval.is_closed && !samples_.empty()) samples_.pop_back();
 }
 
 /// The cheapest assignment of the points to `count` samples from `first` on, the first point within
@@ -66,8 +66,8 @@ void PathPlacing::find_way(std::size_t first, std::size_t starts, std::size_t co
   }
 }
 
-/// Over a closed stretch the way may begin anywhere and goes round once at most. Where the best one
-/// that may go farther does so, beginnings are tried in even steps and about the best of them.
+/// Over a closed interval the way may begin anywhere and goes round once at most. Where the best
+/// one that may go farther does so, beginnings are tried in even steps and about the best of them.
 const PlacingWay& PathPlacing::best_way() const {
   const std::size_t m = samples_.size();
   PlacingWay &best = own_.way, &other = own_.other;

@@ -1,4 +1,4 @@
-/// @file The points of one stretch of a motion placed along the coupler curve.
+/// @file The points of one interval of a motion placed along the coupler curve.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/path/curve/curve_branch.hpp"
-#include "problems/path/stretches.hpp"
+#include "problems/path/order_intervals.hpp"
 
 namespace cognate::problems {
 
@@ -17,7 +17,7 @@ struct Block {
   double at = 0;  ///< along the motion
   Vec2d mean;
   double weight = 0;
-  std::size_t first = 0, last = 0;  ///< of the points of its stretch
+  std::size_t first = 0, last = 0;  ///< of the points of its interval
   double from = 0, to = 0;          ///< between which places it is looked for
 };
 
@@ -37,10 +37,10 @@ struct PlacingWorkspace {
   std::vector<Block> blocks;
 };
 
-/// The points of one stretch placed along a branch.
+/// The points of one interval placed along a branch.
 class PathPlacing {
  public:
-  PathPlacing(const CurveBranch& branch, const Travel& travel, const Stretch& stretch,
+  PathPlacing(const CurveBranch& branch, const Travel& travel, const OrderInterval& interval,
               std::span<const Vec2d> targets, std::span<const double> weights,
               PlacingWorkspace& workspace);
 
@@ -70,7 +70,7 @@ class PathPlacing {
 
   const CurveBranch& branch_;
   const Travel& travel_;
-  const Stretch& stretch_;
+  const OrderInterval& stretch_;
   std::span<const Vec2d> targets_;
   std::span<const double> weights_;
   PlacingWorkspace& own_;

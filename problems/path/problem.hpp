@@ -2,14 +2,17 @@
 /// unit.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
-#include "problems/path/curve/atlas_source.hpp"
-#include "problems/path/curve/target_curve.hpp"
+#include "problems/path/curve/closed_curve.hpp"
 
 namespace cognate::problems {
 
@@ -24,6 +27,24 @@ enum class CrankSense { either, ccw, cw };
 /// `least_squares`: as near to the points as can be. `exact`: through each of them, all solutions.
 enum class PathMethod { least_squares, exact };
 
+/// `target.place`: the curve stays where it is, or may be moved, turned and enlarged.
+enum class CurvePlace { given, similar };
+
+/// A closed curve as the target.
+struct TargetCurve {
+  ClosedCurve curve;
+  std::string svg_path;  ///< the path data it was read from, y down; empty where it was a polyline
+  CurvePlace place = CurvePlace::given;
+};
+
+/// `solve.atlas`: the study file with whose curves a search for a closed curve begins. Who solves
+/// the problem reads it; that it is no atlas is then a fault of the problem file, at this place.
+struct AtlasSource {
+  std::string name;            ///< as written
+  std::filesystem::path file;  ///< in the folder of the problem file
+  std::size_t line = 1, column = 1;
+};
+
 /// `kind = "path-generation"`.
 struct PathProblem {
   std::string title;
@@ -36,8 +57,8 @@ struct PathProblem {
   /// `exact`: orientations of the coupler at the first of the points, which are `target.poses`.
   std::vector<double> pose_angles;
   Timing timing = Timing::free;
-  /// One for each point, empty with free timing; those of points that are not timed are of no
-  /// account. With reference `first` only differences from that of the first timed point count.
+  /// One for each point, empty with free timing; entries of untimed points are ignored.
+  /// With reference `first` only differences from that of the first timed point count.
   std::vector<double> crank_angles;
   std::vector<bool> has_crank_angle;  ///< mixed timing: whether each point is timed, some are
   CrankReference crank_reference = CrankReference::first;
@@ -56,12 +77,24 @@ struct PathProblem {
   }
 };
 
+template <>
+struct KindTraits<PathProblem> {
+  static constexpr std::string_view kWord = "path-generation";
+  static PathProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static tl::expected<PathProblem, std::vector<std::string>> checked(const PathProblem& problem);
+};
+
 struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads.
+/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// no design, its faults as notes and Status::invalid.
 Result solve(const PathProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid.
+std::vector<std::string> validate(const PathProblem& problem);
 
 template <>
 std::span<const Named<Timing>> names<Timing>();

@@ -1,5 +1,3 @@
-#include "problems/path/read.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,12 +9,14 @@
 
 #include "problems/basics/names.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_turn.hpp"
 #include "problems/path/crank_sense.hpp"
+#include "problems/path/problem.hpp"
 #include "problems/path/read_curve.hpp"
 #include "problems/path/read_exact.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -26,7 +26,7 @@ void read_points(TableReader& target, PathProblem& problem) {
   if (!target.has(kKey)) {
     target.fault(
         kKey,
-        "is missing; an array of 3 to 10000 points [x, y] is wanted, or a closed curve as curve, "
+        "is missing; expected an array of 3 to 10000 points [x, y], or a closed curve as curve, "
         "svg_path or svg");
     return;
   }
@@ -83,7 +83,7 @@ void check_sense(TableReader& target, const PathProblem& problem) {
   target.fault(
       "crank_sense",
       "is not the sense in which the crank passes the angles of crank_deg within one turn; "
-      "the other, or none, is wanted");
+      "expected the other, or none");
 }
 
 std::vector<std::optional<double>> read_degrees(TableReader& target, PathProblem& problem) {
@@ -93,7 +93,7 @@ std::vector<std::optional<double>> read_degrees(TableReader& target, PathProblem
   auto degrees = target.each_number_or(kKey, kFreeAngle, kAngle, count, problem.has_crank_angle);
   const auto timed = std::ranges::count(problem.has_crank_angle, true);
   if (!degrees.empty() && timed == 0) {
-    target.fault(kKey, "holds no angle; at least one is wanted, or timing = \"free\"");
+    target.fault(kKey, "holds no angle; expected at least one, or timing = \"free\"");
   }
   return degrees;
 }
@@ -109,7 +109,7 @@ void read_crank_angles(TableReader& target, PathProblem& problem) {
   const auto degrees = read_degrees(target, problem);
   if (degrees.empty()) return;
   if (!problem.points.empty() && degrees.size() != problem.points.size()) {
-    target.fault(kKey, fmt::format("has {} angles for {} points; one for each point is wanted",
+    target.fault(kKey, fmt::format("has {} angles for {} points; expected one for each point",
                                    degrees.size(), problem.points.size()));
   }
   check_crank_angles(target, degrees, problem);
@@ -133,7 +133,7 @@ void read_timing(TableReader& target, PathProblem& problem) {
     read_crank_angles(target, problem);
     if (problem.order == PointOrder::any) {
       target.fault("order", fmt::format("is \"any\" with {} timing, whose crank angles are the "
-                                        "order; leave it out, or use timing = \"free\"",
+                                        "order; remove it, or use timing = \"free\"",
                                         to_string(problem.timing)));
     }
     return;
@@ -141,8 +141,7 @@ void read_timing(TableReader& target, PathProblem& problem) {
   for (const std::string_view key : {"crank_deg", "crank_reference"}) {
     if (!target.has(key)) continue;
     target.fault(
-        key,
-        "is given with free timing; add timing = \"prescribed\" or \"mixed\", or leave it out");
+        key, "is given with free timing; add timing = \"prescribed\" or \"mixed\", or remove it");
   }
 }
 
@@ -152,11 +151,11 @@ void read_weights(TableReader& target, PathProblem& problem) {
   const auto weights = target.numbers(kKey, kWeight, {.min = 1, .of = "weights"});
   if (!weights) return;
   if (!problem.points.empty() && weights->size() != problem.points.size()) {
-    target.fault(kKey, fmt::format("has {} weights for {} points; one for each point is wanted",
+    target.fault(kKey, fmt::format("has {} weights for {} points; expected one for each point",
                                    weights->size(), problem.points.size()));
   }
   if (std::ranges::all_of(*weights, [](double weight) { return weight == 0; })) {
-    target.fault(kKey, "are all 0; at least one positive weight is wanted");
+    target.fault(kKey, "are all 0; expected at least one positive weight");
   }
   problem.weights = *weights;
 }
@@ -195,7 +194,7 @@ int unknown_count(const PathProblem& problem) {
 // The unknown crank angles of free timing are too many to be divided.
 std::string_view certificate_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
-    return "is true with method = \"exact\", whose designs meet the points; leave it out";
+    return "is true with method = \"exact\", whose designs meet the points; remove it";
   }
   if (limits_turn(problem.constraints)) return kTurnNotCertified;
   if (problem.timing != Timing::prescribed) {
@@ -208,11 +207,11 @@ std::string_view certificate_refusal(const PathProblem& problem) {
 // Bounds on the error and what goes with them are in the file's unit.
 std::string_view error_limit_refusal(const PathProblem& problem) {
   if (problem.method == PathMethod::exact) {
-    return "is given with method = \"exact\", whose designs meet the points; leave it out";
+    return "is given with method = \"exact\", whose designs meet the points; remove it";
   }
   if (problem.curve && problem.curve->place == CurvePlace::similar) {
-    return "is given with target.place = \"similar\", whose figures are of different sizes; leave "
-           "it out, or take place = \"given\"";
+    return "is given with target.place = \"similar\", whose figures are of different sizes; remove "
+           "it, or take place = \"given\"";
   }
   return {};
 }
@@ -225,19 +224,20 @@ std::optional<AtlasSource> read_atlas(TableReader& solve, const std::filesystem:
   if (!closed) {
     solve.fault(kKey,
                 "is given without a closed curve, which its curves could be compared with; "
-                "leave it out, or give target.curve, svg_path or svg");
+                "remove it, or give target.curve, svg_path or svg");
     return std::nullopt;
   }
   if (folder.empty()) {
-    solve.fault(kKey, "names a file beside the problem file, but there is none; leave it out");
+    solve.fault(kKey, "names a file beside the problem file, but there is none; remove it");
     return std::nullopt;
   }
   const auto file = folder / *name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    solve.fault(kKey, fmt::format("is \"{}\", where there is no file; the study file of an atlas, "
-                                  "as cognate sweep writes it, is wanted",
-                                  *name));
+    solve.fault(
+        kKey, fmt::format("is \"{}\", where there is no file; expected the study file of an atlas, "
+                          "as cognate sweep writes it",
+                          *name));
     return std::nullopt;
   }
   const Where where = solve.where(kKey);
@@ -246,7 +246,13 @@ std::optional<AtlasSource> read_atlas(TableReader& solve, const std::filesystem:
 
 }  // namespace
 
-PathProblem read_path_problem(TableReader& document, const std::filesystem::path& folder) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
+                                          const std::filesystem::path& folder) {
+  using namespace reading;
   PathProblem problem;
   TableReader target = document.table("target");
   TableReader mechanism = document.table("mechanism");
@@ -260,8 +266,7 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   const bool closed = has_curve(target);
   if (closed && problem.method == PathMethod::exact) {
     holder("method", target, solve)
-        .fault("method",
-               "is \"exact\" for a closed curve, which no four-bar need meet; leave it out");
+        .fault("method", "is \"exact\" for a closed curve, which no four-bar need meet; remove it");
     problem.method = PathMethod::least_squares;
   }
   const bool exact = problem.method == PathMethod::exact;
@@ -282,15 +287,15 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
-  read_turn_limits(document, constraints, solve,
-                   {.refusal = exact ? "is given with method = \"exact\", whose designs meet the "
-                                       "points whatever they do between; leave it out"
-                                     : ""},
-                   problem.constraints);
+  read_cycle_limits(document, constraints, solve,
+                    {.refusal = exact ? "is given with method = \"exact\", whose designs meet the "
+                                        "points regardless of what they do between; remove it"
+                                      : ""},
+                    problem.constraints);
   if (closed) {
     finish_curve(mechanism, bounds, constraints, problem);
   } else if (constraints.has("no_extra_loop")) {
-    constraints.fault("no_extra_loop", "is given without a closed curve; leave it out");
+    constraints.fault("no_extra_loop", "is given without a closed curve; remove it");
   }
   problem.solve = read_solve(solve, problem.constraints, false,
                              exact ? kMostExactDesigns : kMostSearchedDesigns);
@@ -310,4 +315,4 @@ PathProblem read_path_problem(TableReader& document, const std::filesystem::path
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

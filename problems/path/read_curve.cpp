@@ -77,7 +77,7 @@ void refuse_keys_of_points(TableReader& target, std::string_view form) {
   }
   const auto refuse_unless = [&](std::string_view key, std::string_view allowed, bool is_allowed) {
     if (is_allowed) return;
-    target.fault(key, fmt::format("is not \"{}\" beside {}; leave it out: a closed curve has free "
+    target.fault(key, fmt::format("is not \"{}\" beside {}; remove it: a closed curve has free "
                                   "timing, cyclic order and the least-squares method",
                                   allowed, form));
   };
@@ -130,9 +130,10 @@ void read_curve(TableReader& target, const std::filesystem::path& folder, PathPr
   std::ranges::copy_if(kForms, std::back_inserter(forms),
                        [&](std::string_view form) { return target.has(form); });
   if (forms.size() > 1) {
-    target.fault(forms[1], fmt::format("is given beside {}; one of \"curve\", \"svg_path\" and "
-                                       "\"svg\" is wanted",
-                                       forms[0]));
+    target.fault(forms[1],
+                 fmt::format("is given beside {}; expected one of \"curve\", \"svg_path\" and "
+                             "\"svg\"",
+                             forms[0]));
   }
   if (target.has("svg_id") && !target.has("svg")) {
     target.fault("svg_id", "is given without svg; it names a path of the drawing");
@@ -150,7 +151,7 @@ void read_curve(TableReader& target, const std::filesystem::path& folder, PathPr
   if (std::ranges::all_of(problem.points, [&](const Vec2d& point) {
         return norm(point - problem.points.front()) <= apart;
       })) {
-    target.fault("samples", "all fall on one point of the curve; another number of them is wanted");
+    target.fault("samples", "all fall on one point of the curve; expected another number of them");
   }
   problem.weights.assign(problem.points.size(), 1.0);
   problem.constraints.full_turn = true;
@@ -167,15 +168,12 @@ void finish_curve(TableReader& mechanism, TableReader& bounds, TableReader& cons
     if (!table.has(key)) return;
     table.fault(key,
                 "is given with target.place = \"similar\", where lengths, frame_angle_deg and the "
-                "pivots of [mechanism] alone may be; leave it out");
+                "pivots of [mechanism] alone may be; remove it");
   };
   refuse(mechanism, "coupler_point");
   for (const std::string_view key : {"pivot_a", "pivot_d", "coupler_point"}) refuse(bounds, key);
-  for (const std::string_view key :
-       {"pivot_region", "clearance", "peak_acceleration_max", "torque_ripple_max",
-        "speed_fluctuation_max", "flywheel_inertia_max", "motor_power_max"}) {
-    refuse(constraints, key);
-  }
+  for (const std::string_view key : {"pivot_region", "clearance"}) refuse(constraints, key);
+  for (const CycleDeclaration& quantity : kCycleQuantities) refuse(constraints, quantity.limit_key);
 }
 
 }  // namespace cognate::problems::reading

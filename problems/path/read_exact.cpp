@@ -28,7 +28,7 @@ void read_poses(TableReader& target, PathProblem& problem) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i] || kAngle.accepts((*rows[i])[2])) continue;
     target.faults().add(target.where(kPoses, i),
-                        fmt::format("pose {} of target.poses has the angle {}; {} is wanted", i + 1,
+                        fmt::format("pose {} of target.poses has the angle {}; expected {}", i + 1,
                                     (*rows[i])[2], kAngle.allowed));
   }
   for (const auto& row : all_or_none(rows).value_or(std::vector<std::vector<double>>{})) {
@@ -40,7 +40,7 @@ void read_poses(TableReader& target, PathProblem& problem) {
 void read_exact_points(TableReader& target, PathProblem& problem) {
   if (!target.has(kPoints) && target.has(kPoses)) return;
   if (!target.has(kPoints)) {
-    target.fault(kPoints, "is missing; an array of 2 to 9 points [x, y] is wanted");
+    target.fault(kPoints, "is missing; expected an array of 2 to 9 points [x, y]");
     return;
   }
   const auto points = target.each_two(kPoints, kNumber, "[x, y]", kPointCount);
@@ -80,21 +80,20 @@ void check_distinct(TableReader& target, const PathProblem& problem) {
 
 void check_unused(TableReader& target, TableReader& solve, const PathProblem& problem) {
   if (problem.timing != Timing::free) {
-    target.fault(
-        "timing",
-        fmt::format("is \"{}\" with method = \"exact\", which meets the points at crank "
-                    "angles of its own; leave it out, or leave out method for least squares",
-                    to_string(problem.timing)));
+    target.fault("timing",
+                 fmt::format("is \"{}\" with method = \"exact\", which meets the points at crank "
+                             "angles of its own; remove it, or remove method for least squares",
+                             to_string(problem.timing)));
   }
   if (target.has("weights")) {
     target.fault("weights",
-                 "are given with method = \"exact\", which meets every point; leave "
-                 "them out, or leave out method for least squares");
+                 "are given with method = \"exact\", which meets every point; remove "
+                 "them, or remove method for least squares");
   }
   const auto other = [&](std::string_view key) {
     solve.fault(key,
-                "is given with method = \"exact\", which has a solver of its own; leave it out, or "
-                "leave out method for least squares");
+                "is given with method = \"exact\", which has a solver of its own; remove it, or "
+                "remove method for least squares");
   };
   if (problem.solve.solver != SolverChoice::automatic) other("solver");
   if (problem.solve.tolerance) other("tolerance");
@@ -105,7 +104,7 @@ void check_sense_has_an_order(TableReader& target, const PathProblem& problem) {
   if (problem.crank_sense == CrankSense::either || problem.order != PointOrder::any) return;
   target.fault("crank_sense",
                "is given for positions in any order (order = \"any\", as poses and points together "
-               "have it), of which no sense can be told; leave it out, or add order = \"cyclic\" "
+               "have it), of which no sense can be told; remove it, or add order = \"cyclic\" "
                "and list the positions as they follow one another");
 }
 
@@ -124,47 +123,47 @@ void check_closes(TableReader& mechanism, const Given& given) {
 }
 
 /// A given part, its key in the file and how to leave it out.
-struct GivenPart {
+struct FixedPart {
   std::string_view key;
-  bool (*take)(synthesis::GivenParts&);  ///< false where it was not given
+  bool (*take)(synthesis::FixedParts&);  ///< false where it was not given
 };
 
 template <auto Member>
-bool take_out(synthesis::GivenParts& parts) {
+bool take_out(synthesis::FixedParts& parts) {
   const bool was_given = (parts.*Member).has_value();
   (parts.*Member).reset();
   return was_given;
 }
 
-constexpr std::array<GivenPart, 8> kParts = {{
-    {"coupler_point", take_out<&synthesis::GivenParts::coupler_point>},
-    {"crank", take_out<&synthesis::GivenParts::crank>},
-    {"rocker", take_out<&synthesis::GivenParts::rocker>},
-    {"coupler", take_out<&synthesis::GivenParts::coupler>},
-    {"frame", take_out<&synthesis::GivenParts::frame>},
-    {"frame_angle_deg", take_out<&synthesis::GivenParts::frame_angle>},
-    {"pivot_a", take_out<&synthesis::GivenParts::pivot_a>},
-    {"pivot_d", take_out<&synthesis::GivenParts::pivot_d>},
+constexpr std::array<FixedPart, 8> kParts = {{
+    {"coupler_point", take_out<&synthesis::FixedParts::coupler_point>},
+    {"crank", take_out<&synthesis::FixedParts::crank>},
+    {"rocker", take_out<&synthesis::FixedParts::rocker>},
+    {"coupler", take_out<&synthesis::FixedParts::coupler>},
+    {"frame", take_out<&synthesis::FixedParts::frame>},
+    {"frame_angle_deg", take_out<&synthesis::FixedParts::frame_angle>},
+    {"pivot_a", take_out<&synthesis::FixedParts::pivot_a>},
+    {"pivot_d", take_out<&synthesis::FixedParts::pivot_d>},
 }};
 
 // Eight conditions or fewer can still be more than one dyad has unknowns.
 void check_each_dyad(TableReader& mechanism, const PathProblem& problem) {
   const auto kind = synthesis::class_of(positions_of(problem));
-  const synthesis::GivenParts parts = given_parts(problem.given);
+  const synthesis::FixedParts parts = given_parts(problem.given);
   if (are_independent(kind, parts)) return;
   std::string_view key = kParts.back().key;
-  for (const GivenPart& part : kParts) {
-    synthesis::GivenParts without = parts;
+  for (const FixedPart& part : kParts) {
+    synthesis::FixedParts without = parts;
     if (!part.take(without)) continue;
     key = part.key;
     if (are_independent(kind, without)) break;
   }
   mechanism.fault(
-      key, fmt::format("is one condition too many for a dyad (crank and pivot A, or rocker and "
-                       "pivot D) with {} poses: each has four dimensions, of which every pose "
-                       "beside the first takes one, its pivot two and its length one; leave it "
-                       "out, or give fewer poses",
-                       std::max<std::size_t>(1, problem.pose_angles.size())));
+      key,
+      fmt::format("is one condition too many for a dyad (crank and pivot A, or rocker and pivot D) "
+                  "with {} poses: each has four dimensions, of which every pose beside the first "
+                  "takes one, its pivot two and its length one; remove it, or give fewer poses",
+                  std::max<std::size_t>(1, problem.pose_angles.size())));
 }
 
 }  // namespace
@@ -173,9 +172,10 @@ void read_exact_positions(TableReader& target, PathProblem& problem) {
   read_poses(target, problem);
   read_exact_points(target, problem);
   if (problem.points.size() == 1) {
-    target.fault(target.has(kPoses) ? kPoses : kPoints,
-                 "is one position, through which every coupler can be put; 2 to 9 points, or poses "
-                 "and points together, are wanted");
+    target.fault(
+        target.has(kPoses) ? kPoses : kPoints,
+        "is one position, through which every coupler can be put; expected 2 to 9 points, or poses "
+        "and points together");
   }
   check_distinct(target, problem);
 }

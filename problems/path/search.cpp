@@ -1,15 +1,12 @@
 #include "problems/path/search.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <iterator>
 #include <limits>
 #include <utility>
 
-#include "analysis/numbers/parallel.hpp"
+#include "problems/path/coarsening.hpp"
 #include "problems/path/explorer.hpp"
 #include "problems/path/found.hpp"
-#include "problems/path/thinning.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -41,17 +38,15 @@ int finishing_iterations(std::size_t points) {
 
 synthesis::Options options(const Deadline& deadline, int iterations, double tolerance,
                            std::uint64_t seed) {
-  return {.tolerance = tolerance,
-          .feasibility = kPathFeasibility,
-          .max_iterations = iterations,
-          .time_limit = deadline.remaining(),
-          .interrupted = deadline.flag(),
-          .seed = seed};
+  return synthesis::until(deadline, {.tolerance = tolerance,
+                                     .feasibility = kPathFeasibility,
+                                     .max_iterations = iterations,
+                                     .seed = seed});
 }
 
 /// From some of the points to more: the same linkage, its crank angles interpolated, or those at
 /// which it comes nearest to the points in order. Whatever refinement gives counts as better.
-void carry_over(const PathThinning& some, const PathThinning& more, PathFound& found) {
+void carry_over(const PathCoarsening& some, const PathCoarsening& more, PathFound& found) {
   const PathModel coarse = model_of(some.coarse(), found.minimum);
   const PathModel fine = model_of(more.coarse(), found.minimum);
   Solution& solution = found.minimum.solution;
@@ -72,7 +67,7 @@ void refine(const PathProblem& problem, PathFound& found, synthesis::Backend bac
   found = std::move(refined);
 }
 
-/// The stages of a search; each works on `all_` in place.
+/// The stages of a search.
 class PathSearch {
  public:
   PathSearch(const PathProblem& scaled, double tolerance, const Run& run, const Deadline& deadline,
@@ -85,75 +80,60 @@ class PathSearch {
         tolerance_(tolerance),
         run_(run),
         deadline_(deadline),
-        work_(work) {}
+        work_(work),
+        search_({}, {run.threads, deadline, run.progress}) {}
 
   void explore();
   void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
-                   int iterations, const Range& shares);
+                   int iterations, synthesis::Shares shares);
   void finish(synthesis::Backend backend, const std::vector<PathMinimum>& in_order);
-  void refine_at(const PathThinning& some, const PathThinning& more, const Range& shares);
+  void refine_at(const PathCoarsening& some, const PathCoarsening& more, synthesis::Shares shares);
   void add_in_order(const std::vector<PathMinimum>& minima);
   void polish_best();
   PathSearchResult take();
 
  private:
-  void lower_best(const PathFound& found);
   std::size_t kept(std::size_t reserve) const {
     return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   }
 
   const PathProblem& whole_;
-  PathThinning few_, many_, all_points_;
+  PathCoarsening few_, many_, all_points_;
   std::size_t deepened_;
   double tolerance_;
   const Run& run_;
   const Deadline& deadline_;
   Work& work_;
-  SearchThoroughness thoroughness_;
-  int independent_ = 0;  ///< see `ExploredPaths`
-  std::vector<PathFound> all_;
-  std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress only
+  synthesis::MultiStart<PathRules> search_;
+  int starts_ = 0, independent_ = 0;  ///< see `ExploredPaths`
 };
-
-void PathSearch::lower_best(const PathFound& found) {
-  if (!found.valid || found.minimum.solution.violation > kPathFeasibility) return;
-  const double objective = found.minimum.solution.objective;
-  double known = best_;
-  while (objective < known && !best_.compare_exchange_weak(known, objective)) {
-  }
-}
 
 void PathSearch::explore() {
   Run run = run_;
   for (Design& design : run.known) design.crank_angles = few_.kept(design.crank_angles);
   ExploredPaths explored =
       explore_paths(few_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_, work_);
-  thoroughness_.starts = explored.starts;
+  starts_ = explored.starts;
   independent_ = explored.independent;
-  all_ = std::move(explored.minima);
-  for (const PathFound& found : all_) lower_best(found);
+  search_.all() = std::move(explored.minima);
 }
 
 /// Goes on with `reserve` and twice the designs wanted.
 void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
-                             synthesis::Backend backend, int iterations, const Range& shares) {
-  if (all_.size() > kept(reserve)) all_.resize(kept(reserve));
-  const double step = (shares.max - shares.min) / std::max<double>(1, double(all_.size()));
-  parallel_for(static_cast<int>(all_.size()), run_.threads, [&](int index, int thread) {
-    if (deadline_.reached()) return;
-    refine(problem, all_[index], backend, options(deadline_, iterations, tolerance_, run_.seed));
-    if (thread == 0 && run_.progress) run_.progress(shares.min + step * index, best_);
+                             synthesis::Backend backend, int iterations, synthesis::Shares shares) {
+  search_.keep(kept(reserve));
+  search_.refine(shares, [&](PathFound& found) {
+    refine(problem, found, backend, options(deadline_, iterations, tolerance_, run_.seed));
   });
-  count_work(all_, problem.points.size(), work_);
-  for (const PathFound& found : all_) lower_best(found);
-  sort_and_merge(all_, is_better, kSameMinimum);
+  count_work(search_.all(), problem.points.size(), work_);
+  search_.merge(kSameMinimum);
 }
 
 /// Goes on with the best at more points.
-void PathSearch::refine_at(const PathThinning& some, const PathThinning& more,
-                           const Range& shares) {
-  if (all_.size() > kept(kFinished)) all_.resize(kept(kFinished));
-  for (PathFound& found : all_) carry_over(some, more, found);
+void PathSearch::refine_at(const PathCoarsening& some, const PathCoarsening& more,
+                           synthesis::Shares shares) {
+  search_.keep(kept(kFinished));
+  for (PathFound& found : search_.all()) carry_over(some, more, found);
   const PathProblem& problem = more.coarse();
   refine_best(problem, kFinished, synthesis::Backend::gauss_newton,
               finishing_iterations(problem.points.size()), shares);
@@ -187,35 +167,28 @@ void PathSearch::add_in_order(const std::vector<PathMinimum>& minima) {
     if (whole_.solve.loss == synthesis::Loss::none) place_in_order(whole_, nearest);
     added.push_back(is_better(found, nearest) ? std::move(found) : std::move(nearest));
   }
-  parallel_for(static_cast<int>(added.size()), run_.threads, [&](int index, int) {
-    if (deadline_.reached()) return;
-    refine(whole_, added[index], synthesis::Backend::gauss_newton,
+  search_.for_each(added.size(), [&](std::size_t i) {
+    refine(whole_, added[i], synthesis::Backend::gauss_newton,
            options(deadline_, finishing_iterations(whole_.points.size()), tolerance_, run_.seed));
   });
   count_work(added, whole_.points.size(), work_);
-  std::ranges::move(added, std::back_inserter(all_));
-  sort_and_merge(all_, is_better, kSameMinimum);
+  search_.add(std::move(added), kSameMinimum);
 }
 
 /// The last digits of the best, where they are met nearly.
 void PathSearch::polish_best() {
-  const std::size_t some = std::min(all_.size(), kept(kFinished));
-  parallel_for(static_cast<int>(some), run_.threads, [&](int index, int) {
-    if (deadline_.reached()) return;
-    polish(whole_, all_[index], options(deadline_, kPolishingIterations, tolerance_, run_.seed));
+  auto& all = search_.all();
+  search_.for_each(std::min(all.size(), kept(kFinished)), [&](std::size_t i) {
+    polish(whole_, all[i], options(deadline_, kPolishingIterations, tolerance_, run_.seed));
   });
-  count_work(all_, whole_.points.size(), work_);
-  sort_and_merge(all_, is_better, kSameMinimum);
+  count_work(all, whole_.points.size(), work_);
+  search_.merge(kSameMinimum);
 }
 
 PathSearchResult PathSearch::take() {
-  thoroughness_.best_hits = all_.empty() ? 0 : all_.front().hits;
-  const auto seen_once = std::ranges::count_if(all_, [](const PathFound& found) {
-    return found.hits <= 1 && found.minimum.solution.violation <= kPathFeasibility;
-  });
-  thoroughness_.unseen = chance_of_unseen(seen_once, independent_);
-  PathSearchResult result{{}, thoroughness_};
-  for (PathFound& found : all_) result.minima.push_back(std::move(found.minimum));
+  PathSearchResult result{{}, search_.statistics(independent_)};
+  result.statistics.starts = starts_;
+  for (PathFound& found : search_.all()) result.minima.push_back(std::move(found.minimum));
   return result;
 }
 

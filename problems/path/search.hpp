@@ -9,7 +9,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/path/model.hpp"
 #include "problems/path/problem.hpp"
-#include "problems/search/thoroughness.hpp"
+#include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -31,7 +31,7 @@ PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum);
 
 struct PathSearchResult {
   std::vector<PathMinimum> minima;  ///< best first, feasible ones before others
-  SearchThoroughness thoroughness;
+  SearchStatistics statistics;
 };
 
 /// Minima of a scaled problem; equal for any number of threads. Starts are explored in SIMD lanes

@@ -64,7 +64,7 @@ bool is_movable(const PathProblem& problem) {
   return problem.curve && problem.curve->place == CurvePlace::similar;
 }
 
-PathProblem searched_problem(const PathProblem& problem) {
+PathProblem normalised(const PathProblem& problem) {
   PathProblem searched = problem;
   searched.curve.reset();  // models keep a copy of their problem, and it may have many vertices
   if (!is_movable(problem)) return searched;

@@ -16,7 +16,7 @@ bool is_movable(const PathProblem& problem);
 
 /// What is searched for: samples without their curve, and of one that may be moved `proportions`
 /// for its given and bounded lengths.
-PathProblem searched_problem(const PathProblem& problem);
+PathProblem normalised(const PathProblem& problem);
 
 /// Where the curve comes so that `linkage`, found in its place, meets what the file gives. What is
 /// left open changes as little as can be: the scale is the nearest to 1, the turn the nearest to 0,

@@ -9,10 +9,12 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
-#include "problems/linkage/turn_metrics.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
@@ -23,7 +25,7 @@
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
 #include "problems/search/backend_choice.hpp"
-#include "problems/search/conflict.hpp"
+#include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 
 namespace cognate::problems {
@@ -102,10 +104,10 @@ class Designs {
     Design design = verified(placed(problem_, linkage, placement), targets, angles);
     design.error = path_error(linkage, problem_.points, crank_angles);
     design.placement = placement;
-    design.metrics.facts = {{"target_scale", placement.scale},
-                            {"target_turn_deg", degrees(placement.turn)},
-                            {"target_shift_x", placement.shift.x},
-                            {"target_shift_y", placement.shift.y}};
+    design.metrics.quantities = {{"target_scale", placement.scale},
+                                 {"target_turn_deg", degrees(placement.turn)},
+                                 {"target_shift_x", placement.shift.x},
+                                 {"target_shift_y", placement.shift.y}};
     return design;
   }
 
@@ -113,7 +115,7 @@ class Designs {
     const ClosedCurve& curve = problem_.curve->curve;
     const double deviation =
         curve_deviation(curve, four_bar(design), design.placement.value_or(CurvePlacement{}));
-    design.metrics.facts.push_back({"curve_deviation_max", deviation});
+    design.metrics.quantities.push_back({"curve_deviation_max", deviation});
     if (!problem_.constraints.no_extra_loop) return;
     design.constraints.push_back(check_extra_loop(curve, deviation, design.error.max));
   }
@@ -126,7 +128,7 @@ class Designs {
     design.error = path_error(linkage, targets, crank_angles);
     design.metrics = design_metrics(linkage, crank_angles,
                                     {problem_.order, problem_.timing == Timing::prescribed});
-    add_turn_metrics(problem_.constraints, linkage, Accelerated::coupler_point, design.metrics);
+    add_cycle_metrics(problem_.constraints, linkage, CycleOutput::coupler_point, design.metrics);
     design.constraints = check_constraints(problem_.constraints, problem_.bounds, problem_.given,
                                            linkage, design.metrics);
     if (problem_.crank_sense != CrankSense::either && leaves_sense_open(problem_)) {
@@ -166,7 +168,7 @@ Status status(const Deadline& deadline, bool ended_early, const Designs& designs
 }
 
 Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
-  const PathProblem searched = searched_problem(problem);
+  const PathProblem searched = normalised(problem);
   const PathScale scale(searched);
   const PathProblem scaled = scale.into(searched);
   const synthesis::Backend solver = backend_of(problem.solve.solver);
@@ -189,7 +191,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   }
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();
-  result.facts = found.thoroughness.facts();
+  result.quantities = quantities(found.statistics);
   if (result.status == Status::no_solution) {
     result.notes.push_back(
         "No four-bar was found that closes at every target point; wider bounds or more starts may "
@@ -213,19 +215,27 @@ void add_certificate(const PathProblem& problem, const Run& run, const Deadline&
 
 }  // namespace
 
-Result solve(const PathProblem& problem, const Run& run) {
-  if (problem.method == PathMethod::exact) return solve_exactly(problem, run);
+Result solve(const PathProblem& given, const Run& run) {
+  const auto valid = KindTraits<PathProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const PathProblem& problem = *valid;
+  if (problem.method == PathMethod::exact) {
+    Result exact = solve_exactly(problem, run);
+    note_oddities(extent_of(problem.points), exact);
+    return exact;
+  }
   const Deadline deadline(run);
   Result result = solve_objectives(
       problem, before_certificate(run, problem.solve), deadline,
       [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
   Run silent = run;
   silent.progress = nullptr;
-  tell_conflict(
+  add_infeasibility(
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
-  if (problem.curve) result.facts.push_back({"target_length", problem.curve->curve.length()});
+  note_oddities(extent_of(problem.points), result);
+  if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

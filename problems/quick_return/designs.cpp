@@ -28,7 +28,7 @@ void set_pressure(Design& design, double least, double most, double steepest) {
   design.metrics.transmission_min = kRightAngle - most;
   design.metrics.transmission_max = kRightAngle - least;
   design.metrics.transmission_acute_min = kRightAngle - steepest;
-  design.metrics.facts.push_back({"pressure_angle_deg", degrees(steepest)});
+  design.metrics.quantities.push_back({"pressure_angle_deg", degrees(steepest)});
 }
 
 void check_pressure(Design& design, const std::optional<double>& most, double steepest) {
@@ -63,8 +63,8 @@ Design quick_return_design(const QuickReturnProblem& problem,
   const Lengths<double> links = lengths(found.linkage);
   const double swing =
       std::abs(outer_limit(links)->rocker_angle - inner_limit(links)->rocker_angle);
-  design.metrics.facts.push_back({"swing_deg", degrees(swing)});
-  design.metrics.facts.push_back(
+  design.metrics.quantities.push_back({"swing_deg", degrees(swing)});
+  design.metrics.quantities.push_back(
       {"crank_pivot_arc", std::string(found.arc == synthesis::PivotArc::near ? "near" : "far")});
   design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
                                          found.linkage, design.metrics);
@@ -87,8 +87,8 @@ Design quick_return_design(const QuickReturnProblem& problem,
   design.mechanism = named(mechanism);
   design.crank_angles = {in_one_turn(found.outer), in_one_turn(found.inner)};
   design.metrics.change_point = is_change_point(mechanism);
-  design.metrics.facts = {{"class", std::string(name(mobility_class(mechanism)))},
-                          {"stroke", *stroke(mechanism)}};
+  design.metrics.quantities = {{"class", std::string(name(mobility_class(mechanism)))},
+                               {"stroke", *stroke(mechanism)}};
   set_time_ratio(design, *time_ratio(mechanism), problem.time_ratio);
   const auto pressure = pressure_angles(mechanism);
   set_pressure(design, pressure->min, pressure->max, pressure->steepest);
@@ -109,8 +109,8 @@ Design quick_return_design(const QuickReturnProblem& problem,
   design.mechanism = named(mechanism);
   design.crank_angles = {found.right, found.left};
   design.metrics.change_point = is_change_point(mechanism);
-  design.metrics.facts = {{"class", std::string(name(mobility_class(mechanism)))},
-                          {"swing_deg", degrees(*swing(mechanism))}};
+  design.metrics.quantities = {{"class", std::string(name(mobility_class(mechanism)))},
+                               {"swing_deg", degrees(*swing(mechanism))}};
   set_time_ratio(design, *time_ratio(mechanism), problem.time_ratio);
   const double steepest = *greatest_pressure_angle(mechanism);
   set_pressure(design, 0, steepest, steepest);
@@ -128,7 +128,7 @@ Design quick_return_design(const QuickReturnProblem& problem, const synthesis::S
   Design design;
   design.mechanism = named_shaper(found);
   design.crank_angles = {motion.right, motion.left};
-  design.metrics.facts = {{"class", std::string("oscillating")}, {"stroke", motion.stroke}};
+  design.metrics.quantities = {{"class", std::string("oscillating")}, {"stroke", motion.stroke}};
   set_time_ratio(design, motion.time_ratio, problem.time_ratio);
   set_pressure(design, -found.pressure, found.pressure, found.pressure);
   design.metrics.precision_residual = std::abs(motion.stroke / *problem.stroke - 1);

@@ -189,7 +189,7 @@ std::vector<std::string> slider_notes(const QuickReturnProblem& problem,
     case SliderDegeneracy::no_offset:
       return {
           "Without offset a slider-crank has K = 1: crank and coupler would be equal, with the "
-          "crank pivot at a limit of the stroke. Give an offset, or leave it out."};
+          "crank pivot at a limit of the stroke. Give an offset, or remove it."};
     case SliderDegeneracy::no_quick:
       return {
           "K = 1 allows no offset: any offset makes one stroke quicker. Give offset = 0 and the "

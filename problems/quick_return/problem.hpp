@@ -3,7 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
+#include <vector>
 
+#include "problems/basics/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
@@ -35,12 +38,26 @@ struct QuickReturnProblem {
   Solve solve;
 };
 
+template <>
+struct KindTraits<QuickReturnProblem> {
+  static constexpr std::string_view kWord = "quick-return";
+  static QuickReturnProblem read(reading::TableReader& document,
+                                 const std::filesystem::path& folder);
+  static tl::expected<QuickReturnProblem, std::vector<std::string>> checked(
+      const QuickReturnProblem& problem);
+};
+
 struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads.
+/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// no design, its faults as notes and Status::invalid.
 Result solve(const QuickReturnProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid.
+std::vector<std::string> validate(const QuickReturnProblem& problem);
 
 template <>
 std::span<const Named<QuickReturnType>> names<QuickReturnType>();

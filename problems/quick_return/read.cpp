@@ -1,5 +1,3 @@
-#include "problems/quick_return/read.hpp"
-
 #include <fmt/core.h>
 
 #include <optional>
@@ -8,6 +6,8 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/quick_return/problem.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -28,7 +28,7 @@ struct Tables {
 };
 
 std::optional<double> required(TableReader& table, std::string_view key, const NumberRule& rule) {
-  if (!table.has(key)) table.fault(key, fmt::format("is missing; {} is wanted", rule.allowed));
+  if (!table.has(key)) table.fault(key, fmt::format("is missing; expected {}", rule.allowed));
   return table.number(key, rule);
 }
 
@@ -58,7 +58,7 @@ void read_pivot_line(TableReader& mechanism, QuickReturnProblem& problem) {
   const auto line = mechanism.numbers(kKey, kNumber, {3, 3, "numbers, [a, b, c] of a x + b y = c"});
   if (!line) return;
   if ((*line)[0] == 0 && (*line)[1] == 0) {
-    mechanism.fault(kKey, "has a = b = 0; a x + b y = c with a or b not 0 is wanted");
+    mechanism.fault(kKey, "has a = b = 0; expected a x + b y = c with a or b not 0");
     return;
   }
   problem.crank_pivot_line = synthesis::PivotLine{(*line)[0], (*line)[1], (*line)[2]};
@@ -101,8 +101,8 @@ void read_slider_crank(Tables& tables, QuickReturnProblem& problem) {
 // The frame of a guide, or its crank.
 void read_guide(TableReader& mechanism, QuickReturnProblem& problem) {
   if (!mechanism.has("frame") && !mechanism.has("crank")) {
-    mechanism.fault(
-        "frame", fmt::format("is missing; {}, or that of the crank, is wanted", kLength.allowed));
+    mechanism.fault("frame",
+                    fmt::format("is missing; expected {}, or that of the crank", kLength.allowed));
   }
   problem.given.frame = mechanism.number("frame", kLength);
   problem.given.crank = mechanism.number("crank", kLength);
@@ -122,9 +122,10 @@ void read_shaper(Tables& tables, QuickReturnProblem& problem) {
   problem.ram_height = mechanism.number("ram_height", kLength);
   read_pressure_angle(tables.constraints, problem);
   if (mechanism.has("rod") || tables.constraints.has("pressure_angle_deg_max")) return;
-  mechanism.fault("rod", fmt::format("is missing; {}, or constraints.pressure_angle_deg_max, from "
-                                     "which it follows, is wanted",
-                                     kLength.allowed));
+  mechanism.fault(
+      "rod", fmt::format("is missing; expected {}, or constraints.pressure_angle_deg_max, from "
+                         "which it follows",
+                         kLength.allowed));
 }
 
 void read_mechanism(Tables& tables, QuickReturnProblem& problem) {
@@ -152,7 +153,13 @@ void know_all(Tables& tables) {
 
 }  // namespace
 
-QuickReturnProblem read_quick_return_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& document,
+                                                        const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   QuickReturnProblem problem;
   Tables tables{document.table("target"), document.table("mechanism"), document.table("bounds"),
                 document.table("constraints"), document.table("solve")};
@@ -173,4 +180,4 @@ QuickReturnProblem read_quick_return_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

@@ -8,6 +8,7 @@
 
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/quick_return/designs.hpp"
@@ -136,7 +137,7 @@ void solve_four_bar(const QuickReturnProblem& problem, Result& result) {
   result.notes = rocker_notes(problem, found);
   put_in_order(grouped(problem, found.designs), problem.solve.designs, result);
   if (found.circuit_defects > 0) {
-    result.facts.push_back({"circuit_defects", double(found.circuit_defects)});
+    result.quantities.push_back({"circuit_defects", double(found.circuit_defects)});
   }
   if (!leaves_family(problem)) return;
   add_family(problem, PivotArc::near, result);
@@ -189,7 +190,10 @@ void solve_shaper(const QuickReturnProblem& problem, Result& result) {
 
 }  // namespace
 
-Result solve(const QuickReturnProblem& problem, const Run& run) {
+Result solve(const QuickReturnProblem& given, const Run& run) {
+  const auto valid = KindTraits<QuickReturnProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const QuickReturnProblem& problem = *valid;
   const Deadline deadline(run);
   Result result;
   switch (problem.type) {

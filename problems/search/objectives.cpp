@@ -4,34 +4,103 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/verify.hpp"
+#include "synthesis/search/pareto_front.hpp"
 
 namespace cognate::problems {
 namespace {
 
+using synthesis::FrontDesign;
+using synthesis::FrontPoint;
+
+void add_work(const Work& done, Work& work) {
+  work.candidates += done.candidates;
+  work.positions += done.positions;
+  work.velocities += done.velocities;
+  work.accelerations += done.accelerations;
+  work.gradients += done.gradients;
+  work.solver_iterations += done.solver_iterations;
+}
+
+/// The designs of a front behind their numbers.
+class FrontDesigns {
+ public:
+  FrontDesigns(const ObjectiveTask& task, const Deadline& deadline)
+      : task_(task), rule_(rule_of(task.measure)), deadline_(deadline) {}
+
+  synthesis::FrontProblem problem() {
+    return {{.greatest_is_best = rule_.greatest_is_best,
+             .best = rule_.best,
+             .level = [this](double value) { return rule_.level(value); },
+             .value_at = [this](double level) { return rule_.value_at(level); }},
+            task_.met,
+            [this](std::optional<double> bound, const std::vector<std::size_t>& known,
+                   std::optional<std::uint64_t> seed) { return solve(bound, known, seed); }};
+  }
+
+  const Design& operator[](const FrontDesign& design) const { return all_[design.number]; }
+  /// What the first search gave.
+  Result first() && { return std::move(*first_); }
+  const Work& work() const { return work_; }
+
+ private:
+  std::optional<std::vector<FrontDesign>> solve(std::optional<double> bound,
+                                                const std::vector<std::size_t>& known,
+                                                std::optional<std::uint64_t> seed) {
+    DesignLimits limits = task_.limits;
+    if (bound && !rule_.limit(limits, *bound)) return std::nullopt;
+    std::vector<Design> begun;
+    for (const std::size_t one : known) begun.push_back(all_[one]);
+    Result found = task_.solve(limits, begun, seed);
+    add_work(found.work, work_);
+    const bool is_first = !first_;
+    if (is_first) first_ = found;
+    // The first is of use even where the time has ended.
+    const bool sound =
+        is_first ? !found.designs.empty() && all_satisfied(found.designs.front().constraints)
+                 : !deadline_.reached() && found.status == Status::solved;
+    std::vector<FrontDesign> designs;
+    if (!sound) return designs;
+    for (Design& design : found.designs) {
+      designs.push_back({all_.size(), rule_.value(design), task_.error_of(design)});
+      all_.push_back(std::move(design));
+    }
+    return designs;
+  }
+
+  const ObjectiveTask& task_;
+  const ObjectiveRule& rule_;
+  const Deadline& deadline_;
+  Work work_;
+  std::optional<Result> first_;
+  std::vector<Design> all_;
+};
+
 /// Puts the points of a search into a result, with their tables and what is to be said of them.
 class FrontReport {
  public:
-  FrontReport(const FrontProblem& problem, const ObjectiveTask& task)
-      : problem_(problem), task_(task) {}
+  FrontReport(const ObjectiveTask& task, const FrontDesigns& designs)
+      : task_(task), rule_(rule_of(task.measure)), designs_(designs) {}
 
-  Design design_of(const FrontPoint& point) const {
-    Design design = point.design();
-    const MeasureRule& rule = problem_.rule;
-    if (rule.is_fact) {
-      design.metrics.facts.push_back({std::string(rule.column), rule.shown(rule.value(design))});
+  Design design_of(const FrontPoint& point) const { return design_of(designs_[point.design()]); }
+
+  Design design_of(Design design) const {
+    if (rule_.is_quantity) {
+      design.metrics.quantities.push_back(
+          {std::string(rule_.column), rule_.shown(rule_.value(design))});
     }
-    if (task_.limit) check_error(*task_.limit, problem_.error(design), design);
+    if (task_.limit) check_error(*task_.limit, task_.error_of(design), design);
     return design;
   }
 
   Family family(const std::vector<FrontPoint>& points) const {
     Family family{"Pareto front",
-                  {{std::string(problem_.rule.column), {}}, {error_column(task_.error), {}}}};
+                  {{std::string(rule_.column), {}}, {error_column(task_.error), {}}}};
     for (const FrontPoint& point : points) {
       family.columns[0].values.push_back(measure(point));
       family.columns[1].values.push_back(error(point));
@@ -68,23 +137,22 @@ class FrontReport {
   }
 
  private:
-  double measure(const FrontPoint& point) const {
-    return problem_.rule.shown(problem_.rule.value(point.design()));
-  }
+  double measure(const FrontPoint& point) const { return rule_.shown(point.design().value); }
 
   double error(const FrontPoint& point) const {
-    return shown_error(task_.error, problem_.error(point.design()));
+    return shown_error(task_.error, point.design().error);
   }
 
-  std::string words() const { return std::string(problem_.rule.words); }
+  std::string words() const { return std::string(rule_.words); }
 
   std::string limit_words() const {
     return fmt::format("{} = {:.7g}", to_string(task_.limit->of),
                        shown_error(task_.limit->of, task_.limit->max));
   }
 
-  const FrontProblem& problem_;
   const ObjectiveTask& task_;
+  const ObjectiveRule& rule_;
+  const FrontDesigns& designs_;
 };
 
 Status status(const Deadline& deadline) {
@@ -95,7 +163,7 @@ Status status(const Deadline& deadline) {
 /// The first search, where there is nothing to go on from: as it stands, the bound on the error
 /// being one of the constraints.
 Result without_front(Result first, const FrontReport& report, const ObjectiveTask& task) {
-  for (Design& design : first.designs) design = report.design_of({.minima = {design}});
+  for (Design& design : first.designs) design = report.design_of(design);
   const auto wanted = static_cast<std::size_t>(task.designs);
   if (first.designs.size() > wanted) first.designs.resize(wanted);
   if (first.status == Status::solved && task.limit) first.status = Status::infeasible;
@@ -104,30 +172,33 @@ Result without_front(Result first, const FrontReport& report, const ObjectiveTas
 
 }  // namespace
 
-std::optional<Measure> measure_of(const Solve& solve) {
-  for (const Measure measure : solve.objectives) {
-    if (measure != Measure::error) return measure;
+std::optional<DesignObjective> measure_of(const Solve& solve) {
+  for (const DesignObjective measure : solve.objectives) {
+    if (measure != DesignObjective::error) return measure;
   }
   return std::nullopt;
 }
 
-Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const Run& run,
-                   const Deadline& deadline) {
-  const FrontReport report(problem, task);
-  Result result;
-  FrontSearch search(problem, run, deadline, result.work);
+Result solve_front(const ObjectiveTask& task, const Run& run, const Deadline& deadline) {
+  FrontDesigns designs(task, deadline);
+  const FrontReport report(task, designs);
+  const synthesis::FrontProblem problem = designs.problem();
+  synthesis::FrontSearch search(problem, {run.seed, deadline, run.progress});
   const double most = task.limit ? task.limit->max * (1 + kCheckTolerance) : kInfinity;
-  Result first = search.begin();
+  search.begin();
   if (search.points().empty() || search.points().front().error > most) {
-    return without_front(std::move(first), report, task);
+    return without_front(std::move(designs).first(), report, task);
   }
   FrontPoint last = search.points().front();
   const bool is_met = last.error == 0;
+  using synthesis::LastPoint;
   const auto end = task.with_error ? LastPoint::before_an_upright_end : LastPoint::greatest_level;
   if (task.with_error && is_met) last = search.go_to(0, end);
   last = search.go_to(most, end);
   if (task.with_error) search.fill(task.designs);
   const auto& points = search.points();
+  Result result;
+  result.work = designs.work();
   result.status = status(deadline);
   if (task.with_error) {
     for (const FrontPoint& point : points) result.designs.push_back(report.design_of(point));
@@ -140,7 +211,7 @@ Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const
     result.designs = {report.design_of(last)};
     if (result.status == Status::solved) result.notes.push_back(report.best(last));
   }
-  result.facts = {{"problems_solved", static_cast<double>(search.searches())}};
+  result.quantities = {{"problems_solved", static_cast<double>(search.searches())}};
   return result;
 }
 

@@ -2,34 +2,44 @@
 /// within a bound on the error.
 #pragma once
 
-#include <utility>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/search/pareto_front.hpp"
+#include "problems/search/objective_rules.hpp"
 
 namespace cognate::problems {
 
-/// How many local minima are asked for under each bound: those that are not the best are starts
+/// How many local minima are requested under each bound: those that are not the best are starts
 /// under others.
 inline constexpr int kMinima = 6;
 
 /// What of several objectives a file asks for besides the error; empty where nothing.
-std::optional<Measure> measure_of(const Solve& solve);
+std::optional<DesignObjective> measure_of(const Solve& solve);
 
-/// What the file asks for and how its error is called.
+/// What the file asks for, how its error is called and how it is solved.
 struct ObjectiveTask {
-  Measure measure;
+  DesignLimits limits;  ///< those of the file
+  DesignObjective measure;
   bool with_error = true;  ///< a front; else the best measure alone
   int designs = 12;        ///< points of a front
   ErrorMeasure error;
   std::optional<ErrorLimit> limit;
+  double met = 0;  ///< errors up to this are rounding
+  std::function<double(const Design&)> error_of;
+  /// Designs of least error within limits, from designs that are known and, unless `seed` is empty,
+  /// from starts of its own. The same for the same arguments.
+  std::function<Result(const DesignLimits& limits, const std::vector<Design>& known,
+                       std::optional<std::uint64_t> seed)>
+      solve;
 };
 
 /// A front, best error first, its levels as a family "Pareto front"; or the one best design.
-Result solve_front(const FrontProblem& problem, const ObjectiveTask& task, const Run& run,
-                   const Deadline& deadline);
+Result solve_front(const ObjectiveTask& task, const Run& run, const Deadline& deadline);
 
 /// Solves a problem for its `solve.objectives`. `solve_once(problem, run)` solves one whose only
 /// objective is the error; `deadline` is that of the whole.
@@ -38,7 +48,6 @@ Result solve_objectives(const AnyProblem& problem, const Run& run, const Deadlin
                         const SolveOnce& solve_once) {
   const auto measure = measure_of(problem.solve);
   if (!measure) return solve_once(problem, run);
-  const auto error = [&](const Design& design) { return error_of(problem, design); };
   const auto solve = [&](const DesignLimits& limits, const std::vector<Design>& known,
                          std::optional<std::uint64_t> seed) {
     AnyProblem other = problem;
@@ -54,17 +63,17 @@ Result solve_objectives(const AnyProblem& problem, const Run& run, const Deadlin
     own.seed = seed.value_or(run.seed);
     return solve_once(other, own);
   };
-  const ObjectiveTask task{.measure = *measure,
-                           .with_error = problem.solve.objectives.size() > 1,
-                           .designs = problem.solve.designs,
-                           .error = error_measure(problem),
-                           .limit = problem.constraints.error};
-  return solve_front({.limits = {problem.constraints, problem.bounds},
-                      .rule = rule_of(*measure),
-                      .met = met_error(problem),
-                      .error = error,
-                      .solve = solve},
-                     task, run, deadline);
+  const ObjectiveTask task{
+      .limits = {problem.constraints, problem.bounds},
+      .measure = *measure,
+      .with_error = problem.solve.objectives.size() > 1,
+      .designs = problem.solve.designs,
+      .error = error_measure(problem),
+      .limit = problem.constraints.error,
+      .met = met_error(problem),
+      .error_of = [&](const Design& design) { return error_of(problem, design); },
+      .solve = solve};
+  return solve_front(task, run, deadline);
 }
 
 }  // namespace cognate::problems

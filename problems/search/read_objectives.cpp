@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -25,22 +24,22 @@ void read_error_limit(TableReader& table, const ObjectiveScope& scope, Constrain
       constraints.error = ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
     } else if (table.has(key)) {
       table.fault(key,
-                  fmt::format("is of another error than this problem's; constraints.{} is wanted",
+                  fmt::format("is of another error than this problem's; expected constraints.{}",
                               to_string(scope.error)));
     }
   }
 }
 
 /// Each once, with faults for what is no measure.
-std::vector<Measure> read_measures(TableReader& table) {
+std::vector<DesignObjective> read_measures(TableReader& table) {
   std::vector<std::string_view> allowed;
-  for (const auto& named : names<Measure>()) allowed.push_back(named.name);
+  for (const auto& named : names<DesignObjective>()) allowed.push_back(named.name);
   const auto words = table.texts(kKey, {1, 2, "objectives"});
-  std::vector<Measure> measures;
+  std::vector<DesignObjective> measures;
   if (!words) return measures;
   for (std::size_t i = 0; i < words->size(); ++i) {
     const std::string& word = (*words)[i];
-    const auto measure = from_string<Measure>(word);
+    const auto measure = from_string<DesignObjective>(word);
     if (!measure) {
       table.faults().add(table.where(kKey, i),
                          fmt::format("solve.objectives has {}; allowed are {}", in_quotes(word),
@@ -48,12 +47,12 @@ std::vector<Measure> read_measures(TableReader& table) {
     } else if (std::ranges::count(measures, *measure) > 0) {
       table.faults().add(
           table.where(kKey, i),
-          fmt::format("solve.objectives has {} twice; each once is wanted", in_quotes(word)));
+          fmt::format("solve.objectives has {} twice; expected each once", in_quotes(word)));
     } else {
       measures.push_back(*measure);
     }
   }
-  return measures.size() == words->size() ? measures : std::vector<Measure>{};
+  return measures.size() == words->size() ? measures : std::vector<DesignObjective>{};
 }
 
 bool turns_fully(const Constraints& constraints) {
@@ -63,22 +62,20 @@ bool turns_fully(const Constraints& constraints) {
 
 /// Whether the measure is one that the problem can have.
 void check_measure(TableReader& table, const ObjectiveScope& scope, const Constraints& constraints,
-                   Measure measure) {
-  if (measure == Measure::size && !scope.has_sizes) {
-    table.fault(kKey,
-                "has \"size\", but a function is one of ratios of lengths; \"link_ratio\" or "
-                "\"transmission_angle\" is wanted");
+                   DesignObjective measure) {
+  if (measure == DesignObjective::size && !scope.has_sizes) {
+    table.fault(
+        kKey,
+        "has \"size\", but a function is one of ratios of lengths; expected \"link_ratio\" or "
+        "\"transmission_angle\"");
   }
-  constexpr std::array kOverTurn{Measure::peak_acceleration, Measure::torque_ripple,
-                                 Measure::speed_fluctuation, Measure::flywheel_inertia,
-                                 Measure::motor_power};
-  const bool over_turn = std::ranges::count(kOverTurn, measure) > 0 ||
-                         (measure == Measure::transmission_angle && scope.needs_full_turn);
+  const bool over_turn = is_over_cycle(measure) ||
+                         (measure == DesignObjective::transmission_angle && scope.needs_full_turn);
   if (over_turn && !turns_fully(constraints)) {
-    table.fault(kKey, fmt::format("has \"{}\", which is taken over the full turn of the crank; "
-                                  "constraints.class = \"crank-rocker\" or \"double-crank\" is "
-                                  "wanted besides",
-                                  to_string(measure)));
+    table.fault(kKey,
+                fmt::format("has \"{}\", which is taken over the full turn of the crank; expected "
+                            "constraints.class = \"crank-rocker\" or \"double-crank\" as well",
+                            to_string(measure)));
   }
 }
 
@@ -102,11 +99,11 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
                 "need; every other solver can");
   }
   if (front && table.has("designs") && solve.designs < 2) {
-    table.fault("designs", "is 1, but a front has two ends; at least 2 are wanted");
+    table.fault("designs", "is 1, but a front has two ends; expected at least 2");
   }
   if (!front && table.has("designs") && solve.designs != 1) {
     table.fault("designs",
-                "is more than 1 with an objective that one design has best; leave it out, or add "
+                "is more than 1 with an objective that one design has best; remove it, or add "
                 "\"error\" to the objectives for a front");
   }
 }
@@ -118,16 +115,16 @@ void read_objectives(TableReader& constraints_table, TableReader& solve_table,
   read_error_limit(constraints_table, scope, constraints);
   solve.objectives = read_measures(solve_table);
   const auto& all = solve.objectives;
-  const bool with_error = std::ranges::count(all, Measure::error) > 0;
+  const bool with_error = std::ranges::count(all, DesignObjective::error) > 0;
   if (all.empty() || (with_error && all.size() == 1)) return;
   const bool front = with_error;
   check_company(solve_table, scope, front, solve);
-  for (const Measure measure : all) check_measure(solve_table, scope, constraints, measure);
+  for (const DesignObjective measure : all) check_measure(solve_table, scope, constraints, measure);
   if (!with_error && all.size() > 1) {
-    solve_table.fault(kKey, "are two without \"error\"; \"error\" and one other are wanted");
+    solve_table.fault(kKey, "are two without \"error\"; expected \"error\" and one other");
   } else if (!with_error && !constraints.error) {
     solve_table.fault(kKey, fmt::format("does without \"error\", which is then to be bounded; "
-                                        "constraints.{} is wanted, or \"error\" besides",
+                                        "expected constraints.{}, or \"error\" besides",
                                         to_string(scope.error)));
   }
   if (!solve_table.has("designs")) solve.designs = front ? kFrontDesigns : 1;

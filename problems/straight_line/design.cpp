@@ -10,6 +10,7 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
 
 namespace cognate::problems {
@@ -19,7 +20,7 @@ using synthesis::CouplerLinkage;
 using synthesis::StraightLineSolution;
 
 constexpr int kCoupler = 2;
-constexpr const char* kLength = "straight_length_at_0_001";
+constexpr QuantityKey<double> kStraightLengthKey{"straight_length_at_0_001"};
 
 struct Level {
   double relative;
@@ -47,38 +48,39 @@ double longest_link(const CouplerLinkage& linkage) {
 }
 
 void add(Metrics& metrics, const std::string& name, double value) {
-  if (std::isfinite(value)) metrics.facts.push_back({name, value});
+  if (std::isfinite(value)) metrics.quantities.push_back({name, value});
 }
 
-void add_stretch(Metrics& metrics, const Path& path, const Stretch& stretch, const char* suffix) {
+void add_segment(Metrics& metrics, const Path& path, const StraightSegment& segment,
+                 const char* suffix) {
   const auto named = [suffix](const char* what) { return fmt::format("{}_{}", what, suffix); };
-  add(metrics, named("straight_length"), stretch.length);
-  if (!(stretch.length > 0)) return;
-  const Vec2d& along = stretch.line.direction;
-  add(metrics, named("deviation"), stretch.deviation);
+  add(metrics, named("straight_length"), segment.length);
+  if (!(segment.length > 0)) return;
+  const Vec2d& along = segment.line.direction;
+  add(metrics, named("deviation"), segment.deviation);
   add(metrics, named("direction_deg"), degrees(std::atan2(along.y, along.x)));
-  add(metrics, named("crank_from_deg"), degrees(stretch.from));
-  add(metrics, named("crank_to_deg"), degrees(stretch.to));
-  const auto variation = speed_variation(path, stretch);
+  add(metrics, named("crank_from_deg"), degrees(segment.from));
+  add(metrics, named("crank_to_deg"), degrees(segment.to));
+  const auto variation = speed_variation(path, segment);
   if (variation) add(metrics, named("speed_variation"), *variation);
 }
 
-/// The stretches at each level; empty where the motion ends at the position itself.
-std::vector<Stretch> stretches(const StraightLineSolution& solution, const Path& path) {
-  std::vector<Stretch> found;
+/// The segments at each level; empty where the motion ends at the position itself.
+std::vector<StraightSegment> segments(const StraightLineSolution& solution, const Path& path) {
+  std::vector<StraightSegment> found;
   const auto limits = synthesis::range_about(solution.linkage, solution.crank_angle);
   if (!limits) return found;
   const auto forward = forward_interval(path, solution.crank_angle, *limits);
   if (!forward) return found;
   for (const Level& level : kLevels) {
-    found.push_back(longest_stretch(path, solution.crank_angle, *forward, level.relative));
+    found.push_back(longest_segment(path, solution.crank_angle, *forward, level.relative));
   }
   return found;
 }
 
-/// Over the longer stretch.
+/// Over the longer segment.
 Metrics metrics_of(const NamedMechanism& mechanism, double position,
-                   const std::vector<Stretch>& straight) {
+                   const std::vector<StraightSegment>& straight) {
   const std::vector<double> sides = cognate::sides(mechanism.mechanism);
   std::vector<DriveState> states{{position, sides}};
   if (!straight.empty()) {
@@ -95,16 +97,16 @@ Design straight_line_design(const StraightLineProblem& problem,
   Design design;
   design.mechanism = mechanism_of(solution);
   const Path path = path_of(design.mechanism.mechanism, {kCoupler, solution.point.coupler_point});
-  const auto straight = stretches(solution, path);
+  const auto straight = segments(solution, path);
   design.crank_angles = {in_one_turn(solution.crank_angle)};
   design.origin = fmt::format("exact:{}", synthesis::name(solution.point.kind));
   Metrics& metrics = design.metrics;
   metrics = metrics_of(design.mechanism, solution.crank_angle, straight);
   metrics.precision_residual = solution.point.contact.residual;
   if (std::isfinite(solution.point.condition)) metrics.condition = solution.point.condition;
-  metrics.facts.push_back({"contact_points", double(solution.point.contact.points)});
+  metrics.quantities.push_back({"contact_points", double(solution.point.contact.points)});
   for (std::size_t i = 0; i < straight.size(); ++i) {
-    add_stretch(metrics, path, straight[i], kLevels[i].suffix);
+    add_segment(metrics, path, straight[i], kLevels[i].suffix);
   }
   add(metrics, "straight_length_over_longest_link",
       straight_length(design) / longest_link(solution.linkage));
@@ -113,10 +115,7 @@ Design straight_line_design(const StraightLineProblem& problem,
 }
 
 double straight_length(const Design& design) {
-  for (const Fact& fact : design.metrics.facts) {
-    if (fact.name == kLength) return std::get<double>(fact.value);
-  }
-  return 0;
+  return find_quantity(design.metrics.quantities, kStraightLengthKey).value_or(0);
 }
 
 }  // namespace cognate::problems

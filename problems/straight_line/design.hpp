@@ -7,8 +7,8 @@
 
 namespace cognate::problems {
 
-/// The design with its constraints checked and its facts: "contact_points" (9: straight to the
-/// eighth order), "straight_length_at_0_001" and "…_0_01" (the longest stretch about the position
+/// The design with its constraints checked and its quantities: "contact_points" (9: straight to the
+/// eighth order), "straight_length_at_0_001" and "…_0_01" (the longest segment about the position
 /// with δ/L at most so much, see analysis/coupler_curve/straightness.hpp), for each its
 /// "deviation_…", "crank_from_deg_…", "crank_to_deg_…", "direction_deg_…" and
 /// "speed_variation_…"; "straight_length_over_longest_link". A value that does not exist is left

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRatio = 0.8;
 constexpr int kMostPoints = 12;
 /// Afresh at every second bound, and from the points beside each.
-constexpr StretchEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
+constexpr SegmentEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
 constexpr double kBentFront = 0.02;
 constexpr double kFeasible = 1e-7;
@@ -31,7 +31,7 @@ class Front {
   void descend() {
     double bound = size_limit(problem_);
     for (int i = 0; i < kMostPoints && !deadline_.reached(); ++i, bound *= kRatio) {
-      const StretchEffort& effort = i % 2 == 0 ? kFresh : kOnward;
+      const SegmentEffort& effort = i % 2 == 0 ? kFresh : kOnward;
       auto best = solve(bound, neighbours(points_.size()), effort);
       if (!best || best->objective > kBentFront) break;
       points_.push_back({bound, *best});
@@ -52,8 +52,8 @@ class Front {
     }
   }
 
-  StretchFront take(int designs) && {
-    StretchFront front;
+  SegmentFront take(int designs) && {
+    SegmentFront front;
     front.table.name = "straight-line front";
     front.table.columns = {{"size_over_length", {}},
                            {"deviation_relative", {}},
@@ -65,10 +65,10 @@ class Front {
     const double step = std::max(1.0, count / designs);
     double next = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const FoundStretch& found = points_[i].found;
-      const double size = largest_dimension(found.stretch) / found.stretch.length;
+      const SegmentDesign& found = points_[i].found;
+      const double size = largest_dimension(found.segment) / found.segment.length;
       const double values[] = {size, found.objective, std::log10(std::max(found.objective, 1e-16)),
-                               1 / size, degrees(2 * found.stretch.reach)};
+                               1 / size, degrees(2 * found.segment.reach)};
       for (std::size_t k = 0; k < 5; ++k) front.table.columns[k].values.push_back(values[k]);
       if (double(i) + 0.5 < next) continue;
       front.points.push_back(found);
@@ -80,24 +80,24 @@ class Front {
  private:
   struct Point {
     double bound;
-    FoundStretch found;
+    SegmentDesign found;
   };
 
-  std::vector<LineStretch> neighbours(std::size_t i) const {
-    std::vector<LineStretch> known;
+  std::vector<LinkageSegment> neighbours(std::size_t i) const {
+    std::vector<LinkageSegment> known;
     for (const std::size_t k : {i - 1, i, i + 1}) {
-      if (k < points_.size()) known.push_back(points_[k].found.stretch);
+      if (k < points_.size()) known.push_back(points_[k].found.segment);
     }
     return known;
   }
 
-  std::optional<FoundStretch> solve(double bound, const std::vector<LineStretch>& known,
-                                    const StretchEffort& effort) {
+  std::optional<SegmentDesign> solve(double bound, const std::vector<LinkageSegment>& known,
+                                     const SegmentEffort& effort) {
     StraightLineProblem bounded = problem_;
-    bounded.stretch.size_over_length_max = bound;
+    bounded.segment.size_over_length_max = bound;
     Run quiet = run_;
     quiet.progress = {};
-    auto found = search_stretches(bounded, known, effort, quiet, deadline_, work_).found;
+    auto found = search_segments(bounded, known, effort, quiet, deadline_, work_).found;
     if (found.empty() || found.front().violation > kFeasible) return std::nullopt;
     return found.front();
   }
@@ -117,7 +117,7 @@ class Front {
 
 }  // namespace
 
-StretchFront stretch_front(const StraightLineProblem& problem, const Run& run,
+SegmentFront segment_front(const StraightLineProblem& problem, const Run& run,
                            const Deadline& deadline, Work& work) {
   Front front(problem, run, deadline, work);
   front.descend();

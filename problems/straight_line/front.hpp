@@ -7,16 +7,16 @@
 
 namespace cognate::problems {
 
-struct StretchFront {
-  std::vector<FoundStretch>
+struct SegmentFront {
+  std::vector<SegmentDesign>
       points;    ///< from the largest linkage to the smallest, `designs` at most
   Family table;  ///< all points: measures of each
 };
 
 /// The method of the ε-constraint: the largest dimension over the length is bounded and δ/L
-/// minimised, for bounds in equal ratios down from `size_limit` until stretches
+/// minimised, for bounds in equal ratios down from `size_limit` until segments
 /// are no longer straight; then each again from its neighbours. In the search's unit.
-StretchFront stretch_front(const StraightLineProblem& problem, const Run& run,
+SegmentFront segment_front(const StraightLineProblem& problem, const Run& run,
                            const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

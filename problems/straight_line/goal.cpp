@@ -8,17 +8,18 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/front.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/normalised.hpp"
 #include "problems/straight_line/search.hpp"
-#include "problems/straight_line/searched.hpp"
 
 namespace cognate::problems {
 namespace {
 
-/// The unit of the search, in which stretch and linkage are of the order of 1.
+/// The unit of the search, in which segment and linkage are of the order of 1.
 double unit_of(const StraightLineProblem& problem) {
   const Given& given = problem.given;
   const Bounds& bounds = problem.bounds;
@@ -52,10 +53,10 @@ StraightLineProblem prepared(StraightLineProblem problem) {
   return problem;
 }
 
-LineStretch in_file_unit(LineStretch stretch, double unit) {
-  stretch = enlarged(stretch, unit);
-  stretch.pivot_a = unit * stretch.pivot_a;
-  return stretch;
+LinkageSegment in_file_unit(LinkageSegment segment, double unit) {
+  segment = enlarged(segment, unit);
+  segment.pivot_a = unit * segment.pivot_a;
+  return segment;
 }
 
 void mark_cognates(std::vector<Design>& designs) {
@@ -72,11 +73,11 @@ void mark_cognates(std::vector<Design>& designs) {
 double merit(const StraightLineProblem& problem, const Design& design) {
   const auto [length, deviation, size] = measures_of(design);
   switch (objective_of(problem)) {
-    case StretchObjective::deviation:
+    case SegmentObjective::deviation:
       return deviation / length;
-    case StretchObjective::length:
+    case SegmentObjective::length:
       return -length;
-    case StretchObjective::size:
+    case SegmentObjective::size:
       return size;
   }
   return 0;
@@ -104,18 +105,18 @@ Status status_of(const Result& result, const Deadline& deadline) {
 void add_notes(const StraightLineProblem& problem, Result& result) {
   if (!has_scale(problem) && !problem.goal->length) {
     result.notes.emplace_back(
-        "The file fixes no length: linkages are drawn to a straight stretch of length 1.");
+        "The file fixes no length: linkages are drawn to a straight segment of length 1.");
   }
-  if (!problem.stretch.size_over_length_max && size_limit(problem) == kSizeOverLength) {
+  if (!problem.segment.size_over_length_max && size_limit(problem) == kSizeOverLength) {
     result.notes.push_back(
-        fmt::format("No link is more than {} times as long as the stretch, the coupler's point "
+        fmt::format("No link is more than {} times as long as the segment, the coupler's point "
                     "included, since larger linkages are always straighter; "
                     "constraints.size_over_length_max changes that.",
                     kSizeOverLength));
   }
   if (result.designs.empty()) {
     result.notes.emplace_back(
-        "No linkage with a stretch worth refining was found under these constraints.");
+        "No linkage with a segment worth refining was found under these constraints.");
   }
 }
 
@@ -128,19 +129,18 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   const StraightLineProblem scaled = in_unit(problem, unit);
   const bool front = wants_front(problem);
   Result result;
-  std::vector<FoundStretch> found;
+  std::vector<SegmentDesign> found;
   if (front) {
-    StretchFront along = stretch_front(scaled, run, deadline, result.work);
+    SegmentFront along = segment_front(scaled, run, deadline, result.work);
     found = std::move(along.points);
     result.families.push_back(std::move(along.table));
   } else {
-    StretchSearchResult search = search_stretches(scaled, {}, {}, run, deadline, result.work);
+    SegmentSearchResult search = search_segments(scaled, {}, {}, run, deadline, result.work);
     found = std::move(search.found);
-    result.facts = {{"starts", double(search.thoroughness.starts)},
-                    {"best_hits", double(search.thoroughness.best_hits)}};
+    result.quantities = quantities(search.statistics);
   }
-  for (FoundStretch& one : found) {
-    one.stretch = in_file_unit(one.stretch, unit);
+  for (SegmentDesign& one : found) {
+    one.segment = in_file_unit(one.segment, unit);
     result.designs.push_back(searched_design(problem, one));
   }
   sort(problem, result.designs);
@@ -148,6 +148,7 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   if (!front && result.designs.size() > wanted) result.designs.resize(wanted);
   mark_cognates(result.designs);
   add_notes(problem, result);
+  note_oddities(std::nullopt, result);
   result.status = status_of(result, deadline);
   result.work.skipped = {"accelerations", "forces"};
   result.work.threads = thread_count(run.threads);

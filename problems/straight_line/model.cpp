@@ -12,9 +12,9 @@
 namespace cognate::problems {
 namespace {
 
-/// Between these lengths of the stretch links are sought where nothing else limits them.
+/// Between these lengths of the segment links are sought where nothing else limits them.
 constexpr double kShortest = 1e-3, kFarthest = 1e3;
-/// How far, in lengths of the stretch, the point keeps from a slider's pin, which moves straight in
+/// How far, in lengths of the segment, the point keeps from a slider's pin, which moves straight in
 /// any case.
 constexpr double kPinDistance = 0.1;
 
@@ -43,7 +43,7 @@ std::optional<double> side(const std::optional<Vec2d>& point, double Vec2d::*axi
 /// The class that keeps the crank of a start turning where the transmission angle is limited, which
 /// is then that of the full turn.
 std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
-                                      const LineStretch& start) {
+                                      const LinkageSegment& start) {
   if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
   const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
   return confining_class(problem.constraints, {crank, coupler, rocker, frame});
@@ -56,11 +56,11 @@ Constraints with_class(Constraints constraints, std::optional<RequiredClass> req
 
 }  // namespace
 
-StretchObjective objective_of(const StraightLineProblem& problem) {
+SegmentObjective objective_of(const StraightLineProblem& problem) {
   const StraightLineGoal& goal = *problem.goal;
-  if (!goal.deviation && !goal.deviation_relative) return StretchObjective::deviation;
+  if (!goal.deviation && !goal.deviation_relative) return SegmentObjective::deviation;
   const bool scaled = has_scale(problem) && !goal.length;
-  return scaled ? StretchObjective::length : StretchObjective::size;
+  return scaled ? SegmentObjective::length : SegmentObjective::size;
 }
 
 bool wants_front(const StraightLineProblem& problem) {
@@ -69,12 +69,12 @@ bool wants_front(const StraightLineProblem& problem) {
 }
 
 double size_limit(const StraightLineProblem& problem) {
-  if (problem.stretch.size_over_length_max) return *problem.stretch.size_over_length_max;
+  if (problem.segment.size_over_length_max) return *problem.segment.size_over_length_max;
   if (wants_front(problem)) return kFrontSizeOverLength;
-  return objective_of(problem) == StretchObjective::size ? kFarthest : kSizeOverLength;
+  return objective_of(problem) == SegmentObjective::size ? kFarthest : kSizeOverLength;
 }
 
-std::vector<double> stretch_nodes(int cells) {
+std::vector<double> segment_nodes(int cells) {
   std::vector<double> nodes(static_cast<std::size_t>(cells) + 1);
   for (int k = 0; k <= cells; ++k) {
     nodes[static_cast<std::size_t>(k)] = -std::cos(kPi * k / cells);
@@ -84,10 +84,11 @@ std::vector<double> stretch_nodes(int cells) {
 
 /// What the rows are made of: the points, their distance from the line, their place along it.
 template <class T>
-struct StretchModel::Curve {
+struct SegmentModel::Curve {
   std::vector<CouplerPoint<T>> points;
   std::vector<T> heights, places, speeds;
   T reach{};
+  std::array<CouplerPoint<T>, 4> extremes;  ///< of the transmission angle, and both ends
 
   void reserve(std::size_t nodes) {
     points.reserve(nodes);
@@ -96,9 +97,9 @@ struct StretchModel::Curve {
 };
 
 /// Writes constraints one after the other, with their derivatives by the free variables.
-class StretchModel::Rows {
+class SegmentModel::Rows {
  public:
-  Rows(const StretchModel& model, std::span<double> c, std::span<double> jacobian)
+  Rows(const SegmentModel& model, std::span<double> c, std::span<double> jacobian)
       : c_(c), jacobian_(jacobian) {
     column_.fill(-1);
     for (std::size_t i = 0; i < model.free_.size(); ++i) {
@@ -143,7 +144,7 @@ class StretchModel::Rows {
   int row_ = 0;
 };
 
-StretchModel::StretchModel(const StraightLineProblem& problem, const LineStretch& start,
+SegmentModel::SegmentModel(const StraightLineProblem& problem, const LinkageSegment& start,
                            std::vector<double> nodes)
     : problem_(problem),
       objective_(objective_of(problem)),
@@ -154,7 +155,7 @@ StretchModel::StretchModel(const StraightLineProblem& problem, const LineStretch
       nodes_(std::move(nodes)),
       has_direction_(problem.goal->direction.has_value()) {
   list_links();
-  list_stretch(start);
+  list_segment(start);
   list_places();
   if (has_direction_) {
     const double off = start.frame_angle + start.line - *problem.goal->direction;
@@ -166,7 +167,7 @@ StretchModel::StretchModel(const StraightLineProblem& problem, const LineStretch
   constraint_count_ = rows.count();
 }
 
-void StretchModel::add_variable(Dimension dimension, std::optional<double> given, Range range,
+void SegmentModel::add_variable(Dimension dimension, std::optional<double> given, Range range,
                                 const char* name) {
   if (!given && range.min == range.max) given = range.min;
   if (given) {
@@ -177,7 +178,7 @@ void StretchModel::add_variable(Dimension dimension, std::optional<double> given
   variables_.push_back({name, range.min, range.max, 1});
 }
 
-void StretchModel::list_links() {
+void SegmentModel::list_links() {
   const auto& [given, bounds] = std::tie(problem_.given, problem_.bounds);
   const bool slides = type_ == MechanismType::slider_crank;
   const Range any{kShortest, kFarthest}, anywhere{-kFarthest, kFarthest};
@@ -196,8 +197,8 @@ void StretchModel::list_links() {
                intersect(anywhere, side(bounds.coupler_point, &Vec2d::y)), "coupler point v");
 }
 
-void StretchModel::list_stretch(const LineStretch& start) {
-  const auto& turn = problem_.stretch.crank_range;
+void SegmentModel::list_segment(const LinkageSegment& start) {
+  const auto& turn = problem_.segment.crank_range;
   const double most = type_ == MechanismType::four_bar ? kTurn / 2 : kTurn / 4;
   Range half{0.005, most};
   if (turn) half = {std::max(0.5 * turn->min, half.min), 0.5 * turn->max};
@@ -209,13 +210,13 @@ void StretchModel::list_stretch(const LineStretch& start) {
   const bool free = !goal.length && has_scale(problem_);
   add_variable(length, free ? std::nullopt : std::optional(goal.length.value_or(1.0)),
                {kShortest, kFarthest}, "length");
-  const bool sized = objective_ == StretchObjective::size;
+  const bool sized = objective_ == SegmentObjective::size;
   add_variable(size, sized ? std::nullopt : std::optional(0.0), {kShortest, 2 * kFarthest}, "size");
-  const bool timed = problem_.stretch.speed_variation_max.has_value();
-  add_variable(least_speed, timed ? std::nullopt : std::optional(0.0), {0.0, 1.0}, "least speed");
+  const bool timed = problem_.segment.speed_variation_max.has_value();
+  add_variable(least_speed, timed ? std::nullopt : std::optional(0.0), {0.0, 1.0}, "minimum speed");
 }
 
-void StretchModel::list_places() {
+void SegmentModel::list_places() {
   const auto& [given, bounds] = std::tie(problem_.given, problem_.bounds);
   const auto& region = problem_.constraints.pivot_region;
   const bool boxed = bounds.pivot_a || bounds.pivot_d || region;
@@ -234,22 +235,22 @@ void StretchModel::list_places() {
                "frame angle");
 }
 
-std::vector<double> StretchModel::variables_of(const LineStretch& stretch) const {
+std::vector<double> SegmentModel::variables_of(const LinkageSegment& segment) const {
   All all{};
-  const auto& [links, point] = stretch.dimensions;
+  const auto& [links, point] = segment.dimensions;
   std::ranges::copy(links, all.begin());
   all[point_u] = point.x;
   all[point_v] = point.y;
-  all[centre] = stretch.centre;
-  all[reach] = stretch.reach;
-  all[line] = stretch.line;
-  all[height] = stretch.height;
-  all[length] = stretch.length;
-  all[pivot_x] = stretch.pivot_a.x;
-  all[pivot_y] = stretch.pivot_a.y;
-  all[frame_angle] = stretch.frame_angle;
-  all[size] = largest_dimension(stretch);
-  all[least_speed] = 1 - 0.5 * problem_.stretch.speed_variation_max.value_or(0);
+  all[centre] = segment.centre;
+  all[reach] = segment.reach;
+  all[line] = segment.line;
+  all[height] = segment.height;
+  all[length] = segment.length;
+  all[pivot_x] = segment.pivot_a.x;
+  all[pivot_y] = segment.pivot_a.y;
+  all[frame_angle] = segment.frame_angle;
+  all[size] = largest_dimension(segment);
+  all[least_speed] = 1 - 0.5 * problem_.segment.speed_variation_max.value_or(0);
   std::vector<double> x;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     x.push_back(std::clamp(all[free_[i]], variables_[i].lower, variables_[i].upper));
@@ -257,15 +258,15 @@ std::vector<double> StretchModel::variables_of(const LineStretch& stretch) const
   return x;
 }
 
-StretchModel::All StretchModel::dimensions(std::span<const double> x) const {
+SegmentModel::All SegmentModel::dimensions(std::span<const double> x) const {
   All all = fixed_;
   for (std::size_t i = 0; i < free_.size(); ++i) all[free_[i]] = x[i];
   return all;
 }
 
-LineStretch StretchModel::stretch(std::span<const double> x) const {
+LinkageSegment SegmentModel::segment(std::span<const double> x) const {
   const All at = dimensions(x);
-  LineStretch found;
+  LinkageSegment found;
   found.type = type_;
   found.assembly = assembly_ > 0 ? Assembly::open : Assembly::crossed;
   found.dimensions = {{at[crank], at[coupler], at[rocker], at[frame]}, {at[point_u], at[point_v]}};
@@ -279,17 +280,17 @@ LineStretch StretchModel::stretch(std::span<const double> x) const {
   return found;
 }
 
-int StretchModel::residual_count() const {
-  return objective_ == StretchObjective::deviation ? static_cast<int>(nodes_.size()) : 1;
+int SegmentModel::residual_count() const {
+  return objective_ == SegmentObjective::deviation ? static_cast<int>(nodes_.size()) : 1;
 }
 
-synthesis::Objective StretchModel::objective() const {
-  return objective_ == StretchObjective::deviation ? synthesis::Objective::max_abs
+synthesis::Objective SegmentModel::objective() const {
+  return objective_ == SegmentObjective::deviation ? synthesis::Objective::max_abs
                                                    : synthesis::Objective::sum_of_squares;
 }
 
 template <class T>
-bool StretchModel::trace(const All& at, Curve<T>& curve) const {
+bool SegmentModel::trace(const All& at, Curve<T>& curve) const {
   std::array<T, kMoving> z;
   for (int d = 0; d < kMoving; ++d) {
     if constexpr (std::is_same_v<T, double>) {
@@ -315,24 +316,33 @@ bool StretchModel::trace(const All& at, Curve<T>& curve) const {
     curve.places.push_back(dot(along, point.at));
     curve.speeds.push_back(dot(along, point.rate));
   }
+  const double first = type_ == MechanismType::four_bar ? 0 : kPi / 2;
+  const auto extreme = [&](double angle) {
+    // The direction that lies in the segment, or the end that is nearer to it.
+    const double off = std::remainder(angle - value(z[centre]), kTurn);
+    if (std::abs(off) < value(z[reach])) return motion.at(T(value(z[centre]) + off));
+    return off > 0 ? curve.points.back() : curve.points.front();
+  };
+  curve.extremes = {curve.points.front(), curve.points.back(), extreme(first),
+                    extreme(first + kPi)};
   return true;
 }
 
-bool StretchModel::residuals(std::span<const double> x, std::span<double> r,
+bool SegmentModel::residuals(std::span<const double> x, std::span<double> r,
                              std::span<double> jacobian, std::span<double> /*local*/) const {
   const All at = dimensions(x);
   const double unit = 1 / at[length];
   const auto residuals_of = [&]<class T>(const Curve<T>& curve, Rows& rows) {
     switch (objective_) {
-      case StretchObjective::deviation:
+      case SegmentObjective::deviation:
         for (const T& h : curve.heights) {
           rows.add(unit * h, {{length, -value(h) * unit * unit}});
         }
         break;
-      case StretchObjective::length:
+      case SegmentObjective::length:
         rows.add(unit, {{length, -unit * unit}});
         break;
-      case StretchObjective::size:
+      case SegmentObjective::size:
         rows.add(at[size] * unit, {{size, unit}, {length, -at[size] * unit * unit}});
         break;
     }
@@ -350,7 +360,7 @@ bool StretchModel::residuals(std::span<const double> x, std::span<double> r,
   return true;
 }
 
-void StretchModel::constraints(std::span<const double> x, std::span<double> c,
+void SegmentModel::constraints(std::span<const double> x, std::span<double> c,
                                std::span<double> jacobian) const {
   Rows rows(*this, c, jacobian);
   if (jacobian.empty()) {
@@ -362,7 +372,7 @@ void StretchModel::constraints(std::span<const double> x, std::span<double> c,
 }
 
 template <class T>
-void StretchModel::add_rows(const All& at, Rows& rows) const {
+void SegmentModel::add_rows(const All& at, Rows& rows) const {
   Curve<T> curve;
   if (!trace(at, curve)) return;
   const double unit = 1 / at[length];
@@ -372,17 +382,17 @@ void StretchModel::add_rows(const All& at, Rows& rows) const {
     rows.add(at[frame_angle] + at[line] - *problem_.goal->direction - half_turns_,
              {{frame_angle, 1}, {line, 1}});
   }
-  if (objective_ != StretchObjective::deviation) add_band(curve, at, rows);
+  if (objective_ != SegmentObjective::deviation) add_band(curve, at, rows);
   add_sizes(at, rows);
   add_links(at, rows);
   add_transmission(curve, rows);
-  if (problem_.stretch.speed_variation_max) add_speeds(curve, at, rows);
+  if (problem_.segment.speed_variation_max) add_speeds(curve, at, rows);
   add_pivot(at, rows);
 }
 
 /// |h| ≤ δ, over the length where δ is relative.
 template <class T>
-void StretchModel::add_band(const Curve<T>& curve, const All& at, Rows& rows) const {
+void SegmentModel::add_band(const Curve<T>& curve, const All& at, Rows& rows) const {
   const StraightLineGoal& goal = *problem_.goal;
   const double relative = goal.deviation_relative.value_or(0);
   const double scale = goal.deviation ? 1 / *goal.deviation : 1 / (relative * at[length]);
@@ -394,8 +404,8 @@ void StretchModel::add_band(const Curve<T>& curve, const All& at, Rows& rows) co
 }
 
 /// The largest dimension, by the unknown `size` or by the length.
-void StretchModel::add_sizes(const All& at, Rows& rows) const {
-  const bool sized = objective_ == StretchObjective::size;
+void SegmentModel::add_sizes(const All& at, Rows& rows) const {
+  const bool sized = objective_ == SegmentObjective::size;
   const double most = size_limit(problem_);
   if (sized && most < kFarthest) {
     rows.add(most * at[length] - at[size], {{length, most}, {size, -1.0}});
@@ -422,7 +432,7 @@ void StretchModel::add_sizes(const All& at, Rows& rows) const {
   }
 }
 
-void StretchModel::add_links(const All& at, Rows& rows) const {
+void SegmentModel::add_links(const All& at, Rows& rows) const {
   if (type_ == MechanismType::slider_crank) {
     if (const auto& ratio = problem_.constraints.link_ratio_max) {
       rows.add(*ratio * at[crank] - at[coupler], {{crank, *ratio}, {coupler, -1.0}});
@@ -448,31 +458,30 @@ void StretchModel::add_links(const All& at, Rows& rows) const {
   }
 }
 
-/// Over the stretch: the limits of the file where they are not those of the full turn, and a margin
-/// from dead points.
+/// Over the segment: the limits of the file where they are not those of the full turn, and a margin
+/// from dead points. cos μ is extreme at both ends and, of a four-bar, where the crank lies in the
+/// frame's line; of a slider-crank where it stands across the slide line.
 template <class T>
-void StretchModel::add_transmission(const Curve<T>& curve, Rows& rows) const {
+void SegmentModel::add_transmission(const Curve<T>& curve, Rows& rows) const {
   Range limits{kDeadPointMargin, kPi - kDeadPointMargin};
   const auto& asked = problem_.constraints.transmission_angle;
   if (asked && !link_limits_.limits_transmission()) {
     limits = {std::max(limits.min, asked->min), std::min(limits.max, asked->max)};
   }
   const double least = std::cos(limits.max), most = std::cos(limits.min);
-  const std::size_t step = std::max<std::size_t>(1, (curve.points.size() - 1) / 8);
   const auto add = [&](const CouplerPoint<T>& point) {
     rows.add(T(most) - point.transmission_cosine);
     rows.add(point.transmission_cosine - T(least));
   };
-  for (std::size_t k = 0; k + 1 < curve.points.size(); k += step) add(curve.points[k]);
-  add(curve.points.back());
+  for (const CouplerPoint<T>& point : curve.extremes) add(point);
 }
 
 /// Speeds along the line over their mean, between `least_speed` and that and the variation.
 template <class T>
-void StretchModel::add_speeds(const Curve<T>& curve, const All& at, Rows& rows) const {
+void SegmentModel::add_speeds(const Curve<T>& curve, const All& at, Rows& rows) const {
   // The highest speed may lie between two nodes.
   constexpr double kMargin = 1e-3;
-  const double variation = (1 - kMargin) * *problem_.stretch.speed_variation_max;
+  const double variation = (1 - kMargin) * *problem_.segment.speed_variation_max;
   const double unit = 2 / at[length];
   for (const T& speed : curve.speeds) {
     const T share = unit * curve.reach * speed;
@@ -483,7 +492,7 @@ void StretchModel::add_speeds(const Curve<T>& curve, const All& at, Rows& rows) 
 }
 
 /// Where the other pivot of a four-bar may be.
-void StretchModel::add_pivot(const All& at, Rows& rows) const {
+void SegmentModel::add_pivot(const All& at, Rows& rows) const {
   if (type_ == MechanismType::slider_crank) return;
   const double c = std::cos(at[frame_angle]), s = std::sin(at[frame_angle]);
   const double l = at[frame];

@@ -1,5 +1,5 @@
-/// @file The straight stretch as a nonlinear program: Chebyshev's approximation of a line by a
-/// coupler curve, with the ends of the stretch among the unknowns.
+/// @file The straight segment as a nonlinear program: Chebyshev's approximation of a line by a
+/// coupler curve, with the ends of the segment among the unknowns.
 #pragma once
 
 #include <array>
@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "problems/linkage/linkage_constraints.hpp"
-#include "problems/straight_line/stretch.hpp"
+#include "problems/straight_line/segment.hpp"
 #include "synthesis/optimise/model.hpp"
 
 namespace cognate::problems {
 
 /// What is to be best.
-enum class StretchObjective {
+enum class SegmentObjective {
   deviation,  ///< least δ/L
   length,     ///< greatest L, δ limited
   size        ///< least size over L, δ limited
 };
 
 /// By what `problem.goal` demands; `deviation` where it demands nothing, as along a front.
-StretchObjective objective_of(const StraightLineProblem& problem);
+SegmentObjective objective_of(const StraightLineProblem& problem);
 
 /// Largest dimension over length where the file says nothing and more would always be better.
 inline constexpr double kSizeOverLength = 2;
@@ -38,20 +38,20 @@ double size_limit(const StraightLineProblem& problem);
 /// No closer than this to a dead point, where a linkage jams and its path has no tangent.
 inline constexpr double kDeadPointMargin = 0.0175;  // 1°
 
-/// Distances h of the curve's points from a line across it, at nodes over the stretch, and the
+/// Distances h of the curve's points from a line across it, at nodes over the segment, and the
 /// limits. Least max |h|/L over the nodes for `deviation`; |h| ≤ δ at the nodes for the others. The
 /// length is that between the feet of the ends. All derivatives are exact, by dual numbers.
 ///
 /// Without a scale in the file (`has_scale`) the length is 1.
-class StretchModel final : public synthesis::Model {
+class SegmentModel final : public synthesis::Model {
  public:
   /// Takes from `start` its type, assembly and class, and the half turns of its line. `nodes`:
-  /// places along the stretch from −1 to 1, both among them.
-  StretchModel(const StraightLineProblem& problem, const LineStretch& start,
+  /// places along the segment from −1 to 1, both among them.
+  SegmentModel(const StraightLineProblem& problem, const LinkageSegment& start,
                std::vector<double> nodes);
 
-  std::vector<double> variables_of(const LineStretch& stretch) const;
-  LineStretch stretch(std::span<const double> x) const;
+  std::vector<double> variables_of(const LinkageSegment& segment) const;
+  LinkageSegment segment(std::span<const double> x) const;
 
   std::span<const synthesis::Variable> variables() const override { return variables_; }
   int residual_count() const override;
@@ -92,7 +92,7 @@ class StretchModel final : public synthesis::Model {
   void add_variable(Dimension dimension, std::optional<double> given, Range range,
                     const char* name);
   void list_links();
-  void list_stretch(const LineStretch& start);
+  void list_segment(const LinkageSegment& start);
   void list_places();
   All dimensions(std::span<const double> x) const;
   template <class T>
@@ -110,7 +110,7 @@ class StretchModel final : public synthesis::Model {
   void add_pivot(const All& at, Rows& rows) const;
 
   StraightLineProblem problem_;
-  StretchObjective objective_;
+  SegmentObjective objective_;
   MechanismType type_;
   double assembly_;
   std::optional<RequiredClass> class_;
@@ -125,6 +125,6 @@ class StretchModel final : public synthesis::Model {
 };
 
 /// Chebyshev's places, crowded to the ends, `cells` + 1 of them.
-std::vector<double> stretch_nodes(int cells);
+std::vector<double> segment_nodes(int cells);
 
 }  // namespace cognate::problems

@@ -5,14 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
+#include "problems/basics/kind.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
 namespace cognate::problems {
 
-/// `mechanism.cranks`: how crank and rocker stand in the position where the line is wanted.
+/// `mechanism.cranks`: how crank and rocker stand in the position where the line is requested.
 enum class CrankArrangement { any, parallel, symmetric };
 
 /// The names of CrankArrangement and CrankSides in files, in the order of their declaration.
@@ -28,15 +31,15 @@ struct SliderGuide {
 /// What `[target]` demands where it names no method: a search over all linkages. The measures are
 /// those of analysis/coupler_curve/straightness.hpp.
 struct StraightLineGoal {
-  std::optional<double> length;              ///< of the stretch
+  std::optional<double> length;              ///< of the segment
   std::optional<double> deviation;           ///< greatest, half the strip's width
   std::optional<double> deviation_relative;  ///< greatest, over the length
   std::optional<double> direction;           ///< of the line, either way along it
 };
 
-/// `[constraints]` that a stretch has beside those of linkages.
-struct StretchConstraints {
-  std::optional<Range> crank_range;  ///< the crank's turn over the stretch
+/// `[constraints]` that a segment has beside those of linkages.
+struct SegmentConstraints {
+  std::optional<Range> crank_range;  ///< the crank's turn over the segment
   /// Largest dimension of a link (the coupler's with its point) over the length; empty: 2 where
   /// deviation or length would gain by size without end.
   std::optional<double> size_over_length_max;
@@ -52,7 +55,7 @@ struct StraightLineProblem {
   std::optional<StraightLineGoal> goal;          ///< empty with method = "exact"
   MechanismType type = MechanismType::four_bar;  ///< of the linkage that is searched
   std::optional<double> slider_offset;
-  StretchConstraints stretch;
+  SegmentConstraints segment;
   Bounds bounds;    ///< of a search
   int contact = 4;  ///< 3, 4 or 5
   CrankArrangement cranks = CrankArrangement::any;
@@ -69,11 +72,25 @@ struct StraightLineProblem {
   Solve solve;  ///< `designs` is 100 where the file says nothing
 };
 
+template <>
+struct KindTraits<StraightLineProblem> {
+  static constexpr std::string_view kWord = "straight-line";
+  static StraightLineProblem read(reading::TableReader& document,
+                                  const std::filesystem::path& folder);
+  static tl::expected<StraightLineProblem, std::vector<std::string>> checked(
+      const StraightLineProblem& problem);
+};
+
 struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads.
+/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// no design, its faults as notes and Status::invalid.
 Result solve(const StraightLineProblem& problem, const Run& run);
+
+/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
+/// valid.
+std::vector<std::string> validate(const StraightLineProblem& problem);
 
 }  // namespace cognate::problems

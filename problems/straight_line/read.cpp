@@ -1,5 +1,3 @@
-#include "problems/straight_line/read.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -8,7 +6,9 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
+#include "problems/straight_line/problem.hpp"
 #include "problems/straight_line/read_search.hpp"
+#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -25,15 +25,15 @@ bool read_method(TableReader& target) {
   for (const std::string_view key : kGoalKeys) {
     if (!target.has(key)) continue;
     target.fault(key,
-                 "is given with method = \"exact\", which knows curvature alone; leave it out, or "
-                 "leave out method for a search");
+                 "is given with method = \"exact\", which knows curvature alone; remove it, or "
+                 "remove method for a search");
   }
   return true;
 }
 
 /// A key that belongs to other arrangements.
 void refuse(TableReader& mechanism, std::string_view key, std::string_view why) {
-  if (mechanism.has(key)) mechanism.fault(key, fmt::format("{}; leave it out", why));
+  if (mechanism.has(key)) mechanism.fault(key, fmt::format("{}; remove it", why));
 }
 
 void read_angle(TableReader& mechanism, std::string_view key, double& angle) {
@@ -49,7 +49,7 @@ void read_position(TableReader& mechanism, StraightLineProblem& problem) {
 void require(TableReader& mechanism, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
     if (mechanism.has(key)) continue;
-    mechanism.fault(key, fmt::format("is missing; {} is wanted", kLength.allowed));
+    mechanism.fault(key, fmt::format("is missing; expected {}", kLength.allowed));
   }
 }
 
@@ -70,12 +70,12 @@ void check_missing(TableReader& mechanism, const std::vector<std::string_view>& 
   if (missing.size() > 1) {
     for (const std::string_view key : missing) {
       mechanism.fault(key,
-                      "is missing; all lengths are wanted, or all but one, which is then chosen "
+                      "is missing; expected all lengths, or all but one, which is then chosen "
                       "for contact = 5");
     }
   } else if (missing.size() == 1 && problem.contact < 5) {
     mechanism.fault(missing.front(),
-                    "is missing; only for contact = 5 is a length chosen, all are wanted");
+                    "is missing; expected only for contact = 5 is a length chosen, all");
   }
 }
 
@@ -87,8 +87,8 @@ void read_any_cranks(TableReader& mechanism, StraightLineProblem& problem) {
   if (mechanism.has(kCrankAngle)) return;
   if (problem.contact < 5) {
     mechanism.fault(kCrankAngle,
-                    "is missing; contact of three or four points exists in every position, one is "
-                    "wanted (contact = 5 chooses it)");
+                    "is missing; expected contact of three or four points exists in every "
+                    "position, one (contact = 5 chooses it)");
   } else if (missing.size() == 1) {
     mechanism.fault(kCrankAngle,
                     "is missing beside a length; give one of them, the other is found");
@@ -102,21 +102,21 @@ void read_symmetric_cranks(TableReader& mechanism, StraightLineProblem& problem)
   }
   check_missing(mechanism, missing, problem);
   refuse(mechanism, "rocker",
-         "is given, but symmetric cranks are of one length, that of crank; leave it out");
+         "is given, but symmetric cranks are of one length, that of crank; remove it");
   refuse(mechanism, kCrankAngle,
-         "is given, but the symmetric position follows from the lengths; leave it out");
+         "is given, but the symmetric position follows from the lengths; remove it");
 }
 
 void read_parallel_cranks(TableReader& mechanism, StraightLineProblem& problem) {
   require(mechanism, {"crank", "coupler", "rocker"});
   refuse(mechanism, "frame",
-         "is given, but that of parallel cranks follows from their position; leave it out");
+         "is given, but that of parallel cranks follows from their position; remove it");
   refuse(mechanism, "assembly",
-         "is given, but that of parallel cranks follows from sides; leave it out");
+         "is given, but that of parallel cranks follows from sides; remove it");
   const auto sides = mechanism.choice_of("sides", kCrankSides);
   if (!mechanism.has("sides")) {
     mechanism.fault("sides",
-                    "is missing; \"same\" or \"opposite\" is wanted, the sides to which "
+                    "is missing; expected \"same\" or \"opposite\", the sides to which "
                     "the cranks point");
   }
   problem.sides = static_cast<CrankSides>(sides.value_or(0));
@@ -131,7 +131,7 @@ void read_four_bar(TableReader& mechanism, StraightLineProblem& problem) {
   if (problem.cranks == CrankArrangement::any) read_any_cranks(mechanism, problem);
   if (problem.cranks == CrankArrangement::symmetric) read_symmetric_cranks(mechanism, problem);
   if (problem.cranks == CrankArrangement::parallel) read_parallel_cranks(mechanism, problem);
-  refuse(mechanism, "coupler_point", "is given, but it is what is sought; leave it out");
+  refuse(mechanism, "coupler_point", "is given, but it is what is sought; remove it");
   problem.given.coupler_point.reset();
   check_given(mechanism, problem.given, {});
 }
@@ -149,13 +149,19 @@ void read_slider_crank(TableReader& mechanism, StraightLineProblem& problem) {
   read_position(mechanism, problem);
   if (!mechanism.has(kCrankAngle) && problem.contact == 3) {
     mechanism.fault(kCrankAngle,
-                    "is missing; contact of three points exists in every position, one is wanted");
+                    "is missing; expected contact of three points exists in every position, one");
   }
 }
 
 }  // namespace
 
-StraightLineProblem read_straight_line_problem(TableReader& document) {
+}  // namespace cognate::problems::reading
+
+namespace cognate::problems {
+
+StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& document,
+                                                          const std::filesystem::path& /*folder*/) {
+  using namespace reading;
   StraightLineProblem problem;
   TableReader target = document.table("target");
   if (!read_method(target)) return read_straight_line_search(document);
@@ -180,4 +186,4 @@ StraightLineProblem read_straight_line_problem(TableReader& document) {
   return problem;
 }
 
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems

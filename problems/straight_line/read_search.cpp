@@ -9,7 +9,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
-#include "problems/straight_line/stretch.hpp"
+#include "problems/straight_line/segment.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -42,13 +42,12 @@ StraightLineGoal read_goal(TableReader& target) {
   const auto direction = target.number("direction_deg", kAngle);
   if (direction) goal.direction = radians(*direction);
   if (goal.length && goal.deviation && *goal.deviation > 0.1 * *goal.length) {
-    target.fault("deviation",
-                 fmt::format("is {}, more than a tenth of the length {}; a smaller one "
-                             "is wanted, such a stretch is no line",
-                             *goal.deviation, *goal.length));
+    target.fault("deviation", fmt::format("is {}, more than a tenth of the length {}; expected a "
+                                          "smaller one, such a segment is no line",
+                                          *goal.deviation, *goal.length));
   }
   if (target.has("contact")) {
-    target.fault("contact", "is of method = \"exact\"; add that or leave it out");
+    target.fault("contact", "is of method = \"exact\"; add that or remove it");
   }
   return goal;
 }
@@ -75,21 +74,21 @@ void read_slider_crank(TableReader& mechanism, TableReader& bounds, StraightLine
   problem.bounds.coupler_point = bounds.box("coupler_point");
   for (const std::string_view key : {"rocker", "frame"}) {
     if (!bounds.has(key)) continue;
-    bounds.fault(key, "limits a link that a slider-crank does not have; leave it out");
+    bounds.fault(key, "limits a link that a slider-crank does not have; remove it");
   }
   check_given(mechanism, given, problem.bounds);
 }
 
-StretchConstraints read_stretch(TableReader& constraints, bool constant_velocity) {
-  StretchConstraints stretch;
+SegmentConstraints read_segment_keys(TableReader& constraints, bool constant_velocity) {
+  SegmentConstraints segment;
   const auto range = constraints.range("crank_range_deg", kCrankRange);
-  if (range) stretch.crank_range = Range{radians(range->min), radians(range->max)};
-  stretch.size_over_length_max = constraints.number("size_over_length_max", kSizeOverLength);
-  stretch.speed_variation_max = constraints.number("speed_variation_max", kVariation);
-  if (constant_velocity && !stretch.speed_variation_max) {
-    stretch.speed_variation_max = kSpeedVariation;
+  if (range) segment.crank_range = Range{radians(range->min), radians(range->max)};
+  segment.size_over_length_max = constraints.number("size_over_length_max", kSizeOverLength);
+  segment.speed_variation_max = constraints.number("speed_variation_max", kVariation);
+  if (constant_velocity && !segment.speed_variation_max) {
+    segment.speed_variation_max = kSpeedVariation;
   }
-  return stretch;
+  return segment;
 }
 
 /// Whether the lengths given and bounded leave linkages of that ratio.
@@ -103,13 +102,13 @@ bool allows_usual_ratio(const StraightLineProblem& problem) {
   return longest <= kLinkRatio * shortest;
 }
 
-/// Without a scale a linkage twice as large has twice the stretch with twice the deviation.
+/// Without a scale a linkage twice as large has twice the segment with twice the deviation.
 void check_scale(TableReader& target, const StraightLineProblem& problem) {
   const StraightLineGoal& goal = *problem.goal;
   if (!goal.deviation || goal.length || has_scale(problem)) return;
   target.fault(
       "deviation",
-      "is a length, and nothing in the file fixes the linkage's size, so that no stretch is "
+      "is a length, and nothing in the file fixes the linkage's size, so that no segment is "
       "the longest; add length, a bound or a dimension, or give deviation_relative");
 }
 
@@ -140,7 +139,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
     problem.constraints.link_ratio_max = kLinkRatio;
   }
   if (!slides) read_pivot_region(constraints, problem.given, problem.constraints);
-  problem.stretch = read_stretch(constraints, constant_velocity);
+  problem.segment = read_segment_keys(constraints, constant_velocity);
   check_scale(target, problem);
   problem.solve = read_solve(solve, problem.constraints, false);
   const StraightLineGoal& goal = *problem.goal;

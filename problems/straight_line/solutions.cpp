@@ -39,9 +39,9 @@ std::string_view reason(NoStraightPoint why, int contact) {
     case NoStraightPoint::too_few:
       return contact == 5
                  ? "Ball's point of this position has contact of four points, not of five; "
-                   "leave out crank_deg or a length, and it is chosen for that"
-                 : "the inflection circle's points have less than the contact asked for, "
-                   "as far as rounding lets it be told";
+                   "remove crank_deg or a length, and it is chosen for that"
+                 : "the inflection circle's points have less than the contact requested, "
+                   "as far as rounding allows";
     case NoStraightPoint::misses_coupler_line:
       return "the inflection circle does not meet the coupler line";
     case NoStraightPoint::none:

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/design.hpp"
@@ -43,8 +46,7 @@ Locus inflection_locus(const synthesis::FamilyMember& member) {
     constexpr int kPoints = 180;
     for (int k = 0; k <= kPoints; ++k) {
       const double angle = kTurn * k / kPoints;
-      points.push_back(pin + circle->centre +
-                       circle->radius * Vec2d{std::cos(angle), std::sin(angle)});
+      points.push_back(pin + circle->centre + circle->radius * unit_vector(angle));
     }
     return {"inflection circle", {std::move(points)}};
   }
@@ -65,7 +67,10 @@ Status status_of(const Result& result, const Deadline& deadline, bool ended_earl
 
 }  // namespace
 
-Result solve(const StraightLineProblem& problem, const Run& run) {
+Result solve(const StraightLineProblem& given, const Run& run) {
+  const auto valid = KindTraits<StraightLineProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const StraightLineProblem& problem = *valid;
   if (problem.goal) return search_straight_lines(problem, run);
   const Deadline deadline(run);
   Result result;
@@ -78,9 +83,10 @@ Result solve(const StraightLineProblem& problem, const Run& run) {
     result.designs.push_back(straight_line_design(problem, solution));
   }
   sort(result.designs);
-  result.facts.push_back({"solutions", double(found.all.size())});
+  result.quantities.push_back({"solutions", double(found.all.size())});
   const auto wanted = static_cast<std::size_t>(problem.solve.designs);
   if (result.designs.size() > wanted) result.designs.resize(wanted);
+  note_oddities(std::nullopt, result);
   if (found.position) {
     Locus locus = inflection_locus(*found.position);
     if (!locus.branches.empty()) result.loci.push_back(std::move(locus));

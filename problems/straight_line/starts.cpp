@@ -18,22 +18,22 @@ namespace cognate::problems {
 namespace {
 
 constexpr int kSamples = 120;
-/// Fewer steps say nothing of how straight a stretch is: two samples are always in line.
+/// Fewer steps say nothing of how straight a segment is: two samples are always in line.
 constexpr std::size_t kLeastCells = 4;
 /// Stretches less straight than this, over their length, are not worth refining.
 constexpr double kWorthRefining = 0.03;
-/// How much less straight than asked for a start may be, and how bent it may be in any case: what
+/// How much less straight than requested a start may be, and how bent it may be in any case: what
 /// refinement makes of it is a hundred times as straight.
 constexpr double kLoose = 6, kBent = 0.01;
 
 /// Kronecker's sequence by the powers of the root of x^(d+1) = x + 1, which fills a cube of d
 /// dimensions evenly from any index on (Roberts 2018, "The unreasonable effectiveness of
 /// quasirandom sequences"), moved by a vector that the seed gives.
-class Even {
+class KroneckerPoints {
  public:
   static constexpr int kDimensions = 8;
 
-  Even(std::uint64_t seed, std::uint64_t index) {
+  KroneckerPoints(std::uint64_t seed, std::uint64_t index) {
     constexpr double kRoot = 1.0850702454914508;  // x^9 = x + 1
     double step = 1;
     for (std::uint64_t dimension = 0; double& x : x_) {
@@ -52,32 +52,32 @@ class Even {
   int at_ = 0;
 };
 
-std::array<double, 4> random_links(Even& even) {
+std::array<double, 4> random_links(KroneckerPoints& points) {
   std::array<double, 4> links;
-  for (double& link : links) link = even.logarithmic(0.12, 1);
+  for (double& link : links) link = points.logarithmic(0.12, 1);
   return links;
 }
 
-Lengths<double> lengths_of(const LineStretch& drawn) {
+Lengths<double> lengths_of(const LinkageSegment& drawn) {
   const auto& [crank, coupler, rocker, frame] = drawn.dimensions.links;
   return {crank, coupler, rocker, frame};
 }
 
 /// Ball's point at a random position of a random linkage.
-bool draw_ball_point(Even& even, LineStretch& drawn) {
-  drawn.dimensions.links = random_links(even);
+bool draw_ball_point(KroneckerPoints& points, LinkageSegment& drawn) {
+  drawn.dimensions.links = random_links(points);
   const auto& [crank, coupler, rocker, frame] = drawn.dimensions.links;
   const FourBar linkage{{0, 0}, {frame, 0}, crank, coupler, rocker, drawn.assembly, {}};
-  const auto found = synthesis::straight_points(linkage, even.between(0, kTurn), 4);
+  const auto found = synthesis::straight_points(linkage, points.between(0, kTurn), 4);
   if (found.points.empty()) return false;
   drawn.dimensions.point = found.points.front().coupler_point;
   return true;
 }
 
-bool draw_parallel_cranks(Even& even, LineStretch& drawn) {
-  const ParallelCranks cranks{even.logarithmic(0.12, 1), even.logarithmic(0.12, 1),
-                              even.logarithmic(0.12, 1), 0,
-                              even.next() < 0.5 ? CrankSides::same : CrankSides::opposite};
+bool draw_parallel_cranks(KroneckerPoints& points, LinkageSegment& drawn) {
+  const ParallelCranks cranks{points.logarithmic(0.12, 1), points.logarithmic(0.12, 1),
+                              points.logarithmic(0.12, 1), 0,
+                              points.next() < 0.5 ? CrankSides::same : CrankSides::opposite};
   const auto linkage = four_bar(cranks);
   const auto point = five_point_contact(cranks);
   if (!linkage || !point) return false;
@@ -87,68 +87,68 @@ bool draw_parallel_cranks(Even& even, LineStretch& drawn) {
   return true;
 }
 
-/// Shapes, their size of no account.
-bool draw_four_bar(Even& even, StretchFamily family, LineStretch& drawn) {
+/// Shapes, their size ignored.
+bool draw_four_bar(KroneckerPoints& points, SegmentFamily family, LinkageSegment& drawn) {
   auto& [links, point] = drawn.dimensions;
-  links = random_links(even);
+  links = random_links(points);
   switch (family) {
-    case StretchFamily::symmetric_curve: {
+    case SegmentFamily::symmetric_curve: {
       links[2] = links[1];
-      const double angle = even.between(-kPi, kPi);
+      const double angle = points.between(-kPi, kPi);
       point = links[1] * (Vec2d{1, 0} + unit_vector(angle * angle * angle / (kPi * kPi)));
       return true;
     }
-    case StretchFamily::equal_cranks:
+    case SegmentFamily::equal_cranks:
       links[2] = links[0];
-      point = {0.5 * links[1], even.between(-1.2, 1.2)};
-      if (even.next() < 0.25) point.y = 0;
+      point = {0.5 * links[1], points.between(-1.2, 1.2)};
+      if (points.next() < 0.25) point.y = 0;
       return true;
-    case StretchFamily::on_coupler_line:
-      point = {even.between(-1.5, 1.5), 0};
+    case SegmentFamily::on_coupler_line:
+      point = {points.between(-1.5, 1.5), 0};
       return true;
-    case StretchFamily::ball_point:
-      return draw_ball_point(even, drawn);
-    case StretchFamily::parallel_cranks:
-      return draw_parallel_cranks(even, drawn);
+    case SegmentFamily::ball_point:
+      return draw_ball_point(points, drawn);
+    case SegmentFamily::parallel_cranks:
+      return draw_parallel_cranks(points, drawn);
     default:
-      point = {even.between(-1.2, 1.2), even.between(-1.2, 1.2)};
+      point = {points.between(-1.2, 1.2), points.between(-1.2, 1.2)};
       return true;
   }
 }
 
-void draw_slider_crank(Even& even, StretchFamily family, LineStretch& drawn) {
+void draw_slider_crank(KroneckerPoints& points, SegmentFamily family, LinkageSegment& drawn) {
   auto& [links, point] = drawn.dimensions;
-  links = {even.logarithmic(0.12, 1), even.logarithmic(0.12, 1), even.between(-0.7, 0.7), 1};
-  point = {even.between(-1.2, 1.2), even.between(-1.2, 1.2)};
-  if (family == StretchFamily::isosceles_slider) {
+  links = {points.logarithmic(0.12, 1), points.logarithmic(0.12, 1), points.between(-0.7, 0.7), 1};
+  point = {points.between(-1.2, 1.2), points.between(-1.2, 1.2)};
+  if (family == SegmentFamily::isosceles_slider) {
     links[1] = links[0];
     links[2] *= 0.2;
     point = {-links[0], 0.3 * point.y};
-  } else if (family == StretchFamily::on_coupler_line) {
+  } else if (family == SegmentFamily::on_coupler_line) {
     point.y = 0;
   }
 }
 
-std::vector<StretchFamily> families(MechanismType type) {
-  using enum StretchFamily;
+std::vector<SegmentFamily> families(MechanismType type) {
+  using enum SegmentFamily;
   if (type == MechanismType::slider_crank) return {any, on_coupler_line, isosceles_slider};
   return {any, symmetric_curve, equal_cranks, on_coupler_line, ball_point, parallel_cranks};
 }
 
 }  // namespace
 
-std::string_view name(StretchFamily family) {
-  constexpr std::array<std::string_view, static_cast<std::size_t>(StretchFamily::count)> kNames{
+std::string_view name(SegmentFamily family) {
+  constexpr std::array<std::string_view, static_cast<std::size_t>(SegmentFamily::count)> kNames{
       "any",        "symmetric-curve", "equal-cranks",    "coupler-line",
       "ball-point", "parallel-cranks", "isosceles-slider"};
   return kNames.at(static_cast<std::size_t>(family));
 }
 
-StretchStarts::StretchStarts(const StraightLineProblem& problem) : problem_(problem) {}
+SegmentStarts::SegmentStarts(const StraightLineProblem& problem) : problem_(problem) {}
 
 /// Enlarges what was drawn to the lengths given, takes these, and brings the others within their
 /// bounds. Without any the size is left.
-void StretchStarts::bring_to_scale(LineStretch& drawn) const {
+void SegmentStarts::bring_to_scale(LinkageSegment& drawn) const {
   if (!has_scale(problem_)) return;
   const Given& given = problem_.given;
   const Bounds& bounds = problem_.bounds;
@@ -183,7 +183,7 @@ void StretchStarts::bring_to_scale(LineStretch& drawn) const {
   if (given.coupler_point) point = *given.coupler_point;
 }
 
-bool StretchStarts::accept(LineStretch& drawn) const {
+bool SegmentStarts::accept(LinkageSegment& drawn) const {
   bring_to_scale(drawn);
   if (drawn.type == MechanismType::slider_crank) return true;
   const Lengths<double> links = lengths_of(drawn);
@@ -196,7 +196,7 @@ bool StretchStarts::accept(LineStretch& drawn) const {
 }
 
 /// The curve in one range of the crank; false where there is none.
-bool StretchStarts::sample(const LineStretch& drawn, bool second_range) {
+bool SegmentStarts::sample(const LinkageSegment& drawn, bool second_range) {
   const CouplerMotion<double> motion(drawn.type, drawn.dimensions, sign(drawn.assembly));
   CrankRange range{0, kTurn};
   closed_ = drawn.type == MechanismType::slider_crank || crank_rotates(lengths_of(drawn));
@@ -220,13 +220,13 @@ bool StretchStarts::sample(const LineStretch& drawn, bool second_range) {
   return true;
 }
 
-std::optional<StretchStart> StretchStarts::best_stretch(const LineStretch& drawn) {
+std::optional<SegmentStart> SegmentStarts::best_segment(const LinkageSegment& drawn) {
   const StraightLineGoal& goal = *problem_.goal;
   const bool scaled = has_scale(problem_);
   const double size = largest_dimension(drawn), shortest = size / size_limit(problem_);
-  StretchLimits limits;
+  SegmentLimits limits;
   limits.least_cells = kLeastCells;
-  const auto& turn = problem_.stretch.crank_range;
+  const auto& turn = problem_.segment.crank_range;
   if (turn && closed_) {
     const double step = kTurn / kSamples;
     const auto cells = [step](double angle) {
@@ -235,65 +235,65 @@ std::optional<StretchStart> StretchStarts::best_stretch(const LineStretch& drawn
     limits.least_cells = cells(turn->min);
     limits.most_cells = cells(turn->max + step);
   }
-  SampledStretch found;
-  const StretchObjective objective = objective_of(problem_);
-  if (objective == StretchObjective::deviation) {
+  SampledSegment found;
+  const SegmentObjective objective = objective_of(problem_);
+  if (objective == SegmentObjective::deviation) {
     const double least = scaled && goal.length ? std::max(shortest, *goal.length) : shortest;
-    found = stretches_.straightest(curve_, closed_, least, kWorthRefining, limits);
+    found = segments_.straightest(curve_, closed_, least, kWorthRefining, limits);
   } else {
     const double length = goal.length.value_or(1);
     const double asked = goal.deviation ? *goal.deviation / length : *goal.deviation_relative;
     const double relative = std::clamp(kLoose * asked, kBent, 0.1);
-    found = stretches_.longest(curve_, closed_, relative, limits);
+    found = segments_.longest(curve_, closed_, relative, limits);
   }
   if (!(found.length > 0)) return std::nullopt;
-  StretchStart start;
-  start.stretch = drawn;
+  SegmentStart start;
+  start.segment = drawn;
   const std::size_t count = angles_.size();
   const auto angle = [&](std::size_t i) {
     return i < count ? angles_[i] : angles_[i - count] + kTurn;
   };
   const double from = angle(found.from), to = angle(found.to);
-  start.stretch.centre = 0.5 * (from + to);
-  start.stretch.reach = 0.5 * (to - from);
-  start.stretch.line = std::atan2(found.direction.y, found.direction.x);
-  start.stretch.length = found.length;
+  start.segment.centre = 0.5 * (from + to);
+  start.segment.reach = 0.5 * (to - from);
+  start.segment.line = std::atan2(found.direction.y, found.direction.x);
+  start.segment.length = found.length;
   const Vec2d& end = curve_[found.from];
-  start.stretch.height = cross(found.direction, end);
+  start.segment.height = cross(found.direction, end);
   switch (objective) {
-    case StretchObjective::deviation:
+    case SegmentObjective::deviation:
       start.score = found.deviation / found.length;
       break;
-    case StretchObjective::length:
+    case SegmentObjective::length:
       start.score = 1 / found.length;
       break;
-    case StretchObjective::size:
+    case SegmentObjective::size:
       start.score = size / found.length;
       break;
   }
-  if (!scaled) start.stretch = enlarged(start.stretch, goal.length.value_or(1) / found.length);
+  if (!scaled) start.segment = enlarged(start.segment, goal.length.value_or(1) / found.length);
   return start;
 }
 
-std::optional<StretchStart> StretchStarts::draw(std::uint64_t seed, std::uint64_t index) {
+std::optional<SegmentStart> SegmentStarts::draw(std::uint64_t seed, std::uint64_t index) {
   const auto all = families(problem_.type);
-  const StretchFamily family = all[index % all.size()];
-  Even even(seed + 977 * static_cast<std::uint64_t>(family), index / all.size());
-  LineStretch drawn;
+  const SegmentFamily family = all[index % all.size()];
+  KroneckerPoints points(seed + 977 * static_cast<std::uint64_t>(family), index / all.size());
+  LinkageSegment drawn;
   drawn.type = problem_.type;
-  const double chance = even.next();
+  const double chance = points.next();
   const Assembly either = chance < 0.5 ? Assembly::open : Assembly::crossed;
   drawn.assembly = problem_.given.assembly.value_or(either);
   const bool second_range = chance * 4 - std::floor(chance * 4) < 0.5;
   if (problem_.type == MechanismType::slider_crank) {
-    draw_slider_crank(even, family, drawn);
-  } else if (!draw_four_bar(even, family, drawn)) {
+    draw_slider_crank(points, family, drawn);
+  } else if (!draw_four_bar(points, family, drawn)) {
     return std::nullopt;
   }
   if (problem_.given.assembly && drawn.assembly != *problem_.given.assembly) return std::nullopt;
   drawn = enlarged(drawn, 1 / largest_dimension(drawn));
   if (!accept(drawn) || !sample(drawn, second_range)) return std::nullopt;
-  auto start = best_stretch(drawn);
+  auto start = best_segment(drawn);
   if (start) start->family = family;
   return start;
 }

@@ -1,5 +1,5 @@
 /// @file Where a search for straight lines begins: linkages of families that are known to have
-/// them, by the theory of curvature, and at random, each with the best stretch of its sampled
+/// them, by the theory of curvature, and at random, each with the best segment of its sampled
 /// curve.
 #pragma once
 
@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/coupler_curve/sampled_stretch.hpp"
-#include "problems/straight_line/stretch.hpp"
+#include "analysis/coupler_curve/sampled_segment.hpp"
+#include "problems/straight_line/segment.hpp"
 
 namespace cognate::problems {
 
 /// How a start was drawn.
-enum class StretchFamily {
+enum class SegmentFamily {
   any,               ///< all dimensions at random
   symmetric_curve,   ///< coupler, rocker and C–P equal: a coupler curve with an axis of symmetry
   equal_cranks,      ///< crank and rocker equal, the point on the coupler's perpendicular bisector
@@ -27,35 +27,35 @@ enum class StretchFamily {
 };
 
 /// "any", "symmetric-curve", …
-std::string_view name(StretchFamily family);
+std::string_view name(SegmentFamily family);
 
 /// A start and what it promises: less is better.
-struct StretchStart {
-  LineStretch stretch;
-  StretchFamily family = StretchFamily::any;
+struct SegmentStart {
+  LinkageSegment segment;
+  SegmentFamily family = SegmentFamily::any;
   double score = std::numeric_limits<double>::infinity();
 };
 
 /// Draws starts of a problem (in the search's unit); one for each thread.
-class StretchStarts {
+class SegmentStarts {
  public:
-  explicit StretchStarts(const StraightLineProblem& problem);
+  explicit SegmentStarts(const StraightLineProblem& problem);
 
   /// The start number `index`, the same for the same seed and index; empty where the linkage drawn
-  /// is none that the problem allows, or its curve has no stretch worth refining.
-  std::optional<StretchStart> draw(std::uint64_t seed, std::uint64_t index);
+  /// is none that the problem allows, or its curve has no segment worth refining.
+  std::optional<SegmentStart> draw(std::uint64_t seed, std::uint64_t index);
 
  private:
-  bool accept(LineStretch& drawn) const;
-  void bring_to_scale(LineStretch& drawn) const;
-  bool sample(const LineStretch& drawn, bool second_range);
-  std::optional<StretchStart> best_stretch(const LineStretch& drawn);
+  bool accept(LinkageSegment& drawn) const;
+  void bring_to_scale(LinkageSegment& drawn) const;
+  bool sample(const LinkageSegment& drawn, bool second_range);
+  std::optional<SegmentStart> best_segment(const LinkageSegment& drawn);
 
   const StraightLineProblem& problem_;
   std::vector<double> angles_;
   std::vector<Vec2d> curve_;
   bool closed_ = false;
-  SampledStretches stretches_;
+  SampledSegments segments_;
 };
 
 }  // namespace cognate::problems

@@ -20,7 +20,7 @@ struct StudyBase::Document {
 
 namespace {
 
-/// Puts the path data in the place of the file that they were read from, so that rows hang on no
+/// Puts the path data in the place of the file that they were read from, so that rows depend on no
 /// file but the base.
 void hold_drawing(reading::Table& document, const std::string& path_data) {
   const auto found = std::ranges::find(document, "target", &reading::Entry::key);
@@ -65,7 +65,7 @@ tl::expected<Task, std::vector<Fault>> StudyBase::with(std::span<const double> v
       node->value = values[i];
     }
   }
-  return reading::read_task(document_->table, document_->folder).map([](reading::PlacedTask read) {
+  return reading::read_task(document_->table, document_->folder).map([](TaskAt read) {
     return std::move(read.task);
   });
 }

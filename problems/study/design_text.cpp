@@ -40,7 +40,7 @@ class Cursor {
     if (text_.starts_with("\xef\xbb\xbf")) offset_ = 3;  // a byte order mark has no column
   }
 
-  /// The byte at `where`, which is not before the last one asked for.
+  /// The byte at `where`, which is not before the last one requested.
   std::size_t offset(Where where) {
     while (offset_ < text_.size() && at_ < where) {
       const bool line_ends = text_[offset_] == '\n';

@@ -18,7 +18,7 @@ constexpr double kMostTurns = 100;
 /// The analysis that the base file asks for, where it is one of a four-bar over a whole turn,
 /// within some turns of 0.
 std::optional<AnalysisProblem> four_bar_base(const Study& study) {
-  auto analysis = parse_analysis(study.base_text);
+  auto analysis = parse_task<AnalysisProblem>(study.base_text);
   if (!analysis || !analysis->mechanism.four_bar) return std::nullopt;
   const DriveSweep& drive = analysis->drive;
   const bool whole = std::abs(drive.end - drive.start) >= kTurn * (1 - 1e-12);
@@ -43,7 +43,7 @@ std::optional<FourBarPlan> four_bar_plan(const Study& study) {
   const bool has_point = plan.linkage().coupler_point.has_value();
   const auto add = [&](std::string_view name) {
     const auto quantity = four_bar_quantity(study, name, has_point);
-    if (quantity && quantity->fact == FourBarFact::output_swing) plan.wants_swing = true;
+    if (quantity && quantity->quantity == FourBarQuantityId::output_swing) plan.wants_swing = true;
     return quantity;
   };
   for (const StudyVariable& variable : study.variables) {

@@ -14,24 +14,25 @@ namespace {
 
 using Stage = FourBarStage;
 
-struct NamedFact {
+struct NamedQuantity {
   std::string_view name;
   Stage stage;
-  FourBarFact fact;
+  FourBarQuantityId quantity;
 };
 
-constexpr std::array<NamedFact, 11> kFacts{
-    {{"class", Stage::links, FourBarFact::mobility_class},
-     {"change_point", Stage::links, FourBarFact::change_point},
-     {"crank_turns_fully", Stage::links, FourBarFact::crank_turns_fully},
-     {"mobility", Stage::links, FourBarFact::mobility},
-     {"moves_as", Stage::links, FourBarFact::moves_as},
-     {"output", Stage::links, FourBarFact::output},
-     {"transmission_angle_deg.min", Stage::closed_forms, FourBarFact::transmission_min},
-     {"transmission_angle_deg.max", Stage::closed_forms, FourBarFact::transmission_max},
-     {"transmission_angle_deg.acute_min", Stage::closed_forms, FourBarFact::transmission_acute_min},
-     {"time_ratio", Stage::closed_forms, FourBarFact::time_ratio},
-     {"output_swing_deg", Stage::closed_forms, FourBarFact::output_swing}}};
+constexpr std::array<NamedQuantity, 11> kQuantities{
+    {{"class", Stage::links, FourBarQuantityId::mobility_class},
+     {"change_point", Stage::links, FourBarQuantityId::change_point},
+     {"crank_turns_fully", Stage::links, FourBarQuantityId::crank_turns_fully},
+     {"mobility", Stage::links, FourBarQuantityId::mobility},
+     {"moves_as", Stage::links, FourBarQuantityId::moves_as},
+     {"output", Stage::links, FourBarQuantityId::output},
+     {"transmission_angle_deg.min", Stage::closed_forms, FourBarQuantityId::transmission_min},
+     {"transmission_angle_deg.max", Stage::closed_forms, FourBarQuantityId::transmission_max},
+     {"transmission_angle_deg.acute_min", Stage::closed_forms,
+      FourBarQuantityId::transmission_acute_min},
+     {"time_ratio", Stage::closed_forms, FourBarQuantityId::time_ratio},
+     {"output_swing_deg", Stage::closed_forms, FourBarQuantityId::output_swing}}};
 
 Stage stage_of(CurveGroup group) {
   switch (group) {
@@ -45,10 +46,10 @@ Stage stage_of(CurveGroup group) {
       return Stage::widths;
     case CurveGroup::descriptors:
       return Stage::descriptors;
-    case CurveGroup::stretches:
+    case CurveGroup::segments:
       return Stage::stretches;
-    case CurveGroup::loose_stretches:
-      return Stage::loose_stretches;
+    case CurveGroup::loose_segments:
+      return Stage::loose_segments;
     case CurveGroup::features:
       return Stage::features;
   }
@@ -69,11 +70,12 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
     return FourBarQuantity{.name = varied->key,
                            .variable = static_cast<std::size_t>(varied - variables.begin())};
   }
-  const auto* const fact = std::ranges::find(kFacts, name, &NamedFact::name);
-  if (fact != kFacts.end()) return FourBarQuantity{fact->name, fact->stage, fact->fact};
+  const auto* const quantity = std::ranges::find(kQuantities, name, &NamedQuantity::name);
+  if (quantity != kQuantities.end())
+    return FourBarQuantity{quantity->name, quantity->stage, quantity->quantity};
   const CurveMetric* metric = find_curve_metric(name);
   if (!metric || (!has_point && metric->group > CurveGroup::size)) return std::nullopt;
-  return FourBarQuantity{metric->key, stage_of(metric->group), FourBarFact::curve, 0, metric};
+  return FourBarQuantity{metric->key, stage_of(metric->group), FourBarQuantityId::curve, 0, metric};
 }
 
 bool ClosedForms::is_special(const Lengths<double>& links) {
@@ -81,9 +83,10 @@ bool ClosedForms::is_special(const Lengths<double>& links) {
   return std::abs(grashof_excess(links)) <= 1e-9;
 }
 
-bool ClosedForms::is_of_lengths(FourBarFact fact) {
-  return fact == FourBarFact::varied || fact == FourBarFact::mobility_class ||
-         fact == FourBarFact::change_point || fact == FourBarFact::crank_turns_fully;
+bool ClosedForms::is_of_lengths(FourBarQuantityId quantity) {
+  return quantity == FourBarQuantityId::varied || quantity == FourBarQuantityId::mobility_class ||
+         quantity == FourBarQuantityId::change_point ||
+         quantity == FourBarQuantityId::crank_turns_fully;
 }
 
 void ClosedForms::begin(const Lengths<double>& links) {
@@ -104,33 +107,33 @@ Cell ClosedForms::swing() const {
   return kDegreesInRadian * std::abs(outer->rocker_angle - inner->rocker_angle);
 }
 
-Cell ClosedForms::operator()(FourBarFact fact) {
-  switch (fact) {
-    case FourBarFact::mobility_class:
+Cell ClosedForms::operator()(FourBarQuantityId quantity) {
+  switch (quantity) {
+    case FourBarQuantityId::mobility_class:
       return std::string(to_string(mobility_class(links_)));
-    case FourBarFact::change_point:
+    case FourBarQuantityId::change_point:
       return word(is_change_point(links_));
-    case FourBarFact::crank_turns_fully:
+    case FourBarQuantityId::crank_turns_fully:
       return word(turns_);
-    case FourBarFact::mobility:
+    case FourBarQuantityId::mobility:
       return 1.0;
     default:
       break;
   }
   if (!assembles_) return {};
-  switch (fact) {
-    case FourBarFact::output:
+  switch (quantity) {
+    case FourBarQuantityId::output:
       return std::string("rocker");
-    case FourBarFact::transmission_min:
+    case FourBarQuantityId::transmission_min:
       return transmission(&TransmissionAngles::min);
-    case FourBarFact::transmission_max:
+    case FourBarQuantityId::transmission_max:
       return transmission(&TransmissionAngles::max);
-    case FourBarFact::transmission_acute_min:
+    case FourBarQuantityId::transmission_acute_min:
       return transmission(&TransmissionAngles::acute_min);
-    case FourBarFact::time_ratio:
+    case FourBarQuantityId::time_ratio:
       if (const auto ratio = time_ratio(links_)) return *ratio;
       return {};
-    case FourBarFact::output_swing:
+    case FourBarQuantityId::output_swing:
       return swing();
     default:
       return {};

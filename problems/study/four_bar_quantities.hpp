@@ -22,12 +22,12 @@ enum class FourBarStage {
   widths,
   descriptors,
   stretches,
-  loose_stretches,
+  loose_segments,
   features
 };
 
 /// What the quantities are.
-enum class FourBarFact {
+enum class FourBarQuantityId {
   varied,
   mobility_class,
   change_point,
@@ -47,7 +47,7 @@ enum class FourBarFact {
 struct FourBarQuantity {
   std::string_view name;
   FourBarStage stage = FourBarStage::varied;
-  FourBarFact fact = FourBarFact::varied;
+  FourBarQuantityId quantity = FourBarQuantityId::varied;
   std::size_t variable = 0;             ///< of a varied key
   const CurveMetric* metric = nullptr;  ///< of the curve
 };
@@ -60,18 +60,18 @@ std::optional<FourBarQuantity> four_bar_quantity(const Study& study, std::string
 /// Facts of one design after the other, from its dimensions alone.
 class ClosedForms {
  public:
-  /// Whether a design of these links is left to `analyse`: at change points facts hang on the
-  /// course of the motion.
+  /// Whether a design of these links is left to `analyse`: at change points quantities depend on
+  /// the course of the motion.
   static bool is_special(const Lengths<double>& links);
 
   /// What follows from the lengths at change points, too.
-  static bool is_of_lengths(FourBarFact fact);
+  static bool is_of_lengths(FourBarQuantityId quantity);
 
   void begin(const Lengths<double>& links);
 
   bool assembles() const { return assembles_; }
   bool turns() const { return turns_; }
-  Cell operator()(FourBarFact fact);
+  Cell operator()(FourBarQuantityId quantity);
 
  private:
   double transmission(double TransmissionAngles::*angle);

@@ -49,17 +49,17 @@ void FourBarScreen::add(const FourBarFilter& filter) {
         std::min(cosines.greatest, limits.min <= 0 ? 2 : cosine(limits.min) + kSlack);
     by_transmission_ = true;
   };
-  switch (filter.quantity.fact) {
-    case FourBarFact::varied:
+  switch (filter.quantity.quantity) {
+    case FourBarQuantityId::varied:
       varied_.push_back({filter.quantity.variable, limits.min, limits.max});
       break;
-    case FourBarFact::mobility_class:
+    case FourBarQuantityId::mobility_class:
       for (const auto& [name, value] : names<MobilityClass>()) {
         if (!allows(limits, name)) allowed_[static_cast<std::size_t>(value)] = 0;
       }
       by_class_ = true;
       break;
-    case FourBarFact::crank_turns_fully:
+    case FourBarQuantityId::crank_turns_fully:
       for (const auto value : {MobilityClass::crank_rocker, MobilityClass::double_crank}) {
         if (!allows(limits, "true")) allowed_[static_cast<std::size_t>(value)] = 0;
       }
@@ -69,16 +69,16 @@ void FourBarScreen::add(const FourBarFilter& filter) {
       }
       by_class_ = true;
       break;
-    case FourBarFact::transmission_min:
+    case FourBarQuantityId::transmission_min:
       bound(least_);
       break;
-    case FourBarFact::transmission_max:
+    case FourBarQuantityId::transmission_max:
       bound(greatest_);
       break;
-    case FourBarFact::transmission_acute_min:
+    case FourBarQuantityId::transmission_acute_min:
       bound(acute_);
       break;
-    case FourBarFact::time_ratio:
+    case FourBarQuantityId::time_ratio:
       // The shorter turn between the limits is 2π/(1 + K), at most half a turn.
       advance_ = {limits.min > 1 ? std::cos(kTurn / (1 + limits.min)) - kSlack : -2,
                   std::cos(kTurn / (1 + std::max(limits.max, 1.0))) + kSlack};

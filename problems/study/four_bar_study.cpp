@@ -86,7 +86,7 @@ class FourBarBlocks {
     closed_.begin(links);
     if (ClosedForms::is_special(links)) return consider_special(candidate);
     if (plan_.wants_swing && closed_.assembles() && !closed_.turns()) {
-      return analyse_design(candidate);  // how far the output swings hangs on the crank's course
+      return analyse_design(candidate);  // how far the output swings depends on the crank's course
     }
     const auto cell = [&](const FourBarQuantity& quantity) { return closed_cell(quantity, i); };
     if (!evaluate_stages(candidate, FourBarStage::varied, FourBarStage::varied, cell)) return;
@@ -98,12 +98,12 @@ class FourBarBlocks {
     if (has_curve) (closed_.turns() ? turning_ : others_).push_back(candidate);
   }
 
-  /// Near a change point the class still hangs on the lengths alone, and may decide.
+  /// Near a change point the class still depends on the lengths alone, and may decide.
   void consider_special(std::size_t candidate) {
     const std::size_t i = candidates_[candidate].design;
     const auto fails = [&](const FourBarFilter& filter) {
       const FourBarQuantity& quantity = filter.quantity;
-      return ClosedForms::is_of_lengths(quantity.fact) &&
+      return ClosedForms::is_of_lengths(quantity.quantity) &&
              !problems::passes(*filter.limits, closed_cell(quantity, i));
     };
     if (study_->keep_all || std::ranges::none_of(plan_.filters, fails)) {
@@ -114,9 +114,9 @@ class FourBarBlocks {
   }
 
   Cell closed_cell(const FourBarQuantity& quantity, std::size_t i) {
-    if (quantity.fact == FourBarFact::varied) return values(i)[quantity.variable];
+    if (quantity.quantity == FourBarQuantityId::varied) return values(i)[quantity.variable];
     if (quantity.metric) return curve_cell(quantity, i);
-    return closed_(quantity.fact);
+    return closed_(quantity.quantity);
   }
 
   /// Of the links of a curve, which are there before it is drawn.
@@ -157,7 +157,7 @@ class FourBarBlocks {
     }
   }
 
-  /// A linkage that no row of the drive can assemble has none of the facts.
+  /// A linkage that no row of the drive can assemble has none of the quantities.
   void without_motion(std::size_t candidate) {
     candidates_[candidate].status = RunStatus::no_solution;
     passes(candidate, FourBarStage::links, FourBarStage::features,
@@ -168,7 +168,7 @@ class FourBarBlocks {
   void analyse_design(std::size_t candidate) {
     const std::size_t i = candidates_[candidate].design;
     auto task = text_.with(values(i));
-    std::vector<Fact> facts;
+    std::vector<Quantity> quantities;
     if (task) {
       AnalysisProblem& problem = std::get<AnalysisProblem>(*task);
       problem.output = {.position = false,
@@ -178,15 +178,15 @@ class FourBarBlocks {
                         .curve = problem.mechanism.four_bar->coupler_point.has_value()};
       AnalysisResult result = analyse(problem, Run{.threads = 1});
       const bool solved = result.status == Status::solved;
-      if (solved) facts = std::move(result.facts);
+      if (solved) quantities = std::move(result.quantities);
       candidates_[candidate].status = solved ? RunStatus::solved : RunStatus::no_solution;
     } else {
       candidates_[candidate].status = RunStatus::invalid;
     }
     const auto cell = [&](const FourBarQuantity& quantity) -> Cell {
-      if (quantity.fact == FourBarFact::varied) return values(i)[quantity.variable];
-      const auto found = std::ranges::find(facts, quantity.name, &Fact::name);
-      return found == facts.end() ? Cell() : cell_of(found->value);
+      if (quantity.quantity == FourBarQuantityId::varied) return values(i)[quantity.variable];
+      const auto found = std::ranges::find(quantities, quantity.name, &Quantity::name);
+      return found == quantities.end() ? Cell() : cell_of(found->value);
     };
     evaluate_stages(candidate, FourBarStage::varied, FourBarStage::features, cell);
   }
@@ -282,7 +282,7 @@ class FourBarBlocks {
   FourBarDesigns designs_;
   std::vector<Candidate> candidates_;
   std::vector<Cell> cells_;
-  std::vector<std::size_t> turning_, others_;  ///< candidates whose curves are wanted
+  std::vector<std::size_t> turning_, others_;  ///< candidates whose curves are requested
   std::vector<std::size_t> rough_;             ///< of these the ones that want more samples
   std::vector<FourBar> linkages_;
   ClosedForms closed_;

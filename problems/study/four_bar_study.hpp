@@ -11,7 +11,7 @@
 namespace cognate::problems {
 
 /// The evaluator of a study whose base analyses a four-bar over a turn of its crank at least, whose
-/// varied keys are dimensions of it, and whose metrics and filters are among the facts of an
+/// varied keys are dimensions of it, and whose metrics and filters are among the quantities of an
 /// analysis that follow from the dimensions (`four_bar_quantity`); empty for any other study.
 ///
 /// Designs go through the filters in stages, the cheapest first: varied keys, lengths of links,

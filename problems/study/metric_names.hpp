@@ -1,11 +1,8 @@
 /// @file What a study may ask of the designs of its base file.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
-
-#include "problems/read.hpp"
 
 namespace cognate::problems {
 
@@ -18,11 +15,8 @@ struct MetricName {
 struct MetricNames {
   std::vector<MetricName> names;
   /// What is followed by names or indices that only a design tells, "mechanism.dyad": every
-  /// "mechanism.dyad[0].lengths[1]" may be asked for, and may be a word or a number.
+  /// "mechanism.dyad[0].lengths[1]" may be requested, and may be a word or a number.
   std::vector<std::string> openings;
 };
-
-/// The metrics of what a base file asks for.
-using MetricCatalogue = std::function<MetricNames(const Task& base)>;
 
 }  // namespace cognate::problems

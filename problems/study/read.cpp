@@ -4,7 +4,6 @@
 
 #include "problems/study/read_tables.hpp"
 #include "problems/task_document.hpp"
-#include "problems/toml/file_text.hpp"
 
 namespace cognate::problems {
 
@@ -12,21 +11,6 @@ namespace {
 
 using Faults = std::vector<Fault>;
 using Folder = std::filesystem::path;
-
-struct Source {
-  reading::Table document;
-  Folder folder;
-};
-
-tl::expected<Source, Faults> source_of(const std::filesystem::path& file) {
-  std::error_code error;
-  auto folder = std::filesystem::absolute(file, error).parent_path();
-  const auto text = reading::text_of(file);
-  if (!text) return tl::unexpected(Faults{{1, 1, text.error()}});
-  return reading::read_text(*text).map([&](reading::Table document) {
-    return Source{std::move(document), std::move(folder)};
-  });
-}
 
 tl::expected<Study, Faults> study_of(const reading::Table& document, const Folder& folder,
                                      const MetricCatalogue& metrics) {
@@ -46,20 +30,21 @@ tl::expected<Study, Faults> parse_study(std::string_view text, const Folder& fol
 
 tl::expected<Study, Faults> read_study(const std::filesystem::path& file,
                                        const MetricCatalogue& metrics) {
-  return source_of(file).and_then(
-      [&](const Source& source) { return study_of(source.document, source.folder, metrics); });
+  return reading::read_source(file).and_then([&](const reading::Source& source) {
+    return study_of(source.document, source.folder, metrics);
+  });
 }
 
 tl::expected<TaskOrStudy, Faults> read_task_or_study(const std::filesystem::path& file,
                                                      const MetricCatalogue& metrics) {
-  const auto source = source_of(file);
+  const auto source = reading::read_source(file);
   if (!source) return tl::unexpected(source.error());
   if (reading::is_study(source->document)) {
     return study_of(source->document, source->folder, metrics).map([](Study study) {
       return TaskOrStudy(std::move(study));
     });
   }
-  return reading::read_task(source->document, source->folder).map([](reading::PlacedTask read) {
+  return reading::read_task(source->document, source->folder).map([](TaskAt read) {
     return TaskOrStudy(std::move(read.task));
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <variant>
@@ -12,6 +13,9 @@
 #include "problems/study/study.hpp"
 
 namespace cognate::problems {
+
+/// The metrics of what a base file asks for.
+using MetricCatalogue = std::function<MetricNames(const Task& base)>;
 
 /// The study in `text` (TOML), or every fault found in it, in the order of the file. Its base file
 /// is looked for in `folder`; a base that cannot be read, or is itself faulty, is a fault at

@@ -11,12 +11,11 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kBase = "base";
-constexpr std::string_view kWanted = "the path of a problem or mechanism file is wanted";
+constexpr std::string_view kWanted = "expected the path of a problem or mechanism file";
 
 /// The path data of a closed curve, from wherever they were read; empty where there are none.
 std::string drawing_of(const Task& task) {
-  const auto* const problem = std::get_if<Problem>(&task);
-  const auto* const path = problem ? std::get_if<PathProblem>(problem) : nullptr;
+  const auto* const path = std::get_if<PathProblem>(&task);
   return path && path->curve ? path->curve->svg_path : "";
 }
 
@@ -26,8 +25,7 @@ void fault_base(TableReader& study_file, const std::string& base, const Fault& f
 }
 
 bool begins_with_atlas(const Task& task) {
-  const auto* const problem = std::get_if<Problem>(&task);
-  const auto* const path = problem ? std::get_if<PathProblem>(problem) : nullptr;
+  const auto* const path = std::get_if<PathProblem>(&task);
   return path && path->atlas;
 }
 
@@ -66,7 +64,7 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   if (begins_with_atlas(read->task)) {
     study_file.fault(
         kBase, fmt::format("is {}, which has solve.atlas, a file that its rows would hang on; "
-                           "a base without one is wanted",
+                           "expected a base without one",
                            in_quotes(*base)));
     return std::nullopt;
   }

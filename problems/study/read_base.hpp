@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "problems/study/metric_names.hpp"
+#include "problems/study/read.hpp"
 #include "problems/study/study.hpp"
 #include "problems/toml/document.hpp"
 #include "problems/toml/table_reader.hpp"

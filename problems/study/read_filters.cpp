@@ -14,8 +14,8 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kNumberForm =
-    "[min, max], {min = x} or {max = x} is wanted, inf for no limit";
-constexpr std::string_view kWordForm = "a word, a list of words, true or false is wanted";
+    "expected [min, max], {min = x} or {max = x}, inf for no limit";
+constexpr std::string_view kWordForm = "expected a word, a list of words, true or false";
 
 class FilterReader {
  public:
@@ -108,9 +108,9 @@ class FilterReader {
     if (filter.min <= filter.max && filter.min < kInfinity && filter.max > -kInfinity) {
       return filter;
     }
-    return wrong(node, fmt::format("the filter on {} lets nothing pass, from {} to {}; min <= max "
-                                   "is wanted",
-                                   in_quotes(name), filter.min, filter.max));
+    return wrong(
+        node, fmt::format("the filter on {} lets nothing pass, from {} to {}; expected min <= max",
+                          in_quotes(name), filter.min, filter.max));
   }
 
   bool read_limit(const Node& node, const std::string& name, double& limit) {

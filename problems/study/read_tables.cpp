@@ -49,9 +49,9 @@ void read_metrics(TableReader& output, const StudyNames& names, Study& study) {
     } else if (!names.find(name)) {
       refuse(", no metric of the base; " + names.hint(name));
     } else if (holds(study.metrics, name)) {
-      refuse(" a second time; each metric is wanted once");
+      refuse(" a second time; expected each metric once");
     } else if (const auto other = names.namesake(name)) {
-      refuse(fmt::format(" beside {}; columns are wanted that differ in more than capitals",
+      refuse(fmt::format(" beside {}; expected columns that differ in more than capitals",
                          in_quotes(*other)));
     } else {
       study.metrics.push_back(name);
@@ -86,12 +86,12 @@ void read_objectives(TableReader& table, std::string_view key, bool greatest,
     if (!kind) {
       refuse(", neither a metric of the base nor varied; " + names.hint(name));
     } else if (*kind == NameKind::word) {
-      refuse(", which is a word; a metric that is a number is wanted");
+      refuse(", which is a word; expected a metric that is a number");
     } else if (std::ranges::find(study.objectives, name, &StudyObjective::name) !=
                study.objectives.end()) {
-      refuse(" a second time; each is wanted once, least or greatest");
+      refuse(" a second time; expected each once, least or greatest");
     } else if (const auto other = names.namesake(name)) {
-      refuse(fmt::format(" beside {}; columns are wanted that differ in more than capitals",
+      refuse(fmt::format(" beside {}; expected columns that differ in more than capitals",
                          in_quotes(*other)));
     } else {
       study.objectives.push_back({name, greatest});
@@ -115,7 +115,7 @@ void read_filter_table(const Table& document, const StudyNames& names, Study& st
     study.filters = read_filters(*table, names, faults);
   } else {
     faults.add(found->node.where,
-               fmt::format("filter is {}; a table [filter] is wanted", type_name(found->node)));
+               fmt::format("filter is {}; expected a table [filter]", type_name(found->node)));
   }
 }
 
@@ -125,7 +125,7 @@ Study read_study(const Table& document, const std::filesystem::path& folder,
                  const MetricCatalogue& metrics, FaultList& faults) {
   Study study;
   TableReader file(document, faults);
-  if (!read_kind(file)) return study;  // what else is amiss hangs on what it is meant to be
+  if (!read_kind(file)) return study;  // what else is amiss depends on what it is meant to be
   study.title = file.text("title").value_or("");
   const auto base = read_base(file, folder, metrics, study);
   read_variables(file, base ? &*base : nullptr, study);
@@ -141,7 +141,7 @@ Study read_study(const Table& document, const std::filesystem::path& folder,
   add_objectives_to_metrics(names, study);
   if (study.metrics.empty() && !output.contains(kMetrics) && base) {
     file.fault("output",
-               "names no metrics; at least one is wanted, as [output] metrics = "
+               "names no metrics; expected at least one, as [output] metrics = "
                "[\"time_ratio\"]");
   }
   file.finish();

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "problems/study/metric_names.hpp"
+#include "problems/study/read.hpp"
 #include "problems/study/study.hpp"
 #include "problems/toml/document.hpp"
 #include "problems/toml/fault_list.hpp"

@@ -20,7 +20,7 @@ constexpr int kMostSamples = 1'000'000'000;
 constexpr double kMostDesigns = 1e12;
 
 constexpr std::string_view kWays =
-    "range = [a, b] with steps = N, values = [...], or range with sampling and count is wanted";
+    "expected range = [a, b] with steps = N, values = [...], or range with sampling and count";
 
 /// How the first sampled variable is sampled, as all others must be.
 struct Samples {
@@ -32,14 +32,14 @@ bool is_positive(double x) {
   return x > 0;
 }
 
-// Whether all of `numbers` have a logarithm where one is wanted; a fault at `key` where not.
+// Whether all of `numbers` have a logarithm where one is requested; a fault at `key` where not.
 bool suits_scale(TableReader& table, std::string_view key, const StudyVariable& variable,
                  std::initializer_list<double> ends, const std::vector<double>& numbers) {
   if (!variable.logarithmic) return true;
   if (std::ranges::all_of(ends, is_positive) && std::ranges::all_of(numbers, is_positive)) {
     return true;
   }
-  table.fault(key, "is not all above 0; with scale = \"log\" numbers above 0 are wanted");
+  table.fault(key, "is not all above 0; expected numbers above 0 with scale = \"log\"");
   return false;
 }
 
@@ -48,7 +48,7 @@ std::string hint(const BaseFile& base, const std::string& key) {
   if (const auto meant = nearest(key, known)) {
     return fmt::format("did you mean {}?", in_quotes(*meant));
   }
-  return "the place of a number of the base is wanted, as \"mechanism.crank\" or "
+  return "expected the place of a number of the base, as \"mechanism.crank\" or "
          "\"target.points[2][0]\"";
 }
 
@@ -57,7 +57,7 @@ void read_key(TableReader& table, const BaseFile* base, const Study& study,
   constexpr std::string_view kKey = "key";
   if (!table.has(kKey)) {
     table.fault(kKey,
-                "is missing; the place of a number of the base is wanted, as "
+                "is missing; expected the place of a number of the base, as "
                 "\"mechanism.crank\"");
   }
   const auto key = table.text(kKey);
@@ -82,7 +82,7 @@ std::optional<Range> read_range(TableReader& table) {
   const auto range = table.range("range", kNumber);
   if (!range || range->min < range->max) return range;
   table.fault("range",
-              fmt::format("is empty, both ends are {}; [a, b] with a < b is wanted", range->min));
+              fmt::format("is empty, both ends are {}; expected [a, b] with a < b", range->min));
   return std::nullopt;
 }
 
@@ -106,14 +106,13 @@ void read_common(TableReader& table, Sampling sampling, int count,
                  std::optional<Samples>& samples) {
   if (!samples) samples = Samples{sampling, count};
   if (sampling != samples->sampling) {
-    table.fault(
-        "sampling",
-        fmt::format("is {}, and {} of a variable before; one for all is wanted, "
-                    "their points are drawn together",
-                    in_quotes(to_string(sampling)), in_quotes(to_string(samples->sampling))));
+    table.fault("sampling", fmt::format("is {}, and {} of a variable before; expected one for all, "
+                                        "their points are drawn together",
+                                        in_quotes(to_string(sampling)),
+                                        in_quotes(to_string(samples->sampling))));
   }
   if (count != samples->count) {
-    table.fault("count", fmt::format("is {}, and {} of a variable before; one for all is wanted, "
+    table.fault("count", fmt::format("is {}, and {} of a variable before; expected one for all, "
                                      "their points are drawn together",
                                      count, samples->count));
   }
@@ -121,7 +120,7 @@ void read_common(TableReader& table, Sampling sampling, int count,
 
 void read_samples(TableReader& table, StudyVariable& variable, std::optional<Samples>& samples) {
   const auto sampling = table.choice<Sampling>("sampling");
-  if (!table.has("count")) table.fault("count", "is missing; how many samples are wanted");
+  if (!table.has("count")) table.fault("count", "is missing; expected how many samples");
   const auto count = table.integer("count", 1, kMostSamples);
   const auto range = read_range(table);
   if (range && suits_scale(table, "range", variable, {range->min}, {})) variable.range = range;
@@ -158,7 +157,7 @@ StudyVariable read_variable(TableReader& table, const BaseFile* base, const Stud
   if (way == Way::samples) {
     if (!table.has("sampling")) {
       table.fault("sampling",
-                  "is missing; \"sobol\", \"halton\", \"latin\" or \"random\" is wanted");
+                  "is missing; expected \"sobol\", \"halton\", \"latin\" or \"random\"");
     }
     read_samples(table, variable, samples);
   } else if (way != Way::none) {
@@ -176,8 +175,7 @@ StudyVariable read_variable(TableReader& table, const BaseFile* base, const Stud
 void read_variables(TableReader& study_file, const BaseFile* base, Study& study) {
   if (!study_file.has(kVary)) {
     study_file.fault(kVary,
-                     "is missing; at least one [[vary]] with key and range or values is "
-                     "wanted");
+                     "is missing; expected at least one [[vary]] with key and range or values");
   }
   std::optional<Samples> samples;
   double designs = 1;  // of the grid

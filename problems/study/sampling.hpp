@@ -13,7 +13,7 @@ namespace cognate::problems {
 /// in [0, 1). What a point is depends on its number alone; used by one thread at a time.
 using UnitPoints = std::function<void(std::int64_t first, std::span<double> points)>;
 
-/// The points of `sampling` in `dimensions` ≥ 1; `count` of them are wanted.
+/// The points of `sampling` in `dimensions` ≥ 1; `count` of them are requested.
 UnitPoints unit_points(Sampling sampling, std::size_t dimensions, std::int64_t count,
                        std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-/// @file What a study file says: which numbers of a base file vary, and what is wanted of each
+/// @file What a study file says: which numbers of a base file vary, and what is requested of each
 /// design. Angles stay as the base file has them, in degrees under keys that end in `_deg`.
 #pragma once
 

@@ -97,15 +97,15 @@ std::string_view other_format(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return "";
   if (text[begin] == '<') {
-    return "this is HTML, SVG or other XML, not TOML; a problem file is wanted, which may name a "
+    return "this is HTML, SVG or other XML, not TOML; expected a problem file, which may name a "
            "drawing by target.svg";
   }
   if (text[begin] != '{') return "";
   if (text.find("\"cognate-result/") != std::string_view::npos) {
-    return "this is a result of Cognate; 'cognate export' takes it, and the TOML file that it came "
-           "from is wanted here";
+    return "this is a result of Cognate; 'cognate export' takes it; expected the TOML file "
+           "that it came from here";
   }
-  return "this is JSON, not TOML; a problem file is wanted, written key = value";
+  return "this is JSON, not TOML; expected a problem file, written key = value";
 }
 
 /// What to do about the commonest faults, by what the parser says of them.

@@ -41,7 +41,7 @@ struct Entry {
 std::string_view type_name(const Node& node);
 
 /// The document in `text`, its tables in the order of the file, or the first place where it is no
-/// TOML. Never throws but for want of memory.
+/// TOML. Throws only std::bad_alloc.
 tl::expected<Table, Fault> parse_document(std::string_view text);
 
 }  // namespace cognate::problems::reading

@@ -110,7 +110,7 @@ std::string message_of(const mu::Parser::exception_type& error, const Variables&
     message.resize(std::min(message.find(end), message.size()));
   }
   if (message.ends_with('.')) message.pop_back();
-  return fmt::format("is no expression: {}; one expression in {} is wanted", message,
+  return fmt::format("is no expression: {}; expected one expression in {}", message,
                      in_words(variables));
 }
 
@@ -121,7 +121,7 @@ tl::expected<ParsedExpression, ExpressionError> parse_expression(
   const Variables named(variables.begin(), variables.end());
   if (const auto assignment = find_assignment(text)) {
     return tl::unexpected(ExpressionError{
-        *assignment, fmt::format("contains an assignment; one expression in {} is wanted, == "
+        *assignment, fmt::format("contains an assignment; expected one expression in {}, == "
                                  "compares",
                                  in_words(named))});
   }
@@ -132,7 +132,7 @@ tl::expected<ParsedExpression, ExpressionError> parse_expression(
     if (expression.result_count() != 1) {
       return tl::unexpected(ExpressionError{
           std::min(text.find(','), text.size()),
-          fmt::format("has several values; one expression in {} is wanted, with a point as "
+          fmt::format("has several values; expected one expression in {}, with a point as "
                       "decimal mark",
                       in_words(named))});
     }

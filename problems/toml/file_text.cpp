@@ -26,21 +26,21 @@ tl::expected<std::string, std::string> text_of(const std::filesystem::path& file
                             " is there and may be meant");
     }
     return refusal(
-        "the file does not exist or cannot be reached; the path of a problem file is wanted");
+        "the file does not exist or cannot be reached; expected the path of a problem file");
   }
   if (std::filesystem::is_directory(status)) {
-    return refusal("this is a directory; the path of a problem file is wanted");
+    return refusal("this is a directory; expected the path of a problem file");
   }
   const bool may_stream = named_by == NamedBy::command_line && is_stream(status);
   if (!std::filesystem::is_regular_file(status) && !may_stream) {
-    return refusal("this is a pipe, a device or a socket; a regular file is wanted");
+    return refusal("this is a pipe, a device or a socket; expected a regular file");
   }
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return refusal("the file cannot be opened; a file that can be read is wanted");
+  if (!stream) return refusal("the file cannot be opened; expected a file that can be read");
   // One byte more than allowed is enough to refuse, however large the file: a pipe has no size.
   std::string text(kMostBytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) return refusal("the file cannot be read to its end; a whole file is wanted");
+  if (stream.bad()) return refusal("the file cannot be read to its end; expected a whole file");
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > kMostBytes) {
     return refusal("the file is larger than 8 MiB; at most 8 MiB are allowed");

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostBytes = 8U << 20U;
 /// because one that never ends would keep the program waiting for what nobody types.
 enum class NamedBy { command_line, other_file };
 
-/// What `file` holds, or why it cannot be read; what is wanted.
+/// What `file` holds, or why it cannot be read; what is requested.
 tl::expected<std::string, std::string> text_of(const std::filesystem::path& file,
                                                NamedBy named_by = NamedBy::command_line);
 

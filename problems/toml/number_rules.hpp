@@ -8,7 +8,7 @@
 
 namespace cognate::problems::reading {
 
-/// A test, and what it accepts in words: "… is -1; a length from 1e-100 to 1e100 is wanted".
+/// A test, and what it accepts in words: "… is -1; expected a length from 1e-100 to 1e100".
 struct NumberRule {
   bool (*accepts)(double);
   std::string_view allowed;

@@ -105,7 +105,7 @@ std::optional<int> TableReader::integer(std::string_view key, int min, int max) 
   const std::string wanted = fmt::format("an integer from {} to {}", min, max);
   const auto* value = std::get_if<std::int64_t>(&node->value);
   if (const auto* fraction = std::get_if<double>(&node->value)) {
-    fault(key, fmt::format("is {:#}; {} is wanted", *fraction, wanted));
+    fault(key, fmt::format("is {:#}; expected {}", *fraction, wanted));
     return std::nullopt;
   }
   if (!value) {
@@ -113,7 +113,7 @@ std::optional<int> TableReader::integer(std::string_view key, int min, int max) 
     return std::nullopt;
   }
   if (*value < min || *value > max) {
-    fault(key, fmt::format("is {}; {} is wanted", *value, wanted));
+    fault(key, fmt::format("is {}; expected {}", *value, wanted));
     return std::nullopt;
   }
   return static_cast<int>(*value);
@@ -202,8 +202,8 @@ std::optional<std::vector<std::vector<double>>> TableReader::lists(std::string_v
       continue;
     }
     if (list->size() > most) {
-      faults_->add((*entries)[i].where, fmt::format("{} has {} numbers; at most {} are wanted", own,
-                                                    list->size(), most));
+      faults_->add((*entries)[i].where,
+                   fmt::format("{} has {} numbers; expected at most {}", own, list->size(), most));
       continue;
     }
     std::vector<double>& values = all.emplace_back();
@@ -264,7 +264,7 @@ std::optional<Range> TableReader::range(std::string_view key, const NumberRule& 
   if (!ends) return std::nullopt;
   const Range range{(*ends)[0], (*ends)[1]};
   if (range.min > range.max) {
-    fault(key, fmt::format("is empty, {} > {}; [min, max] with min <= max is wanted", range.min,
+    fault(key, fmt::format("is empty, {} > {}; expected [min, max] with min <= max", range.min,
                            range.max));
     return std::nullopt;
   }
@@ -281,7 +281,7 @@ std::optional<Box> TableReader::box(std::string_view key) {
     return low > high || (low == high && std::isinf(low));
   };
   if (is_empty(min[0], max[0]) || is_empty(min[1], max[1])) {
-    fault(key, fmt::format("is an empty region; {} with min <= max is wanted", kForm));
+    fault(key, fmt::format("is an empty region; expected {} with min <= max", kForm));
     return std::nullopt;
   }
   return Box{{min[0], min[1]}, {max[0], max[1]}};
@@ -407,14 +407,14 @@ const Array* TableReader::array(std::string_view key, const Count& count, std::s
                                     ? fmt::format("{}", count.min)
                                     : fmt::format("{} to {}", count.min, count.max);
     const std::string of = entries->size() == 1 ? singular(count.of) : std::string(count.of);
-    fault(key, fmt::format("has {} {}; {} are wanted", entries->size(), of, allowed));
+    fault(key, fmt::format("has {} {}; expected {}", entries->size(), of, allowed));
     return nullptr;
   }
   return entries;
 }
 
 void TableReader::wrong_type(const Node& node, const std::string& name, std::string_view wanted) {
-  faults_->add(node.where, fmt::format("{} is {}; {} is wanted", name, type_name(node), wanted));
+  faults_->add(node.where, fmt::format("{} is {}; expected {}", name, type_name(node), wanted));
 }
 
 std::optional<double> TableReader::number_at(const Node& node, const std::string& name,
@@ -425,7 +425,7 @@ std::optional<double> TableReader::number_at(const Node& node, const std::string
     return std::nullopt;
   }
   if (!rule.accepts(*value)) {
-    faults_->add(node.where, fmt::format("{} is {}; {} is wanted", name, *value, rule.allowed));
+    faults_->add(node.where, fmt::format("{} is {}; expected {}", name, *value, rule.allowed));
     return std::nullopt;
   }
   return value;
@@ -440,7 +440,7 @@ const Array* TableReader::row_at(const Node& node, const std::string& name, std:
   }
   if (entries->size() != width) {
     faults_->add(node.where,
-                 fmt::format("{} has {} entries; {} is wanted", name, entries->size(), form));
+                 fmt::format("{} has {} entries; expected {}", name, entries->size(), form));
     return nullptr;
   }
   return entries;

@@ -31,7 +31,7 @@ struct Count {
 using Two = std::array<double, 2>;
 
 /// Reads the keys of one table. Every getter returns the value of `key`, or nothing where the file
-/// does not have it or has something else there; the latter adds a fault. A key that was asked for
+/// does not have it or has something else there; the latter adds a fault. A key that was requested
 /// is known; `finish` faults all others.
 class TableReader {
  public:
@@ -139,7 +139,7 @@ class TableReader {
   /// Makes keys known that are looked at only in some cases.
   void know(std::initializer_list<std::string_view> keys);
 
-  /// Faults every key that was never asked for.
+  /// Faults every key that was never requested.
   void finish();
 
   FaultList& faults() const { return *faults_; }

@@ -39,7 +39,7 @@ double least_over_box(const BoxQuadratic& c) {
     if (a > 0) trace += std::abs(c[a][a]);
   }
   if (!std::isfinite(size)) return -std::numeric_limits<double>::infinity();
-  // The shift that Cholesky's rounding asks for is added and taken off as well.
+  // The shift that Cholesky's rounding needs is added and taken off as well.
   double shift = kQuadraticRounding * trace + std::numeric_limits<double>::min();
   while (!is_convex(c, shift - kQuadraticRounding * trace)) shift *= 4;
 

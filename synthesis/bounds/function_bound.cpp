@@ -44,7 +44,7 @@ struct FunctionBound::ErrorRange {
   }
 };
 
-FunctionBound::FunctionBound(WantedFunction wanted, const ProportionLimits& limits)
+FunctionBound::FunctionBound(DesiredFunction wanted, const ProportionLimits& limits)
     : function_(std::move(wanted)),
       limits_(limits),
       refers_(function_.start.has_value()),
@@ -83,7 +83,7 @@ bool FunctionBound::enclose(const ProportionBox& whole,
 }
 
 /// The errors at the samples, less those of which it is not known how many turns they are off: they
-/// may be zero. Counted from one, so that those that belong together come to the same turn: from
+/// may be zero. Counted from one, so that those that belong together fall into the same turn: from
 /// that at the start, or, where any start will do, from the best known.
 std::vector<FunctionBound::ErrorRange> FunctionBound::errors(
     const std::vector<DirectionRange>& directions) const {

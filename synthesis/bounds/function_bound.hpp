@@ -14,8 +14,8 @@
 
 namespace cognate::synthesis {
 
-/// What is wanted: increments of input and output angle from their starts.
-struct WantedFunction {
+/// What is desired: increments of input and output angle from their starts.
+struct DesiredFunction {
   std::vector<double> input, output;
   std::optional<double> output_start;  ///< from A→D; empty: free, or that of `start`
   /// Where the input starts: at the box's phase, or at a limit position of the output, whose angle
@@ -27,7 +27,7 @@ struct WantedFunction {
 /// Bounds of Σ e² over boxes.
 class FunctionBound {
  public:
-  FunctionBound(WantedFunction wanted, const ProportionLimits& limits);
+  FunctionBound(DesiredFunction wanted, const ProportionLimits& limits);
 
   /// No more than the sum of squares anywhere in the box, at most `wanted`. Infinite where no
   /// linkage of the box satisfies the limits.
@@ -40,7 +40,7 @@ class FunctionBound {
   std::vector<ErrorRange> errors(const std::vector<DirectionRange>& directions) const;
   double bound(const std::vector<DirectionRange>& directions, double wanted) const;
 
-  WantedFunction function_;
+  DesiredFunction function_;
   ProportionLimits limits_;
   bool refers_;  ///< whether errors count from the first direction: the output at the start
   bool free_;    ///< whether the output may start anywhere

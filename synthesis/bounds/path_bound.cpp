@@ -89,7 +89,7 @@ struct PathBound::Multipliers {
   double q = std::numeric_limits<double>::infinity();  ///< |q| at the minimum they give
 };
 
-/// A bound, κ = Z − F, and by how much H is too small for the bound wanted.
+/// A bound, κ = Z − F, and by how much H is too small for the required bound.
 struct PathBound::Bounded {
   double least = 0;
   double kappa = 0;
@@ -219,7 +219,7 @@ double PathBound::bound(const std::vector<DirectionRange>& directions, double lo
   Forms f = linear_part(directions, weights);
   const auto left = std::ranges::count_if(weights, [](double w) { return w > 0; });
   if (left < 3) return 0;
-  // Errors at points of which the box tells nothing are left out, which only lowers the bound.
+  // Errors at points of which the box says nothing are left out, which only lowers the bound.
   if (weights == path_.weights) return bound(*target_, f, low, high, wanted);
   return bound(Target(path_, std::move(weights)), f, low, high, wanted);
 }

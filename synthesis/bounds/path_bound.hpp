@@ -8,8 +8,8 @@
 /// a quadratic of four variables up to a term of the residuals times that rest. The rest is of
 /// second order, so that the bound is good near minima, too, where errors are small.
 ///
-/// Limits of s and q enter by Lagrange multipliers, best for the middle of the box: whatever their
-/// values the bound holds.
+/// Limits of s and q enter by Lagrange multipliers, best for the middle of the box: for any of
+/// their values the bound holds.
 #pragma once
 
 #include <complex>
@@ -28,12 +28,12 @@ struct LengthLimits {
   std::array<double, 4> greatest{};  ///< possibly infinite
 };
 
-/// Between which lengths the crank may be where the four lengths keep to `limits`: `low` and
+/// Between which lengths the crank may be where the four lengths satisfy `limits`: `low` and
 /// `high`. False where that is impossible.
 bool crank_range(const ProportionRanges& ranges, const LengthLimits& limits, double& low,
                  double& high);
 
-/// What is wanted. Points in a unit of the path's size, relative to the crank pivot where that is
+/// What is desired. Points in a unit of the path's size, relative to the crank pivot where that is
 /// fixed, else to any point near them.
 struct TimedPath {
   std::vector<std::complex<double>> points;
@@ -47,7 +47,7 @@ struct TimedPath {
   double farthest_point = 0;  ///< greatest distance of the coupler point from B, possibly infinite
 };
 
-/// What the linkages must be besides.
+/// Further conditions on the linkages.
 struct ProportionLimits {
   enum class Class { any, grashof, non_grashof, rocker_shortest, coupler_shortest };
   Class required = Class::any;  ///< beyond what the box's `Proportions` ensure
@@ -98,7 +98,7 @@ class PathBound {
 /// Whether a linkage of the box may satisfy `limits`, as far as link lengths alone say.
 bool may_satisfy(const ProportionRanges& ranges, const ProportionLimits& limits, bool turning);
 
-/// Whether the transmission angle may keep to its lower limit where d is in `least`, to its upper
+/// Whether the transmission angle may satisfy its lower limit where d is in `least`, to its upper
 /// limit where it is in `greatest`.
 bool may_transmit(const ProportionRanges& ranges, const ProportionLimits& limits,
                   const Interval& least, const Interval& greatest);

@@ -69,13 +69,13 @@ double refined(double x, double b, double c, double d) {
 }
 
 /// The real roots of x³ + bx² + cx + d (Viète's form where there are three).
-Few<double, 3> monic_roots(double b, double c, double d) {
+InPlaceVector<double, 3> monic_roots(double b, double c, double d) {
   const double p = b * b / 9 - c / 3;  // t³ = 3pt + 2q with x = t − b/3
   const double q = (b * c / 3 - d - 2 * b * b * b / 27) / 2;
   const double cube = p * p * p, square = q * q;
   const double noise = kDiscriminantNoise * (std::abs(cube) + square +
                                              std::abs(q) * (std::abs(b * b * b) + std::abs(d)));
-  Few<double, 3> roots;
+  InPlaceVector<double, 3> roots;
   if (square - cube <= noise && p > 0) {
     const double size = std::sqrt(p);
     const double angle = std::acos(std::clamp(q / (p * size), -1.0, 1.0)) / 3;
@@ -93,8 +93,8 @@ Few<double, 3> monic_roots(double b, double c, double d) {
 
 }  // namespace
 
-Few<Vec2d, 2> real_roots(const std::array<double, 3>& coefficients) {
-  Few<Vec2d, 2> roots;
+InPlaceVector<Vec2d, 2> real_roots(const std::array<double, 3>& coefficients) {
+  InPlaceVector<Vec2d, 2> roots;
   std::array<double, 3> c = coefficients;
   if (!normalise(c)) return roots;
   const double half = 0.5 * c[1];
@@ -113,8 +113,8 @@ Few<Vec2d, 2> real_roots(const std::array<double, 3>& coefficients) {
   return roots;
 }
 
-Few<Vec2d, 3> real_roots(const std::array<double, 4>& coefficients) {
-  Few<Vec2d, 3> roots;
+InPlaceVector<Vec2d, 3> real_roots(const std::array<double, 4>& coefficients) {
+  InPlaceVector<Vec2d, 3> roots;
   std::array<double, 4> c = coefficients;
   if (!normalise(c)) return roots;
   // Of four directions at most three can be near a root: in axes with the one where the form is

@@ -5,18 +5,18 @@
 #include <array>
 
 #include "analysis/numbers/vec2.hpp"
-#include "synthesis/exact/few.hpp"
+#include "synthesis/exact/in_place_vector.hpp"
 
 namespace cognate::synthesis {
 
 /// The real directions (α, β), of unit length and up to sign, in which c₀α² + c₁αβ + c₂β² is zero:
 /// none, or two that fall together where the discriminant is zero to within rounding. None where
 /// all coefficients are zero.
-Few<Vec2d, 2> real_roots(const std::array<double, 3>& c);
+InPlaceVector<Vec2d, 2> real_roots(const std::array<double, 3>& c);
 
 /// As above for c₀α³ + c₁α²β + c₂αβ² + c₃β³: one or three. A double root comes out twice, and so
 /// does a pair of complex roots that rounding may have split off one.
-Few<Vec2d, 3> real_roots(const std::array<double, 4>& c);
+InPlaceVector<Vec2d, 3> real_roots(const std::array<double, 4>& c);
 
 /// The coefficients of b(v, v) with v = αu + βw, b linear in each of its arguments.
 template <class Vector, class Form>

@@ -53,7 +53,7 @@ enum class FreudensteinOutcome {
 struct FreudensteinLinkage {
   FreudensteinOutcome outcome = FreudensteinOutcome::linkage;
   Lengths<double> links;       ///< crank 1
-  double coupler_squared = 0;  ///< l², whatever its sign
+  double coupler_squared = 0;  ///< l², of either sign
   double input_turn = 0;       ///< 0 or π
   double output_turn = 0;      ///< 0 or π
 };

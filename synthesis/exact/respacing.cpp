@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "analysis/linkage/closure.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion_within.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -36,7 +37,7 @@ class ErrorCurve {
     return motion_within(crank_ranges(linkage_.links), {start + from, start + to}).has_value();
   }
 
-  /// Output obtained minus wanted, in [−π, π]; not a number where the linkage does not close.
+  /// Generated minus desired output, in [−π, π]; not a number where the linkage does not close.
   double at(double input) const {
     const auto links = directions(input);
     const double off = std::atan2(links.rocker.y, links.rocker.x) - linkage_.output_start;
@@ -47,8 +48,7 @@ class ErrorCurve {
   Eigen::RowVectorXd slope(double input) const {
     const auto links = directions(input);
     const double angle = linkage_.input_start + input;
-    const auto by =
-        closure_gradient(linkage_.links, Vec2d{std::cos(angle), std::sin(angle)}, links).rocker;
+    const auto by = closure_gradient(linkage_.links, unit_vector(angle), links).rocker;
     Eigen::RowVectorXd row(task_.precision_points());
     row[0] = by.coupler * linkage_.links.coupler;
     row[1] = by.rocker * linkage_.links.rocker;
@@ -75,25 +75,13 @@ struct Peak {
 };
 
 /// The highest point of |e| between two inputs about `top`, by golden section until the error no
-/// longer tells the places apart.
+/// longer decides the places apart.
 Peak refined(const ErrorCurve& curve, double low, double high) {
-  const double ratio = 1 / std::numbers::phi;
-  double a = high - ratio * (high - low), b = low + ratio * (high - low);
-  double at_a = curve.at(a), at_b = curve.at(b);
-  for (int i = 0; i < 44; ++i) {  // 0.618⁴⁴ = 6e-10 of two steps: an error of 1e-20 in the height
-    if (std::abs(at_a) > std::abs(at_b)) {
-      high = std::exchange(b, a);
-      at_b = at_a;
-      a = high - ratio * (high - low);
-      at_a = curve.at(a);
-    } else {
-      low = std::exchange(a, b);
-      at_a = at_b;
-      b = low + ratio * (high - low);
-      at_b = curve.at(b);
-    }
-  }
-  return std::abs(at_a) > std::abs(at_b) ? Peak{a, at_a} : Peak{b, at_b};
+  constexpr int kSteps = 44;  // 0.618⁴⁴ = 6e-10 of two steps: an error of 1e-20 in the height
+  const auto found =
+      golden_section([&](double x) { return -std::abs(curve.at(x)); }, low, high, kSteps);
+  const double top = found.at_low < found.at_high ? found.low : found.high;
+  return {top, curve.at(top)};
 }
 
 /// The highest point of each stretch in which the error keeps its sign, in the order of the inputs;

@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "synthesis/exact/motion/null_space_pivots.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
@@ -17,7 +18,7 @@ Conditions conditions(std::span<const Pose> poses, const RestingPoint& rest) {
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
     const Pose& pose = poses[static_cast<std::size_t>(j)];
     const Vec2d d = (1 / rest.travel) * (to_frame(pose, rest.in_body) - rest.mean);
-    const Vec2d e{std::cos(pose.angle), std::sin(pose.angle)};
+    const Vec2d e = unit_vector(pose.angle);
     const Vec2d turned = conj(d) * e;
     rows.row(j) << 0.5 * squared_norm(d), turned.x, -turned.y, -d.x, -d.y, -e.x, e.y;
   }

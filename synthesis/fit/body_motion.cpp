@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate::synthesis {
 
 RestingPoint resting_point(std::span<const Pose> poses) {
@@ -9,13 +11,13 @@ RestingPoint resting_point(std::span<const Pose> poses) {
   Vec2d at{}, turn{};
   for (const Pose& pose : poses) {
     at = at + share * pose.at;
-    turn = turn + share * Vec2d{std::cos(pose.angle), std::sin(pose.angle)};
+    turn = turn + share * unit_vector(pose.angle);
   }
   // Places are d + e c; over all poses d − d̄ is to be as near to −(e − ē) c as can be.
   Vec2d product{};
   double turned = 0, straight = 0;
   for (const Pose& pose : poses) {
-    const Vec2d e = Vec2d{std::cos(pose.angle), std::sin(pose.angle)} - turn;
+    const Vec2d e = unit_vector(pose.angle) - turn;
     product = product + conj(e) * (pose.at - at);
     turned += squared_norm(e);
     straight += squared_norm(pose.at - at);
@@ -26,7 +28,7 @@ RestingPoint resting_point(std::span<const Pose> poses) {
     point.in_body = (-1 / turned) * product;
     straight = 0;
     for (const Pose& pose : poses) {
-      const Vec2d e = Vec2d{std::cos(pose.angle), std::sin(pose.angle)} - turn;
+      const Vec2d e = unit_vector(pose.angle) - turn;
       straight += squared_norm(pose.at - at + e * point.in_body);
     }
   }

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate::synthesis {
 
 LinkModel::LinkModel(std::span<const Pose> poses, double unit) {
   for (const Pose& pose : poses) {
     at_.push_back(pose.at);
-    direction_.push_back({std::cos(pose.angle), std::sin(pose.angle)});
+    direction_.push_back(unit_vector(pose.angle));
   }
   const double far = kReach * unit;
   variables_ = {Variable{"moving pivot u", -far, far, unit},

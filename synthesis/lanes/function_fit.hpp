@@ -70,7 +70,7 @@ struct StartAngles {
   std::array<std::vector<double>, 3> ratios;  ///< out: P₀, P₁, P₂; not finite where there are none
 };
 
-/// The ratios of Freudenstein's equation whose residuals over the wanted pairs are least for each
+/// The ratios of Freudenstein's equation whose residuals over the desired pairs are least for each
 /// of `starts`: first as they stand, then so many times over their slopes in the output angle,
 /// which makes them errors in that angle to first order.
 void fit_freudenstein(std::span<const AnglePair> wanted, int reweightings, StartAngles& starts);

@@ -22,7 +22,7 @@ enum FunctionUnknown {
 /// start angle, and the assembly (±1).
 inline constexpr int kFunctionStateSize = 4 + 2 + 2 + 1;
 
-/// The pairs of angles that are wanted: directions of half the input's and of the output's
+/// The desired pairs of angles: directions of half the input's and of the output's
 /// increments.
 struct FunctionTargets {
   int samples;

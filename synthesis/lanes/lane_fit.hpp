@@ -1,7 +1,7 @@
 /// @file Levenberg–Marquardt from many starts at a time, one in each SIMD lane. Include in kernels
 /// alone.
 ///
-/// A lane whose start has come to its minimum takes the next start at once, so that none waits for
+/// A lane whose start has reached its minimum takes the next start at once, so that none waits for
 /// the slowest, and what happens in a lane does not depend on the others. Damping by Nielsen 1999,
 /// "Damping parameter in Marquardt's method". Unknowns at a bound that the descent would push
 /// beyond it stay there; those that the step would take beyond go to their bound, and the others'

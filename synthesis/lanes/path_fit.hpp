@@ -16,7 +16,7 @@ namespace cognate::synthesis {
 
 /// What is fitted: the unknowns of PathUnknown, those that are not free having the value of the
 /// start, so that coupler points come near the targets. The crank angle of a point that is not
-/// timed is an unknown besides; those of timed points are fixed but for the phase.
+/// timed is a further unknown; those of timed points are fixed but for the phase.
 struct PathFit {
   std::vector<double> x, y, root_weight;  ///< of each target; errors are multiplied by the latter
   std::vector<int> free;                  ///< of PathUnknown, ascending
@@ -29,7 +29,7 @@ struct PathFit {
   std::array<double, 4> box;  ///< of the other pivot: least and greatest x, then y; may be infinite
 };
 
-/// Where a fit starts, and what it comes to.
+/// Where a fit starts, and where it ends.
 struct PathFitState {
   std::array<double, 8> value{};              ///< of the unknowns from path_crank to path_anchor_y
   double frame_x = 1, frame_y = 0;            ///< direction from A to D

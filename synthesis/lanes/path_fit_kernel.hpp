@@ -22,7 +22,7 @@ enum PathUnknown {
   path_unknowns
 };
 
-/// Numbers that a start has besides its points: the unknowns but for the two angles, then the
+/// Numbers of a start in addition to its points: the unknowns but for the two angles, then the
 /// direction of the frame, that of half the phase, and the assembly (±1).
 inline constexpr int kPathStateSize = 8 + 2 + 2 + 1;
 

@@ -42,9 +42,9 @@ class Model {
   virtual std::span<const int> local_of_residual() const { return {}; }
   virtual int local_count() const { return 0; }
 
-  /// Residuals at `x`, and where asked for their derivatives: `jacobian` is row-major,
+  /// Residuals at `x`, and on request their derivatives: `jacobian` is row-major,
   /// residual_count × global count, `local` has one entry for each residual. Either both are empty
-  /// or both are full, which for want of global or of local variables may mean empty. Returns false
+  /// or both are full, (empty if there are no global / local variables). Returns false
   /// where x has no value (the linkage does not close there); the outputs are then unspecified.
   virtual bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
                          std::span<double> local) const = 0;

@@ -88,7 +88,7 @@ double objective(unsigned n, const double* z, double* gradient, void* data) {
   return search.method.global ? compressed(f, gradient, n) : f;
 }
 
-/// All constraints of the program at z; NLopt wants c ≤ 0.
+/// All constraints of the program at z; NLopt requires c ≤ 0.
 void all_constraints(Search& search, const double* z, std::span<double> c,
                      std::span<double> jacobian) {
   Program& program = search.program;

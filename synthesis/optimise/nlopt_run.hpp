@@ -33,9 +33,9 @@ struct NloptLimits {
 /// Minimises `program` from its start. An iteration is a gradient, or for a method without
 /// gradients as many evaluations as a gradient by differences would take.
 ///
-/// Where the model has no value, a local method is told of an objective ten times the largest seen,
+/// Where the model has no value, a local method receives ten times the largest objective seen,
 /// without slope, which turns its line search back. A global one minimises f/(1 + f) < 1 in place
-/// of f and is told of 2 there: the order of values is the same, and no slope that it estimates is
+/// of f and receives 2 there: the order of values is the same, and no slope that it estimates is
 /// spoilt. Global methods that have used up their evaluations have `converged`.
 Outcome run_nlopt(const NloptMethod& method, Program& program, const NloptLimits& limits,
                   const Options& options);

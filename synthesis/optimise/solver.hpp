@@ -84,7 +84,7 @@ std::string_view name(Backend backend);
 /// by SLSQP. The same seed gives the same result.
 bool is_global(Backend backend);
 
-/// Whether `backend` can honour everything that `model` asks for.
+/// Whether `backend` can honour everything that `model` requires.
 bool can_solve(Backend backend, const Model& model);
 
 /// The local minimum of `model` that `backend` reaches from `start` (clamped to the bounds), or the

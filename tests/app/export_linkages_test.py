@@ -487,7 +487,7 @@ class ExportLinkagesTest(unittest.TestCase):
         parts = (*dxf, "--parts")
         for options, message in [
             ((*dxf, "--curve", "pitch"), "--curve: is for cams"),
-            (parts, "--parts: --hole is missing; --hole LENGTH is wanted"),
+            (parts, "--parts: --hole is missing; expected --hole LENGTH"),
             ((*parts, "--hole", "5"), "--parts: --width is missing"),
             ((*parts, "--hole", "5", "--width", "5"), "--width: 5 leaves nothing about a hole of 5"),
             ((*parts, "--hole", "500", "--width", "600"), "apart and would overlap; allowed is less"),
@@ -495,8 +495,8 @@ class ExportLinkagesTest(unittest.TestCase):
             ((*parts, "--hole", ".1", "--width", ".2", "--clearance", ".1"), "--clearance: 0.1 makes"),
             ((*parts, "--hole", ".1", "--width", ".2", "--gap", "-1"), "--gap: '-1'"),
             (("--format", "csv", "--parts", "--hole", ".1", "--width", ".2"), "--parts: are drawn"),
-            ((*dxf, "--thickness", "3"), "--thickness: is that of parts; --parts is wanted"),
-            ((*dxf, "--steps", "9"), "--format csv or json is wanted"),
+            ((*dxf, "--thickness", "3"), "--thickness: is that of parts; expected --parts"),
+            ((*dxf, "--steps", "9"), "expected --format csv or json"),
             (("--format", "csv", "--position", "9"), "--position: is that of a drawing"),
             ((*dxf, "--position", "east"), "--position: 'east' is not possible"),
             ((*dxf, "--chord-tolerance", "1e9"), "--chord-tolerance: 1000000000 is not possible"),

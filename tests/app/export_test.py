@@ -449,7 +449,7 @@ class ExportTest(unittest.TestCase):
         for options, part in [
             (["--curve", "spiral"], "--curve: 'spiral' is not possible; allowed is profile, pitch"),
             (["--curve", "cutter"], "--cutter-radius R is missing"),
-            (["--cutter-radius", "3"], "--curve cutter is wanted"),
+            (["--cutter-radius", "3"], "expected --curve cutter"),
             (["--curve", "cutter", "--cutter-radius", "0"], "--cutter-radius: '0'"),
             (["--curve", "cutter", "--cutter-radius", "1e9"],
              "--cutter-radius: 1000000000 is too large for a base radius of 40; allowed is at most 4e+07"),
@@ -461,7 +461,7 @@ class ExportTest(unittest.TestCase):
             (["--out", ""], "--out"),
             (["--steps", "9"], "--steps: is for linkages; of a cam --curve and"),
             (["--dxf-version", "r13"], "--dxf-version: 'r13' is not possible; allowed is r12 or 2000"),
-            (["--dxf-version", "r12"], "--format dxf is wanted with it"),
+            (["--dxf-version", "r12"], "expected --format dxf with it"),
         ]:
             with self.subTest(options):
                 self.expect_refusal(self.refused(result, *options), part)

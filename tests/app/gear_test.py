@@ -123,7 +123,7 @@ class Gears(unittest.TestCase):
     def test_solve_sends_a_gear_to_analyze(self):
         done = self.run_it("solve", LIBRARY / "gear" / "standard-35.toml")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("'cognate analyze' evaluates this gear; a design problem is wanted", done.stderr)
+        self.assertIn("'cognate analyze' evaluates this gear; expected a design problem", done.stderr)
 
     def sweep(self, **study):
         (self.folder / "study.toml").write_text(STUDY.format(**study))

@@ -151,7 +151,7 @@ class Machine(unittest.TestCase):
         run("analyze", self.write(RUN_UP), "--out", self.folder, "--quiet")
         done = run("export", self.folder / "written.result.json", "--format", "svg")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("one with a [mechanism] is wanted", done.stderr)
+        self.assertIn("expected one with a [mechanism]", done.stderr)
         done = run("export", LIBRARY / "machine" / "press.toml", "--format", "svg")
         self.assertEqual(done.returncode, 2)
         self.assertIn(f"'cognate analyze {LIBRARY / 'machine' / 'press.toml'}' writes one", done.stderr)
@@ -161,7 +161,7 @@ class Machine(unittest.TestCase):
     def test_lengths_are_metres_beside_inertias(self):
         done = run("solve", LIBRARY / "function" / "logarithm-small-flywheel.toml", "--out", self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("[kg m2]", done.stdout)
+        self.assertIn("[kg m²]", done.stdout)
         self.assertIn("[m]", done.stdout)
         self.assertNotIn("[length]", done.stdout)
 

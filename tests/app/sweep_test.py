@@ -419,7 +419,7 @@ class SweepTest(Sweeps):
             for command in ("check", "sweep"):
                 with self.subTest(base=base, command=command):
                     self.expect_refusal(
-                        self.run_program(command, "piped.toml"), "piped.toml:", "a regular file is wanted"
+                        self.run_program(command, "piped.toml"), "piped.toml:", "expected a regular file"
                     )
         os.mkfifo(self.folder / "small.study.db")
         self.expect_refusal(self.run_program("sweep", "small.toml"), "is no study file")

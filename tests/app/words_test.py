@@ -19,7 +19,8 @@ ROOT = pathlib.Path()
 VALUES = {
     "arrows.": ["velocity", "acceleration", "reactions"],
     "best.": ["function", "path", "motion"],
-    "cam.": ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"],
+    "cam.": ["base_radius", "prime_radius", "offset", "roller_radius", "centre_distance", "arm",
+             "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],
     "constraints.": ["constraint", "value", "bound", "met"],
     "edit.": ["undo", "redo", "reset", "copy", "save", "class", "grashof", "holds", "fails",
@@ -39,6 +40,7 @@ VALUES = {
     "instant.": ["pole", "moving_centrode", "inflection_diameter", "inflection_centre",
                  "return_centre", "tangential_diameter", "tangential_centre", "acceleration_pole",
                  "ball", "stationary", "inflection_line", "inflection_line_deg"],
+    "head.": ["base_radius", "prime_radius"],
     "jump.": ["displacement", "velocity", "acceleration"],
     "kind.": ["gear", "gear_pair", "path-generation", "function-generation", "motion-generation", "quick-return",
               "straight-line"],
@@ -275,6 +277,18 @@ class ChineseOfResults(unittest.TestCase):
     def test_terms_are_translated(self):
         for term, text in self.terms.items():
             self.assertRegex(text, "[\u4e00-\u9fff]", term)
+
+    def test_quantities_over_the_cycle_are_translated_and_documented(self):
+        declared = (ROOT / "problems/linkage/cycle_quantities.hpp").read_text(encoding="utf-8")
+        keys = re.findall(r'\.limit_key = "(\w+)_max"', declared)
+        words = re.findall(r'\.words = "([^"]+)"', declared)
+        self.assertGreaterEqual(len(keys), 5)
+        self.assertEqual(len(keys), len(words))
+        documented = (ROOT / "docs/constraints.md").read_text(encoding="utf-8")
+        for key, text in zip(keys, words):
+            self.assertIn(key.replace("_", " "), self.terms)
+            self.assertIn(text, self.terms)
+            self.assertIn(f"| `{key}_max` |", documented)
 
     def test_sentences_keep_their_values(self):
         for form, text in self.sentences.items():

@@ -1,4 +1,4 @@
-/// Time for one position of a mechanism given as data, by what is asked for: positions, velocities,
+/// Time for one position of a mechanism given as data, by what is requested: positions, velocities,
 /// accelerations, driving torque, all reactions. Times are per position of all bodies.
 #include <benchmark/benchmark.h>
 

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kNear = 1e-3;
 
-double fact(const Design& design, const std::string& name) {
-  for (const Fact& f : design.metrics.facts) {
+double quantity(const Design& design, const std::string& name) {
+  for (const Quantity& f : design.metrics.quantities) {
     if (f.name == name) return std::get<double>(f.value);
   }
   return 0;
@@ -39,12 +39,12 @@ Outcome run_once(const StraightLineProblem& problem, std::uint64_t seed, int thr
   Outcome outcome{1e300, result.work.seconds};
   if (result.status != Status::solved) return outcome;
   const bool sized = problem.goal->deviation || problem.goal->deviation_relative;
-  outcome.figure = fact(result.designs[0], sized ? "size_over_length" : "deviation_relative");
+  outcome.figure = quantity(result.designs[0], sized ? "size_over_length" : "deviation_relative");
   return outcome;
 }
 
 void report(const std::filesystem::path& file, int seeds, int threads) {
-  const auto read = read_problem(file);
+  const auto read = read_task(file);
   if (!read) return;
   const auto& problem = std::get<StraightLineProblem>(*read);
   std::vector<Outcome> all;

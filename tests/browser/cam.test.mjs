@@ -132,7 +132,7 @@ test("a segment's button goes to its beginning", () => visit("translating-roller
 
 test("another design is chosen, and derivatives are shown by time", () => visit("translating-roller", still, async (page) => {
   await page.locator("#designs button").nth(1).click();
-  assert.match(await page.locator("#dimensions-list").textContent(), /Base radius70/);
+  assert.match(await page.locator("#dimensions-list").textContent(), /Prime-circle radius70Base-circle radius60/);
   const speed = page.locator("#values-rows tr", { hasText: "Velocity" }).locator("td").nth(4);
   const byAngle = Number(await speed.textContent());
   await page.locator("[data-rate=time]").click();

@@ -1,14 +1,12 @@
 // The kernel in the report pages against the program: the same linkages, the same numbers.
-// KERNEL: the module in base64; CASES: what the program says; PAGE: the folder of page scripts.
+// KERNEL: the module in base64; CASES: what the program says.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import path from "node:path";
 import { test } from "node:test";
+import { Kernel } from "../../app/report/page/kernel.js";
 
-const script = (name) => fs.readFileSync(path.join(process.env.PAGE, name), "utf8");
-const Kernel = new Function("KERNEL", `${script("sampling.js")}\n${script("kernel.js")}\nreturn Kernel;`)(fs.readFileSync(process.env.KERNEL, "utf8"));
 const cases = JSON.parse(fs.readFileSync(process.env.CASES, "utf8"));
-const kernel = await Kernel.load();
+const kernel = await Kernel.load(fs.readFileSync(process.env.KERNEL, "utf8"));
 
 const TOLERANCE = 1e-9;
 const near = (a, b, what) => assert.ok(a === b || Math.abs(a - b) <= TOLERANCE, `${what}: ${a} and ${b}`);

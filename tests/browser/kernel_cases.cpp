@@ -8,7 +8,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/report/design_motion.hpp"
+#include "app/drawing/design_motion.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/verify.hpp"
 

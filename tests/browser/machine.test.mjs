@@ -63,7 +63,7 @@ test("facts set the exact flywheel beside the approximate one", () => visit("pre
   const facts = await page.locator("#facts-list").textContent();
   assert.match(facts, /Flywheel, exact2\d\d\.\d+ kg·m²/);
   assert.match(facts, /Flywheel by the approximate formula3\d\d\.\d+ kg·m²/);
-  assert.match(facts, /Least speed[\d.]+ rad\/s at [\d.]+°/);
+  assert.match(facts, /Minimum speed[\d.]+ rad\/s at [\d.]+°/);
 }));
 
 test("a motion plays slower than it is, stops, and is moved by keys", () => visit("motor-line-table-loads", {}, async (page) => {

@@ -84,13 +84,13 @@ SampleResult motion() {
                     exact_design(named(slider_crank), stations, "four-poses"),
                     exact_design(named(block), stations, "four-poses"),
                     exact_design(named(trammel), {0.3, 0.8, 1.2, 1.5}, "four-poses")};
-  result.designs[1].metrics.facts = {{"class", std::string("crank turns fully")},
-                                     {"pressure_angle_max_deg", 28.5}};
+  result.designs[1].metrics.quantities = {{"class", std::string("crank turns fully")},
+                                          {"pressure_angle_max_deg", 28.5}};
   result.designs[2].error = {.sum_of_squares = 0.01, .rms = 0.05, .max = 0.08};
   result.loci = {cubic("centre-point curve", {0.5, -0.5}, 3, 0.6),
                  cubic("circle-point curve", {2, 1}, 2, -0.8),
                  {.name = "poles", .branches = {{{2.2, -0.4}}, {{1.2, 1.9}}, {{3.1, 0.8}}}}};
-  result.facts = {{"real_dyads", 12.0}, {"complex_dyads", 40.0}, {"poses", 4.0}};
+  result.quantities = {{"real_dyads", 12.0}, {"complex_dyads", 40.0}, {"poses", 4.0}};
   result.notes = {"The centre-point curve is unbounded; there the dyad is a slider."};
   return {"motion", problem, result};
 }
@@ -121,8 +121,8 @@ SampleResult quick_return() {
                           .rocker = 290,
                           .assembly = sign > 0 ? Assembly::open : Assembly::crossed};
     result.designs.push_back(four_bar_design(linkage, {}, "quick-return"));
-    result.designs.back().metrics.facts = {{"crank_pivot_deg", sign > 0 ? 100.0 : 240.0},
-                                           {"swing_deg", 34.0}};
+    result.designs.back().metrics.quantities = {{"crank_pivot_deg", sign > 0 ? 100.0 : 240.0},
+                                                {"swing_deg", 34.0}};
   }
   result.designs.back().mirror_of = 0;
   const GuideBar guide{.pivot_a = {0, 300}, .pivot_c = {0, 0}, .crank = 52.1};
@@ -144,9 +144,9 @@ SampleResult straight_line() {
                         .coupler_point = Vec2d{1, 0}};
   Result result{.status = Status::solved};
   result.designs = {four_bar_design(linkage, {0.95}, "inflection")};
-  result.designs.front().metrics.facts = {{"straight_length_at_0_001", 2.125},
-                                          {"crank_from_deg_at_0_001", 40.1},
-                                          {"crank_to_deg_at_0_001", 71.6}};
+  result.designs.front().metrics.quantities = {{"straight_length_at_0_001", 2.125},
+                                               {"crank_from_deg_at_0_001", 40.1},
+                                               {"crank_to_deg_at_0_001", 71.6}};
   Locus circle{.name = "inflection circle", .branches = {{}}};
   for (int i = 0; i <= 180; ++i) {
     circle.branches.front().push_back(Vec2d{2, 2.6} + polar(1.4, i * kPi / 90));
@@ -174,7 +174,7 @@ SampleResult nine_points() {
     problem.points.push_back(*Motion(linkage).at(0.7 * i)->coupler_point);
   }
   Result result{.status = Status::solved,
-                .facts = {{"complex_solutions", 1442.0}, {"real_triplets", 64.0}}};
+                .quantities = {{"complex_solutions", 1442.0}, {"real_triplets", 64.0}}};
   for (int i = 0; i < 200; ++i) {
     linkage.rocker = 2.6 + 0.003 * i;
     linkage.crank = i % 2 == 0 ? 1 : 2.9;
@@ -182,7 +182,7 @@ SampleResult nine_points() {
     Design& design = result.designs.back();
     design.constraints = check_constraints({}, {}, {}, linkage, design.metrics);
     if (i % 3 != 0) design.cognate_of = i - i % 3;
-    design.metrics.facts = {{"certified", true}};
+    design.metrics.quantities = {{"certified", true}};
   }
   return {"nine-points", problem, result};
 }

@@ -11,7 +11,7 @@ namespace cognate::problems {
 
 struct SampleResult {
   std::string name;
-  Problem problem;
+  Task problem;
   Result result;
 };
 

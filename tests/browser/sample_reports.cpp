@@ -8,11 +8,7 @@
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/documents/result_json.hpp"
-#include "app/kinds/evaluation/json.hpp"
-#include "app/kinds/gear/json.hpp"
-#include "app/kinds/machine/json.hpp"
-#include "app/report/report.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/report/study_report.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
@@ -28,7 +24,7 @@ using namespace cognate;
 using namespace cognate::problems;
 
 struct Sample {
-  Problem problem;
+  Task problem;
   Result result;
 };
 
@@ -135,22 +131,22 @@ Sample nothing_found() {
   return sample;
 }
 
+template <class Problem>
+void write(const std::filesystem::path& file, const Problem& problem,
+           const app::ResultOf<Problem>& result) {
+  const auto document = app::result_document(problem, result, 1);
+  std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
+}
+
 void write(const std::filesystem::path& file, const Sample& sample) {
-  const auto document = app::result_document(sample.problem, sample.result, 1);
-  std::ofstream(file, std::ios::binary)
-      << app::report_html(document.value(), sample.problem, sample.result);
+  app::visit_kind(sample.problem, [&]<class K>(K, const auto& problem) {
+    if constexpr (std::is_same_v<typename K::Result, Result>) write(file, problem, sample.result);
+  });
 }
 
-void write(const std::filesystem::path& file, const AnalysisProblem& problem) {
-  const auto result = analyse(problem, {.threads = 1});
-  const auto document = app::result_document(problem, result, 1);
-  std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
-}
-
-void write(const std::filesystem::path& file, const MachineProblem& problem) {
-  const auto result = run_machine(problem, {.threads = 1});
-  const auto document = app::result_document(problem, result, 1);
-  std::ofstream(file, std::ios::binary) << app::report_html(document.value(), problem, result);
+template <class Problem>
+void write_computed(const std::filesystem::path& file, const Problem& problem) {
+  write(file, problem, app::Kind<Problem>::run(problem, {.threads = 1}));
 }
 
 void write(const std::filesystem::path& file, const SampleCam& sample) {
@@ -162,20 +158,8 @@ void write(const std::filesystem::path& file, const SampleCam& sample) {
       << app::report_html(document, sample.problem, sample.result);
 }
 
-GearResult evaluated(const GearProblem& problem) {
-  return analyse(problem, {.threads = 1});
-}
-GearPairResult evaluated(const GearPairProblem& problem) {
-  return solve(problem, {.threads = 1});
-}
-
 void write(const std::filesystem::path& file, const SampleGear& sample) {
-  const auto page = [](const auto& problem) {
-    const auto result = evaluated(problem);
-    const auto document = app::result_document(problem, result, 1);
-    return app::report_html(document.value(), problem, result);
-  };
-  std::ofstream(file, std::ios::binary) << std::visit(page, sample.problem);
+  std::visit([&](const auto& problem) { write_computed(file, problem); }, sample.problem);
 }
 
 void write(const std::filesystem::path& file, const SampleStudy& sample) {
@@ -184,10 +168,8 @@ void write(const std::filesystem::path& file, const SampleStudy& sample) {
 }
 
 /// What Cognate finds.
-Sample solved(Problem problem) {
-  const Run run{.seed = 1, .threads = 1};
-  auto result = std::visit([&](const auto& p) { return solve(p, run); }, problem);
-  return {std::move(problem), std::move(result)};
+void write_computed(const std::filesystem::path& file, const Task& task) {
+  std::visit([&](const auto& problem) { write_computed(file, problem); }, task);
 }
 
 }  // namespace
@@ -204,7 +186,7 @@ int main(int argc, char** argv) {
     write(folder / ("exact-" + name + ".html"), {problem, result});
   }
   for (const auto& [name, problem] : sample_analyses()) {
-    write(folder / ("analysis-" + name + ".html"), problem);
+    write_computed(folder / ("analysis-" + name + ".html"), problem);
   }
   for (const SampleCam& sample : sample_cams()) {
     write(folder / ("cam-" + sample.name + ".html"), sample);
@@ -218,20 +200,20 @@ int main(int argc, char** argv) {
   std::ofstream(folder / "poses.json") << sample_poses();
   const std::filesystem::path library = COGNATE_LIBRARY_DIR;
   for (const auto& file : std::filesystem::directory_iterator(library / "analysis")) {
-    const auto problem = read_analysis(file.path());
+    const auto problem = read_task<AnalysisProblem>(file.path());
     if (!problem) return 1;
-    write(folder / ("library-" + file.path().stem().string() + ".html"), *problem);
+    write_computed(folder / ("library-" + file.path().stem().string() + ".html"), *problem);
   }
   for (const auto& file : std::filesystem::directory_iterator(library / "machine")) {
-    const auto problem = read_machine(file.path());
+    const auto problem = read_task<MachineProblem>(file.path());
     if (!problem) return 1;
-    write(folder / ("machine-" + file.path().stem().string() + ".html"), *problem);
+    write_computed(folder / ("machine-" + file.path().stem().string() + ".html"), *problem);
   }
   for (const char* name :
        {"function/log10-refined", "function/three-angle-pairs", "path/drop-of-any-size"}) {
     const std::filesystem::path file = library / (std::string(name) + ".toml");
-    const auto problem = read_problem(file);
+    const auto problem = read_task(file);
     if (!problem) return 1;
-    write(folder / (file.stem().string() + ".html"), solved(*problem));
+    write_computed(folder / (file.stem().string() + ".html"), *problem);
   }
 }

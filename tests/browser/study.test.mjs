@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import vm from "node:vm";
+import { Closure } from "../../app/report/page/study/closure.js";
+import { RowLinkage } from "../../app/report/page/study/linkage.js";
 import { LOOKS, assertFits, launch, visit as visitReport } from "./browser.mjs";
 
 const hasPlots = process.env.HAS_CURVES !== "0";
@@ -27,16 +28,8 @@ const inkOf = (page, selector) => page.locator(selector).evaluate((canvas) => {
   return ink;
 });
 
-// What the page's script of `names` defines, as `result`.
-function evaluated(names, result) {
-  const folder = new URL("../../app/report/page/", import.meta.url).pathname;
-  const text = names.map((name) => readFileSync(path.join(folder, name), "utf8")).join("\n");
-  return vm.runInNewContext(`${text}\n${result}`);
-}
-
 // Of lengths of a few units. Every tenth linkage all but folds flat, where places lose digits.
 test("the page's closure is the kernel's", () => {
-  const Closure = evaluated(["study/closure.js"], "Closure");
   let open = 0;
   for (const [n, { linkage, angles, points }] of JSON.parse(readFileSync(path.join(process.env.REPORTS, "poses.json"), "utf8")).entries()) {
     const tolerance = n % 10 === 0 ? 1e-9 : 1e-12;
@@ -53,7 +46,6 @@ test("the page's closure is the kernel's", () => {
 
 // A double-rocker's coupler point runs through its whole circuit and back to where it was.
 test("a crank that does not turn fully goes on in the other assembly", () => {
-  const RowLinkage = evaluated(["sampling.js", "study/closure.js", "study/linkage.js"], "RowLinkage");
   const linkage = new RowLinkage({ fixed_pivots: [[0, 0], [4, 0]], crank: 3, coupler: 1.5, rocker: 3.2, assembly: "open", coupler_point: [1, 1] });
   assert.equal(linkage.fullTurn, false);
   const poses = linkage.poses(4000);
@@ -66,7 +58,6 @@ test("a crank that does not turn fully goes on in the other assembly", () => {
 
 // As circuit_at has it, whose test has the same linkage: the coupler is the shortest link.
 test("of two circuits the one that the drive starts on is drawn, or comes to first", () => {
-  const RowLinkage = evaluated(["sampling.js", "study/closure.js", "study/linkage.js"], "RowLinkage");
   const links = { fixed_pivots: [[0, 0], [1.6, 0]], crank: 2, coupler: 1, rocker: 1.9, assembly: "open" };
   const isUpper = (start) => new RowLinkage({ ...links, start }).poses(100).every(({ b }) => b[1] > 0);
   const upper = new RowLinkage({ ...links, start: 0 });
@@ -99,8 +90,8 @@ test("a range of a column filters the page", () => visit("grid", still, async (p
   const data = await dataOf(page);
   const size = values(data.columns.find((c) => c.name === "size"));
   await page.locator("#columns summary").click();
-  await page.getByLabel("Greatest size").fill("300");
-  await page.getByLabel("Greatest size").press("Tab");
+  await page.getByLabel("Maximum size").fill("300");
+  await page.getByLabel("Maximum size").press("Tab");
   await settled(page);
   const expected = size.filter((v) => v <= 300).length;
   assert.ok(expected > 10 && expected < size.length);
@@ -251,8 +242,8 @@ test("a point that is pointed at tells its values", plotted, () => visit("grid",
 
 test("the rows that pass are saved as CSV", () => visit("grid", still, async (page) => {
   await page.locator("#columns summary").click();
-  await page.getByLabel("Greatest size").fill("280");
-  await page.getByLabel("Greatest size").press("Tab");
+  await page.getByLabel("Maximum size").fill("280");
+  await page.getByLabel("Maximum size").press("Tab");
   await settled(page);
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save-rows").click()]);
   const lines = readFileSync(await download.path(), "utf8").trim().split("\n");

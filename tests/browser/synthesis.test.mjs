@@ -98,7 +98,7 @@ test("what the synthesis tells of itself is shown", () => visit("motion", still,
 test("a family is plotted, and chooses designs", { skip: withoutPlots }, () => visit("quick-return", still, async (page) => {
   assert.equal(await page.locator("#families-title").textContent(), "Family: crank pivot on its circle");
   assert.match(await page.locator("#designs").textContent(), /mirror image of 1/);
-  assert.deepEqual(await page.locator("#families-plots h3").allTextContents(), ["Transmission least, °", "Crank", "Frame"]);
+  assert.deepEqual(await page.locator("#families-plots h3").allTextContents(), ["Minimum transmission angle, °", "Crank", "Frame"]);
   const plot = page.locator("#families-plots .u-over").first();
   await plot.scrollIntoViewIfNeeded();
   const box = await plot.boundingBox();

@@ -27,7 +27,7 @@ constexpr int kStarts = 1;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  auto problem = cognate::problems::parse_cam(text);
+  auto problem = cognate::problems::parse_task<cognate::problems::CamProblem>(text);
   if (!problem) return 0;
   if (!is_sound(*problem)) std::abort();
   if (problem->solve.starts) problem->solve.starts = kStarts;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/export/cam_drawing.hpp"
+#include "app/drawing/cam_drawing.hpp"
 #include "problems/cam/result.hpp"
 
 namespace cognate::problems {
@@ -19,10 +19,10 @@ inline bool is_sound(const CamProblem& problem, const CamDesign& design) {
 
 /// Whether the profile of a cam can be drawn, of finite points throughout.
 inline bool is_drawn(const CamProblem& problem, const CamDesign& design) {
-  app::DrawingOrder order;
-  order.chord_tolerance = 0.01 * design.cam.system.follower.dimensions.base_radius;
-  const auto drawing = app::cam_drawing(problem, design, order);
-  return drawing && std::ranges::all_of(drawing->curves, [](const app::DrawnCurve& curve) {
+  app::CamDrawingOptions options;
+  options.chord_tolerance = 0.01 * design.cam.system.follower.dimensions.base_radius;
+  const auto drawing = app::cam_drawing(problem, design, options);
+  return drawing && std::ranges::all_of(drawing->curves, [](const app::CamOutline& curve) {
            return curve.points.size() >= 3 &&
                   std::ranges::all_of(curve.points, [](const cam::ProfilePoint& point) {
                     return std::isfinite(point.at.x + point.at.y + point.normal.x + point.normal.y);

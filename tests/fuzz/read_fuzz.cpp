@@ -32,7 +32,6 @@ using cognate::problems::GearPairProblem;
 using cognate::problems::GearProblem;
 using cognate::problems::MachineProblem;
 using cognate::problems::PathProblem;
-using cognate::problems::Problem;
 
 void require(bool holds) {
   if (!holds) std::abort();
@@ -76,14 +75,9 @@ void check(const MachineProblem& problem) {
   require(is_sound(problem));
 }
 
-/// Of the other kinds nothing is asked but that they are read. Without this they would be taken for
-/// a Problem, for ever.
+/// Of the other kinds nothing is asked but that they are read.
 template <class Other>
 void check(const Other&) {}
-
-void check(const Problem& problem) {
-  std::visit([](const auto& any) { check(any); }, problem);
-}
 
 }  // namespace
 

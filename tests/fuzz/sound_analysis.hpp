@@ -12,7 +12,7 @@
 
 namespace cognate::problems {
 
-/// Bodies before `first` are those that a dyad whose own bodies begin there may hang on.
+/// Bodies before `first` are those that a dyad whose own bodies begin there may depend on.
 inline bool hangs_on_bodies_before(const Dyad<double>& dyad, int first) {
   const auto before = [&](const auto&... parts) {
     return (... && (parts.body >= 0 && parts.body < first));

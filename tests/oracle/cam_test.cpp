@@ -132,14 +132,15 @@ TEST(CamOracle, PressureAngleAndCurvatureOfTheOffsetRoller) {
              curvature = column(wanted, "curv_pitch");
   for (std::size_t i = 0; i < delta.size(); ++i) {
     const auto motion = design.cam.programme.at(delta[i] * kDegree);
-    using cam::Quantity;
-    EXPECT_NEAR(value_of(Quantity::pressure_angle, design.cam.system, motion), alpha[i] * kDegree,
-                1e-13)
+    using cam::CamQuantity;
+    EXPECT_NEAR(value_of(CamQuantity::pressure_angle, design.cam.system, motion),
+                alpha[i] * kDegree, 1e-13)
         << delta[i];
     // The acceleration jumps at the others: there the file has the curvature before them.
     if (delta[i] == 50 || delta[i] == 100 || delta[i] == 360) continue;
     ++tested;
-    EXPECT_NEAR(value_of(Quantity::pitch_curvature, design.cam.system, motion), curvature[i], 1e-15)
+    EXPECT_NEAR(value_of(CamQuantity::pitch_curvature, design.cam.system, motion), curvature[i],
+                1e-15)
         << delta[i];
   }
   EXPECT_GE(tested, 9);
@@ -148,8 +149,8 @@ TEST(CamOracle, PressureAngleAndCurvatureOfTheOffsetRoller) {
 // 38.71° where the halves of the rise meet, and 52.16° in the return: the book does not say so.
 TEST(CamOracle, GreatestPressureAnglesOfTheOffsetRoller) {
   const auto design = only_design(offset_roller());
-  const auto rise = problems::CamExtremes(design.cam).pressure_angle(cam::Stretch::rises);
-  const auto fall = problems::CamExtremes(design.cam).pressure_angle(cam::Stretch::falls);
+  const auto rise = problems::CamExtremes(design.cam).pressure_angle(cam::MotionPart::rises);
+  const auto fall = problems::CamExtremes(design.cam).pressure_angle(cam::MotionPart::falls);
   EXPECT_NEAR(rise->value / kDegree, 38.706724066970544, 1e-11);
   EXPECT_NEAR(rise->angle / kDegree, 50, 1e-12);
   // To 30 digits by a zero of the derivative: 52.1596066341532782 at 61.3838535339225569.
@@ -163,7 +164,7 @@ TEST(CamOracle, GreatestPressureAngleOfAHarmonicRise) {
   problem.motion = {segment(MotionLaw::harmonic, 90, 20), segment(MotionLaw::harmonic, 90, -20),
                     segment(MotionLaw::dwell, 180)};
   const auto rise =
-      problems::CamExtremes(only_design(problem).cam).pressure_angle(cam::Stretch::rises);
+      problems::CamExtremes(only_design(problem).cam).pressure_angle(cam::MotionPart::rises);
   EXPECT_NEAR(rise->value, std::atan(20 * std::sqrt(0.96) / 48), 1e-15);
   EXPECT_NEAR(rise->angle, 0.5 * std::acos(0.2), 1e-12);
 }

@@ -18,15 +18,15 @@ namespace cognate::problems {
 namespace {
 
 Result solve_text(const std::string& text, int threads = 0) {
-  const auto problem = parse_problem("kind = \"straight-line\"\n" + text);
+  const auto problem = parse_task("kind = \"straight-line\"\n" + text);
   EXPECT_TRUE(problem.has_value()) << (problem ? "" : problem.error()[0].message);
   Run run;
   run.threads = threads;
   return problem ? solve(std::get<StraightLineProblem>(*problem), run) : Result{};
 }
 
-double fact(const Design& design, const std::string& name) {
-  for (const Fact& f : design.metrics.facts) {
+double quantity(const Design& design, const std::string& name) {
+  for (const Quantity& f : design.metrics.quantities) {
     if (f.name == name) return std::get<double>(f.value);
   }
   ADD_FAILURE() << "no fact " << name;
@@ -77,16 +77,16 @@ void expect_sound(const Result& result) {
   for (const Design& design : result.designs) {
     EXPECT_TRUE(all_satisfied(design.constraints));
     EXPECT_TRUE(design.metrics.defects.empty());
-    const double from = fact(design, "crank_from_deg") * kPi / 180;
-    const double to = fact(design, "crank_to_deg") * kPi / 180;
-    const double told = fact(design, "deviation_relative");
+    const double from = quantity(design, "crank_from_deg") * kPi / 180;
+    const double to = quantity(design, "crank_to_deg") * kPi / 180;
+    const double told = quantity(design, "deviation_relative");
     EXPECT_NEAR(plain_straightness(four_bar(design), from, to), told, 3e-3 * told + 1e-8);
   }
 }
 
 /// 2 δ/L in per cent, as the tables give it.
 double best_width(const Result& result) {
-  return 200 * fact(result.designs.at(0), "deviation_relative");
+  return 200 * quantity(result.designs.at(0), "deviation_relative");
 }
 
 std::string hoeken(int range) {
@@ -111,8 +111,9 @@ TEST_P(HoekenRange, IsReachedAtLeast) {
   expect_sound(result);
   EXPECT_LT(best_width(result), published);
   EXPECT_LE(best_width(result), best_known);
-  EXPECT_NEAR(fact(result.designs[0], "crank_to_deg") - fact(result.designs[0], "crank_from_deg"),
-              range, 1e-6);
+  EXPECT_NEAR(
+      quantity(result.designs[0], "crank_to_deg") - quantity(result.designs[0], "crank_from_deg"),
+      range, 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(StraightLineSearch, HoekenRange,
@@ -171,7 +172,7 @@ TEST(StraightLineSearch, FindsTheExactSliderCrank) {
   const Result result = solve_text(
       "[target]\nlength = 1\n[mechanism]\ntype = \"slider-crank\"\n[solve]\nstarts = 40\n");
   ASSERT_EQ(result.status, Status::solved);
-  EXPECT_LT(fact(result.designs[0], "deviation_relative"), 1e-9);
+  EXPECT_LT(quantity(result.designs[0], "deviation_relative"), 1e-9);
   const auto& slider = std::get<SliderCrank>(result.designs[0].mechanism.description);
   EXPECT_NEAR(slider.crank, slider.coupler, 1e-6);
   EXPECT_NEAR(slider.offset, 0, 1e-6);
@@ -190,17 +191,17 @@ TEST(StraightLineSearch, GoalsAgree) {
       solve_text("[target]\nlength = 1\n" + common +
                  "size_over_length_max = 1.3\n[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(straightest);
-  const double deviation = fact(straightest.designs[0], "deviation_relative");
+  const double deviation = quantity(straightest.designs[0], "deviation_relative");
   const Result smallest = solve_text("[target]\ndeviation_relative = " + written(deviation) + "\n" +
                                      common + "[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(smallest);
-  EXPECT_LT(fact(smallest.designs[0], "size_over_length"), 1.3 * 1.002);
+  EXPECT_LT(quantity(smallest.designs[0], "size_over_length"), 1.3 * 1.002);
   const Result longest =
       solve_text("[target]\ndeviation_relative = " + written(deviation) +
                  "\n[bounds]\nlength = [0, 13]\ncoupler_point = [[-13, -13], [13, 13]]\n" + common +
                  "size_over_length_max = 1.3\n[solve]\nstarts = 60\ndesigns = 1\n");
   expect_sound(longest);
-  EXPECT_GT(fact(longest.designs[0], "straight_length"), 10 * 0.998);
+  EXPECT_GT(quantity(longest.designs[0], "straight_length"), 10 * 0.998);
 }
 
 }  // namespace

@@ -19,13 +19,13 @@ namespace cognate::problems {
 namespace {
 
 FunctionProblem parsed(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }
 
 FunctionProblem from_library(const char* name) {
-  const auto problem = read_problem(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
+  const auto problem = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }

@@ -20,13 +20,13 @@ namespace {
 constexpr double degree = kPi / 180;
 
 FunctionProblem parsed(std::string_view text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }
 
 FunctionProblem from_library(const char* name) {
-  const auto problem = read_problem(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
+  const auto problem = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }
@@ -282,7 +282,7 @@ TEST(RefinedFunction, KeepsToAnActiveTransmissionLimit) {
     double looser = 0;
     for (const int limit : {48, 50, 52}) {
       const std::string off = std::to_string(limit);
-      const auto problem = std::get<FunctionProblem>(*parse_problem(
+      const auto problem = std::get<FunctionProblem>(*parse_task(
           std::string("kind = \"function-generation\"\n[target]\nfunction = \"") + target +
           "\ninput_range_deg = 90\nsamples = 21\n[mechanism]\nframe = 1\n[constraints]\n"
           "transmission_angle_deg = [" +

@@ -35,8 +35,8 @@ Example find_example(const File& file) {
 }
 
 problems::AnalysisProblem read_file(const std::string& name) {
-  auto problem =
-      problems::read_analysis(std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis" / name);
+  auto problem = problems::read_task<problems::AnalysisProblem>(
+      std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis" / name);
   EXPECT_TRUE(problem.has_value()) << name;
   problem->output.torque = problem->output.reactions = true;
   return *problem;

@@ -59,10 +59,10 @@ TEST(LimitedFunctions, OfTripleRockersAreLimitedOverTheirOwnMotion) {
   for (int seed = 1; seed <= 6; ++seed) {
     for (const bool first : {true, false}) {
       const auto problem =
-          parse_problem(file(first ? wide : narrow,
-                             std::string("class = \"triple-rocker\"\ntransmission_angle_deg = ") +
-                                 (first ? "[14.440, 111.128]\nlink_ratio_max = 2.754\n"
-                                        : "[40, 130]\nlink_ratio_max = 1.346\n")));
+          parse_task(file(first ? wide : narrow,
+                          std::string("class = \"triple-rocker\"\ntransmission_angle_deg = ") +
+                              (first ? "[14.440, 111.128]\nlink_ratio_max = 2.754\n"
+                                     : "[40, 130]\nlink_ratio_max = 1.346\n")));
       ASSERT_TRUE(problem);
       const Result result =
           solve(std::get<FunctionProblem>(*problem), {.seed = std::uint64_t(seed)});

@@ -39,7 +39,7 @@ constexpr std::array<std::array<double, 3>, 20> kPoses{
      {-1.1270315, -0.8992857, 87.02033}, {-1.1723369, -0.8901351, 86.71064}}};
 
 MotionProblem parsed(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (!problem) throw std::runtime_error("faulty test problem");
   return std::get<MotionProblem>(*problem);
 }

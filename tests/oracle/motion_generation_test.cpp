@@ -17,7 +17,7 @@ namespace {
 
 Result solved(const std::string& name) {
   const auto file = std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion" / (name + ".toml");
-  const auto problem = read_problem(file);
+  const auto problem = read_task(file);
   if (!problem) {
     ADD_FAILURE() << file << ": " << problem.error().front().message;
     return {};
@@ -26,7 +26,7 @@ Result solved(const std::string& name) {
 }
 
 Result solved_text(const std::string& text) {
-  const auto problem = parse_problem("kind = \"motion-generation\"\n" + text);
+  const auto problem = parse_task("kind = \"motion-generation\"\n" + text);
   if (!problem) {
     ADD_FAILURE() << problem.error().front().message;
     return {};

@@ -28,9 +28,9 @@ int seeds(int most) {
   return text ? std::clamp(std::atoi(text), 1, most) : most;
 }
 
-double fact(const Design& design, const std::string& name) {
-  for (const Fact& fact : design.metrics.facts) {
-    if (fact.name == name) return std::get<double>(fact.value);
+double quantity(const Design& design, const std::string& name) {
+  for (const Quantity& quantity : design.metrics.quantities) {
+    if (quantity.name == name) return std::get<double>(quantity.value);
   }
   ADD_FAILURE() << "no " << name;
   return 0;
@@ -50,7 +50,7 @@ synthesis::Pose textbook_pose(const FourBar& l, double crank_angle, double in_li
 }
 
 double textbook_error(const MotionProblem& problem, const Design& design) {
-  const double in_link = fact(design, "body_angle_in_link_deg") * kPi / 180;
+  const double in_link = quantity(design, "body_angle_in_link_deg") * kPi / 180;
   double sum = 0;
   for (std::size_t j = 0; j < problem.poses.size(); ++j) {
     const auto pose = textbook_pose(four_bar(design), design.crank_angles[j], in_link);
@@ -63,7 +63,7 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
 
 MotionProblem eleven_poses() {
   const auto problem =
-      read_problem(std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion/eleven-poses.toml");
+      read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion/eleven-poses.toml");
   return std::get<MotionProblem>(problem.value());
 }
 

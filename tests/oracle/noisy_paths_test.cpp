@@ -16,8 +16,7 @@ namespace cognate::problems {
 namespace {
 
 PathProblem problem_of(const char* name) {
-  const auto problem =
-      read_problem(std::filesystem::path(COGNATE_ORACLE_DIR) / "noisy_paths" / name);
+  const auto problem = read_task(std::filesystem::path(COGNATE_ORACLE_DIR) / "noisy_paths" / name);
   return std::get<PathProblem>(*problem);
 }
 

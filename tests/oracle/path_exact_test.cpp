@@ -25,13 +25,13 @@ namespace {
 
 PathProblem library(const std::string& name) {
   const std::string folder = COGNATE_LIBRARY_DIR;
-  const auto read = read_problem(folder + "/path/" + name + ".toml");
+  const auto read = read_task(folder + "/path/" + name + ".toml");
   return std::get<PathProblem>(read.value());
 }
 
-double fact(const Result& result, const std::string& name) {
-  const auto found = std::ranges::find(result.facts, name, &Fact::name);
-  return found == result.facts.end() ? -1 : std::get<double>(found->value);
+double quantity(const Result& result, const std::string& name) {
+  const auto found = std::ranges::find(result.quantities, name, &Quantity::name);
+  return found == result.quantities.end() ? -1 : std::get<double>(found->value);
 }
 
 std::ptrdiff_t feasible(const Result& result) {
@@ -51,11 +51,11 @@ void expect_lengths(const FourBar& linkage, double crank, double coupler, double
 TEST(NinePoints, OfProblemThreeGiveTheCrankRockerThatIsPublished) {
   const Result result = solve(library("nine-points-3"), {});
   EXPECT_EQ(result.status, Status::solved);
-  EXPECT_EQ(fact(result, "expected_solutions"), 1442);
-  EXPECT_EQ(fact(result, "complex_solutions"), 1442);
-  EXPECT_EQ(fact(result, "certified_solutions"), 1442);
-  EXPECT_EQ(fact(result, "real_solutions"), 64);
-  EXPECT_EQ(fact(result, "certified_real_solutions"), 64);
+  EXPECT_EQ(quantity(result, "expected_solutions"), 1442);
+  EXPECT_EQ(quantity(result, "complex_solutions"), 1442);
+  EXPECT_EQ(quantity(result, "certified_solutions"), 1442);
+  EXPECT_EQ(quantity(result, "real_solutions"), 64);
+  EXPECT_EQ(quantity(result, "certified_real_solutions"), 64);
   EXPECT_EQ(result.designs.size(), 6u * 64u);
   for (const Design& design : result.designs) EXPECT_LT(design.error.max, 1e-6);
 
@@ -81,23 +81,23 @@ TEST(NinePoints, OfAllPublishedProblemsAreCertifiedWithoutException) {
   for (const auto& [name, real] :
        {std::pair("nine-points-1", 21), {"nine-points-2", 45}, {"nine-points-3", 64}}) {
     const Result result = solve(library(name), {});
-    EXPECT_EQ(fact(result, "complex_solutions"), 1442) << name;
-    EXPECT_EQ(fact(result, "certified_solutions"), 1442) << name;
-    EXPECT_EQ(fact(result, "certified_real_solutions"), real) << name;
-    certified += static_cast<int>(fact(result, "certified_solutions"));
+    EXPECT_EQ(quantity(result, "complex_solutions"), 1442) << name;
+    EXPECT_EQ(quantity(result, "certified_solutions"), 1442) << name;
+    EXPECT_EQ(quantity(result, "certified_real_solutions"), real) << name;
+    certified += static_cast<int>(quantity(result, "certified_solutions"));
   }
   EXPECT_EQ(certified, 3 * 1442);
 }
 
 TEST(FivePoints, WithGivenPivotsHaveTheFifteenRealSolutionsThatArePublished) {
   const Result result = solve(library("five-points-given-pivots"), {});
-  EXPECT_EQ(fact(result, "expected_solutions"), 36);
-  EXPECT_EQ(fact(result, "complex_solutions"), 33);
-  EXPECT_EQ(fact(result, "solutions_at_infinity"), 3);
+  EXPECT_EQ(quantity(result, "expected_solutions"), 36);
+  EXPECT_EQ(quantity(result, "complex_solutions"), 33);
+  EXPECT_EQ(quantity(result, "solutions_at_infinity"), 3);
   ASSERT_FALSE(result.notes.empty());
   EXPECT_NE(result.notes[0].find("5 of the points lie on one line"), std::string::npos);
-  EXPECT_EQ(fact(result, "certified_solutions"), 33);
-  EXPECT_EQ(fact(result, "real_solutions"), 15);
+  EXPECT_EQ(quantity(result, "certified_solutions"), 33);
+  EXPECT_EQ(quantity(result, "real_solutions"), 15);
   // Crank, coupler and rocker of each.
   const std::array<std::array<double, 3>, 15> known = {{
       {1.2580237302703614, 0.9783037451319725, 1.378331446237258},
@@ -155,17 +155,17 @@ TEST(PosesAndPoints, GiveBackTheLinkageThatWasPlanted) {
     })) << poses;
     for (const Design& design : result.designs) {
       EXPECT_LT(design.error.max, 1e-6) << poses;
-      const auto& facts = design.metrics.facts;
-      const auto angle = std::ranges::find(facts, "angle_error_max_deg", &Fact::name);
-      ASSERT_NE(angle, facts.end()) << poses;
+      const auto& quantities = design.metrics.quantities;
+      const auto angle = std::ranges::find(quantities, "angle_error_max_deg", &Quantity::name);
+      ASSERT_NE(angle, quantities.end()) << poses;
       EXPECT_LT(std::get<double>(angle->value), 1e-6) << poses;
       EXPECT_EQ(design.origin, "exact:alt-burmester");
     }
   }
 }
 
-/// What is told of a pose's angle is measured on the linkage, not taken from what was solved: held
-/// against a problem with another angle at the third pose, each linkage misses it by the
+/// What is reported of a pose's angle is measured on the linkage, not taken from what was solved:
+/// held against a problem with another angle at the third pose, each linkage misses it by the
 /// difference.
 TEST(PosesAndPoints, TellWhatTheLinkageMissesOfAnAngle) {
   std::mt19937_64 random(34);
@@ -181,14 +181,14 @@ TEST(PosesAndPoints, TellWhatTheLinkageMissesOfAnAngle) {
   const auto designs = designs_of(roots, problem, 0);
   ASSERT_FALSE(designs.empty());
   for (const TracedDesign& traced : designs) {
-    const auto& facts = traced.design.metrics.facts;
-    const auto angle = std::ranges::find(facts, "angle_error_max_deg", &Fact::name);
-    ASSERT_NE(angle, facts.end());
+    const auto& quantities = traced.design.metrics.quantities;
+    const auto angle = std::ranges::find(quantities, "angle_error_max_deg", &Quantity::name);
+    ASSERT_NE(angle, quantities.end());
     EXPECT_NEAR(std::get<double>(angle->value), kOff * 180 / kPi, 1e-6);
   }
 }
 
-TEST(GivenParts, OfAnyKindGiveBackTheLinkageThatWasPlanted) {
+TEST(FixedParts, OfAnyKindGiveBackTheLinkageThatWasPlanted) {
   std::mt19937_64 random(32);
   const auto planted = testing::random_crank_rocker(random, 4, 0.9);
   const FourBar& linkage = planted.linkage;
@@ -205,12 +205,12 @@ TEST(GivenParts, OfAnyKindGiveBackTheLinkageThatWasPlanted) {
   for (const Design& design : result.designs) {
     EXPECT_NEAR(frame_angle(four_bar(design)), frame_angle(linkage), 1e-9);
   }
-  EXPECT_GT(fact(result, "certified_real_solutions"), 0);
-  EXPECT_EQ(fact(result, "certified_real_solutions"), fact(result, "real_solutions"));
+  EXPECT_GT(quantity(result, "certified_real_solutions"), 0);
+  EXPECT_EQ(quantity(result, "certified_real_solutions"), quantity(result, "real_solutions"));
 }
 
 /// Each with as many points as make eight conditions.
-TEST(GivenParts, ComeBackWithTheirLinkageInEachCombination) {
+TEST(FixedParts, ComeBackWithTheirLinkageInEachCombination) {
   std::mt19937_64 random(37);
   const auto planted = testing::random_crank_rocker(random, 5, 0.9);
   const FourBar& linkage = planted.linkage;
@@ -236,7 +236,7 @@ TEST(GivenParts, ComeBackWithTheirLinkageInEachCombination) {
     const int parts = equation_count(problem) - 4;
     problem.points.resize(std::size_t(9 - parts));
     const Result result = solve(problem, {});
-    EXPECT_EQ(fact(result, "lost_paths"), 0) << parts;
+    EXPECT_EQ(quantity(result, "lost_paths"), 0) << parts;
     EXPECT_TRUE(std::ranges::any_of(result.designs, [&](const Design& design) {
       return same_design(four_bar(design), linkage, 1e-7);
     })) << parts;
@@ -253,10 +253,10 @@ TEST(ShortArcs, KeepEveryLinkageThatIsProvedReal) {
     problem.given.pivot_a = planted.linkage.pivot_a;
     problem.given.pivot_d = planted.linkage.pivot_d;
     const Result result = solve(problem, {});
-    EXPECT_GT(fact(result, "certified_real_solutions"), 10);
-    EXPECT_GE(fact(result, "real_solutions"), fact(result, "certified_real_solutions"));
-    EXPECT_EQ(double(result.designs.size()), fact(result, "real_solutions"));
-    EXPECT_EQ(fact(result, "lost_paths"), 0);
+    EXPECT_GT(quantity(result, "certified_real_solutions"), 10);
+    EXPECT_GE(quantity(result, "real_solutions"), quantity(result, "certified_real_solutions"));
+    EXPECT_EQ(double(result.designs.size()), quantity(result, "real_solutions"));
+    EXPECT_EQ(quantity(result, "lost_paths"), 0);
     for (const Design& design : result.designs) EXPECT_LT(design.error.max, 1e-9);
     EXPECT_TRUE(std::ranges::any_of(result.designs, [&](const Design& design) {
       return same_design(four_bar(design), planted.linkage, 1e-6);
@@ -271,7 +271,7 @@ TEST(FewPoints, AreMetByTheBestOfAFamily) {
   problem.solve.starts = 10;
   const Result result = solve(problem, {});
   ASSERT_FALSE(result.designs.empty());
-  EXPECT_EQ(fact(result, "free_parameters"), 6);
+  EXPECT_EQ(quantity(result, "free_parameters"), 6);
   for (const Design& design : result.designs) {
     EXPECT_LT(design.error.max, 1e-8);
     EXPECT_EQ(design.origin, "exact:path-given-parts");
@@ -309,7 +309,7 @@ TEST(FewPoints, AreMetWithPivotsWhereBoundsAndRegionLeaveThem) {
   problem.bounds.pivot_d = Box{{1, -kFar}, {kFar, kFar}};
   problem.constraints.pivot_region = Box{{-kFar, -kFar}, {2, kFar}};
   const Result result = solve(problem, {});
-  EXPECT_EQ(fact(result, "family_members_solved"), 12);
+  EXPECT_EQ(quantity(result, "family_members_solved"), 12);
   ASSERT_FALSE(result.designs.empty());
   for (const Design& design : result.designs) {
     expect_within(four_bar(design).pivot_a, {{-kFar, -kFar}, {2, -20}});
@@ -343,7 +343,7 @@ TEST(FewPoints, MayBeOnePointWithTwoAngles) {
   problem.pose_angles = {0, 0.5};
   problem.given.crank = 3;
   const Result result = solve(problem, {});
-  EXPECT_GT(fact(result, "family_members_solved"), 0);
+  EXPECT_GT(quantity(result, "family_members_solved"), 0);
   ASSERT_FALSE(result.designs.empty());
   for (const Design& design : result.designs) EXPECT_LT(design.error.max, 1e-8);
 }
@@ -358,7 +358,7 @@ TEST(FewPoints, AreNotCalledSolvedWhereTheyAreNot) {
   PathProblem problem = family({{0, 0}, {1, 1e-14}, {1, 0}});
   const Result result = solve(problem, {});
   EXPECT_EQ(result.status, Status::no_solution);
-  EXPECT_EQ(fact(result, "family_members_solved"), 0);
+  EXPECT_EQ(quantity(result, "family_members_solved"), 0);
   EXPECT_NE(notes_of(result).find("Positions 2 and 3 coincide"), std::string::npos);
 }
 
@@ -382,7 +382,7 @@ TEST(Degenerate, PointsOnALineOrCircleAreNamedAtOnce) {
     const Result seven = solve(family(mixed), {});
     EXPECT_EQ(seven.status, Status::no_solution);
     EXPECT_NE(notes_of(seven).find("7 of the points lie on one circle. "), std::string::npos);
-    EXPECT_EQ(fact(seven, "complex_solutions"), -1) << "nothing was solved";
+    EXPECT_EQ(quantity(seven, "complex_solutions"), -1) << "nothing was solved";
   }
 }
 
@@ -410,7 +410,7 @@ TEST(ExactPaths, SayThatTheGenericProblemTookAllTheTime) {
   };
   const Result result = solve(problem, run);
   EXPECT_EQ(result.status, Status::time_limit);
-  EXPECT_TRUE(result.facts.empty());
+  EXPECT_TRUE(result.quantities.empty());
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("generic problem"), std::string::npos);
   EXPECT_GT(last, 0);

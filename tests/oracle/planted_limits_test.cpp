@@ -70,13 +70,13 @@ constexpr double kTimedBest = 1.35366e-3;
 
 template <class OneProblem>
 OneProblem parsed(const char* text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   return std::get<OneProblem>(problem.value());
 }
 
 double number(const Result& result, const std::string& name) {
-  const auto fact = std::ranges::find(result.facts, name, &Fact::name);
-  return fact == result.facts.end() ? std::nan("") : std::get<double>(fact->value);
+  const auto quantity = std::ranges::find(result.quantities, name, &Quantity::name);
+  return quantity == result.quantities.end() ? std::nan("") : std::get<double>(quantity->value);
 }
 
 TEST(PlantedLimits, NoisyPosesKeepTheirOrderInsideTheSearch) {

@@ -33,14 +33,19 @@ void change(toml::table& table, const toml::table& changes) {
   }
 }
 
-problems::Problem read_changed(const std::string& file, const toml::table* changes) {
+RecordedProblem read_changed(const std::string& file, const toml::table* changes) {
   toml::table table = toml::parse_file((library / file).string());
   if (changes) change(table, *changes);
   std::ostringstream text;
   text << table;
-  auto problem = problems::parse_problem(text.str());
-  if (!problem) throw std::runtime_error(file + ": " + problem.error().front().message);
-  return std::move(*problem);
+  const auto task = problems::parse_task(text.str());
+  if (!task) throw std::runtime_error(file + ": " + task.error().front().message);
+  return std::visit(
+      [&]<class Problem>(const Problem& problem) -> RecordedProblem {
+        if constexpr (std::is_constructible_v<RecordedProblem, Problem>) return problem;
+        throw std::runtime_error(file + ": no problem of a kind that records are of");
+      },
+      *task);
 }
 
 double squared_size(const problems::PathProblem& problem) {

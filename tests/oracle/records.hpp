@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "problems/kinds.hpp"
@@ -16,9 +17,12 @@ struct PublishedError {
   std::optional<long> evaluations;
 };
 
+using RecordedProblem =
+    std::variant<problems::PathProblem, problems::FunctionProblem, problems::MotionProblem>;
+
 struct Record {
   std::string name;  ///< stem of the file, and in parentheses what is changed of it
-  problems::Problem problem;
+  RecordedProblem problem;
   std::string source;
   /// Sum of squares, or with `largest` the largest error over the domain.
   double best_known = 0;

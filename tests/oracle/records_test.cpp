@@ -60,7 +60,7 @@ double structural_error(const FourBar& linkage, double input, double output) {
   return std::remainder(rocker - output, kTurn);
 }
 
-/// Over the samples, or if the largest error is asked for over 20001 values of x.
+/// Over the samples, or if the largest error is requested over 20001 values of x.
 double textbook_error(const Record& record, const FunctionProblem& problem, const Design& design) {
   const auto& target = std::get<problems::FunctionOfX>(problem.target);
   const auto [from, to] = target.domain;
@@ -81,7 +81,7 @@ double textbook_error(const Record& record, const FunctionProblem& problem, cons
   return record.largest ? largest : sum;
 }
 
-/// Where a crank-rocker is asked for: the crank is the shortest link and Grashof's rule holds, to
+/// Where a crank-rocker is requested: the crank is the shortest link and Grashof's rule holds, to
 /// the rounding of the lengths.
 void expect_class(const problems::Constraints& constraints, const FourBar& linkage) {
   if (!constraints.required_class) return;
@@ -129,9 +129,9 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
   const FourBar& linkage = four_bar(design);
   FourBar ahead = linkage;  // a point ahead of the body's origin along the coupler
   ahead.coupler_point = *linkage.coupler_point + Vec2d{1, 0};
-  const auto fact =
-      std::ranges::find(design.metrics.facts, "body_angle_in_link_deg", &problems::Fact::name);
-  const double in_link = std::get<double>(fact->value) * kPi / 180;
+  const auto quantity = std::ranges::find(design.metrics.quantities, "body_angle_in_link_deg",
+                                          &problems::Quantity::name);
+  const double in_link = std::get<double>(quantity->value) * kPi / 180;
   double sum = 0;
   for (std::size_t j = 0; j < problem.poses.size(); ++j) {
     const Vec2d at = textbook_point(linkage, design.crank_angles[j]);
@@ -145,11 +145,6 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
 
 void check(const Record& record, const MotionProblem& problem, const Design& design) {
   expect_reached(record, textbook_error(problem, design));
-}
-
-template <class OtherProblem>
-void check(const Record&, const OtherProblem&, const Design&) {
-  FAIL() << "no record is of this kind of problem";
 }
 
 class Records : public testing::TestWithParam<int> {};

@@ -183,7 +183,7 @@ TEST_P(ShaperExample, HasTheSteadySpeeds) {
       std::ranges::minmax_element(steady.states, {}, &MachineState::omega);
   expect_close(greatest->omega, number(given["greatest"]), 1e-8);
   expect_close(least->omega, number(given["least"]), 1e-8);
-  // Refined extremes lie beyond those of every 0.5°, and make what is told of the speeds so.
+  // Refined extremes lie beyond those of every 0.5°, and make what is reported of the speeds so.
   EXPECT_GE(steady.greatest.omega, greatest->omega);
   EXPECT_LE(steady.least.omega, least->omega);
   EXPECT_NEAR(fluctuation(steady), number(given["fluctuation"]), 1e-7);

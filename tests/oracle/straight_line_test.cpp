@@ -181,15 +181,15 @@ TEST(Wang, ContactIsAsPublished) {
 }
 
 /// Half the width of the narrowest strip over samples, by trying directions about a line's.
-double sampled_half_width(const Path& path, const Stretch& stretch) {
+double sampled_half_width(const Path& path, const StraightSegment& segment) {
   std::vector<Vec2d> points;
   for (int k = 0; k <= 2000; ++k) {
-    points.push_back(path(stretch.from + (stretch.to - stretch.from) * k / 2000).at);
+    points.push_back(path(segment.from + (segment.to - segment.from) * k / 2000).at);
   }
-  double least = stretch.length;
+  double least = segment.length;
   for (int k = -2000; k <= 2000; ++k) {
     const double turn = 1e-6 * k;
-    const Vec2d direction = Vec2d{std::cos(turn), std::sin(turn)} * stretch.line.direction;
+    const Vec2d direction = Vec2d{std::cos(turn), std::sin(turn)} * segment.line.direction;
     least = std::min(least, half_width_across(points, direction));
   }
   return least;
@@ -212,8 +212,8 @@ TEST(Wang, LengthsAreAsPublished) {
     const CrankRange forward = forward_interval(path, 0.5 * pi, limits).value();
     for (std::size_t i = 0; i < 2; ++i) {
       const double relative = i == 0 ? 1e-3 : 1e-2;
-      const Stretch tangent = longest_tangent_stretch(path, 0.5 * pi, forward, relative);
-      const Stretch best = longest_stretch(path, 0.5 * pi, forward, relative);
+      const StraightSegment tangent = longest_tangent_segment(path, 0.5 * pi, forward, relative);
+      const StraightSegment best = longest_segment(path, 0.5 * pi, forward, relative);
       EXPECT_NEAR(tangent.length, c.lengths[2 * i], 2e-3 * c.lengths[2 * i]) << c.name;
       // A search over samples may end short of the longest: by 0.32 % in the first case.
       EXPECT_GT(best.length, (1 - 1e-3) * c.lengths[2 * i + 1]) << c.name;
@@ -260,14 +260,14 @@ TEST(Hoeken, TableIsReproduced) {
   for (const HoekenRow& row : kHoeken) {
     const Path path = path_of(hoeken(row.frame, row.link));
     const double half = 0.5 * row.range_deg * kDegree;
-    const Stretch stretch = measure(path, pi - half, pi + half);
-    EXPECT_NEAR(stretch.length, row.stroke, 2e-4 * row.stroke) << row.range_deg;
-    EXPECT_NEAR(200 * stretch.deviation / stretch.length, row.straightness_percent,
+    const StraightSegment segment = measure(path, pi - half, pi + half);
+    EXPECT_NEAR(segment.length, row.stroke, 2e-4 * row.stroke) << row.range_deg;
+    EXPECT_NEAR(200 * segment.deviation / segment.length, row.straightness_percent,
                 5e-3 * row.straightness_percent)
         << row.range_deg;
     if (row.variation_percent == 0) continue;
     ++tested;
-    EXPECT_NEAR(100 * speed_variation(path, stretch).value(), row.variation_percent,
+    EXPECT_NEAR(100 * speed_variation(path, segment).value(), row.variation_percent,
                 2e-3 * row.variation_percent)
         << row.range_deg;
   }

@@ -21,7 +21,7 @@ namespace {
 const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis";
 
 AnalysisProblem read_or_fail(const std::filesystem::path& file) {
-  auto problem = read_analysis(file);
+  auto problem = read_task<AnalysisProblem>(file);
   if (problem) return *std::move(problem);
   for (const Fault& fault : problem.error()) {
     ADD_FAILURE() << file << ":" << fault.line << ":" << fault.column << ": " << fault.message;

@@ -59,7 +59,7 @@ std::string free_motion(const std::string& lines) {
 }
 
 CamProblem read_or_fail(const std::string& text) {
-  auto problem = parse_cam(text);
+  auto problem = parse_task<CamProblem>(text);
   if (problem) return *std::move(problem);
   for (const Fault& fault : problem.error()) {
     ADD_FAILURE() << fault.line << ":" << fault.column << ": " << fault.message << "\n" << text;
@@ -200,7 +200,8 @@ TEST(CamProblem, LimitsAndObjective) {
   EXPECT_EQ(problem.solve.designs, 2);
 }
 
-// The least preload of a motion that is known is a number; of form closed followers none is wanted.
+// The least preload of a motion that is known is a number; of form closed followers none is
+// requested.
 TEST(CamProblem, APreloadIsWantedOnlyWhereForcesOfAFreeMotionAreJudged) {
   const std::string limits = "[constraints]\ntorque_max = 6\n";
   EXPECT_FALSE(read_or_fail(roller("load = 1\n" + limits)).preload);
@@ -302,26 +303,22 @@ TEST(CamProblem, AHundredThousandSegmentsAreRead) {
 }
 
 TEST(CamProblem, OtherReadersSayWhatItIs) {
-  const auto problem = parse_problem(roller(""));
-  ASSERT_FALSE(problem);
-  EXPECT_EQ(problem.error()[0].column, 8U);
-  EXPECT_NE(problem.error()[0].message.find("\"cam\""), std::string::npos);
-  const auto analysis = parse_analysis(roller(""));
+  const auto analysis = parse_task<AnalysisProblem>(roller(""));
   ASSERT_FALSE(analysis);
-  EXPECT_NE(analysis.error()[0].message.find("'cognate solve' designs a cam, and evaluates one"),
-            std::string::npos);
-  const auto cam = parse_cam(
+  EXPECT_EQ(analysis.error()[0].column, 8U);
+  EXPECT_EQ(analysis.error()[0].message, "kind is \"cam\"; expected kind = \"analysis\"");
+  const auto cam = parse_task<CamProblem>(
       "kind = \"quick-return\"\n[target]\ntime_ratio = 1.5\n[mechanism]\n"
       "type = \"guide-bar\"\nframe = 3\n");
   ASSERT_FALSE(cam);
-  EXPECT_NE(cam.error()[0].message.find("kind = \"cam\" is wanted"), std::string::npos);
+  EXPECT_NE(cam.error()[0].message.find("expected kind = \"cam\""), std::string::npos);
 }
 
 TEST(CamProblem, TheLibraryHasEveryRollerAndFace) {
   std::set<cam::FollowerType> types;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(COGNATE_LIBRARY_DIR) / "cam")) {
-    const auto problem = read_cam(entry.path());
+    const auto problem = read_task<CamProblem>(entry.path());
     ASSERT_TRUE(problem) << entry.path();
     EXPECT_FALSE(problem->title.empty()) << entry.path();
     const auto programme = cam::programme_of(problem->motion);
@@ -341,13 +338,13 @@ const std::string kConjugate = "closure = \"conjugate\"\nload = 1\n";
 const std::vector<FaultCase> kCases = {
     {"NoFollower",
      "kind = \"cam\"\n" + kTurn,
-     {{1, 1, "follower.type is missing; \"translating-roller\", \"translating-flat\""}}},
+     {{1, 1, "follower.type is missing; expected \"translating-roller\", \"translating-flat\""}}},
     {"WrongFollower",
      file("translating-rolle", "", ""),
      {{5, 8, "perhaps for \"translating-roller\""}}},
     {"NoMotion",
      "kind = \"cam\"\nfollower.type = \"translating-flat\"\nmechanism.base_radius = 3\n",
-     {{1, 1, "motion is missing; tables [[motion]]"}}},
+     {{1, 1, "motion is missing; expected tables [[motion]]"}}},
     {"AnglesMissing",
      with_motion("[" + kRise + ", " + kReturn + ", {law = \"dwell\", over_deg = 80}]"),
      {{2, 10, "motion has angles that add up to 350 degrees, 10 are missing"}}},
@@ -372,35 +369,36 @@ const std::vector<FaultCase> kCases = {
      {{2, 10, "has dwells only"}}},
     {"NoLaw",
      with_motion(segments("{over_deg = 120, rise = 20}")),
-     {{2, 11, "motion[1].law is missing; \"dwell\""}}},
+     {{2, 11, "motion[1].law is missing; expected \"dwell\""}}},
     {"WrongLaw",
      with_motion(segments("{law = \"harmonik\", over_deg = 120, rise = 20}")),
      {{2, 18, "perhaps for \"harmonic\""}}},
     {"NoAngle",
      with_motion(segments("{law = \"harmonic\", rise = 20}")),
      {{2, 11,
-       "motion[1].over_deg is missing; an angle in degrees from 1e-6 to 360, or [min, max]"}}},
+       "motion[1].over_deg is missing; expected an angle in degrees from 1e-6 to 360, or [min, "
+       "max]"}}},
     {"AngleTooLarge",
      with_motion(segments("{law = \"harmonic\", over_deg = 361, rise = 20}")),
-     {{2, 41, "is 361; an angle in degrees"}}},
+     {{2, 41, "is 361; expected an angle in degrees"}}},
     {"EmptyAngleRange",
      with_motion(segments("{law = \"harmonic\", over_deg = [9, 3], rise = 20}")),
      {{2, 41, "is empty, 9 > 3"}}},
     {"NoRise",
      with_motion(segments("{law = \"harmonic\", over_deg = 120}")),
-     {{2, 11, "motion[1].rise is missing; the lift in a rise"}}},
+     {{2, 11, "motion[1].rise is missing; expected the lift in a rise"}}},
     {"ZeroRise",
      with_motion(segments("{law = \"harmonic\", over_deg = 120, rise = 0}")),
-     {{2, 53, "is 0; the lift"}}},
+     {{2, 53, "is 0; expected the lift"}}},
     {"RiseOfADwell",
      with_motion(segments("{law = \"dwell\", over_deg = 120, rise = 20}")),
      {{2, 50, "is 20 in a dwell"}}},
     {"RiseInDegrees",
      with_motion(segments("{law = \"harmonic\", over_deg = 120, rise_deg = 20}")),
-     {{2, 57, "is an angle, but the follower translates; rise"}}},
+     {{2, 57, "is an angle, but the follower translates; expected rise"}}},
     {"RiseInLength",
      file("oscillating-roller", kArm, ""),
-     {{2, 53, "motion[1].rise is a length, but the follower oscillates; rise_deg"},
+     {{2, 53, "motion[1].rise is a length, but the follower oscillates; expected rise_deg"},
       {2, 97, "motion[2].rise is a length"}}},
     {"UnknownKey",
      with_motion(segments(kLaw + ", sine = 0.2}")),
@@ -408,17 +406,17 @@ const std::vector<FaultCase> kCases = {
     {"SharesTooLarge",
      with_motion(
          segments("{law = \"universal\", over_deg = 120, rise = 20, sine = 0.5, cosine = 0.75}")),
-     {{2, 65, "motion[1].sine + constant + cosine is 1.25; 1 at most"}}},
+     {{2, 65, "motion[1].sine + constant + cosine is 1.25; expected 1 at most"}}},
     {"SharesTooLargeAtLeast",
      with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20, sine = [0.5, 0.6], "
                           "cosine = [0.625, 1]}")),
-     {{2, 65, "motion[1].sine + constant + cosine is at least 1.125; 1 at most"}}},
+     {{2, 65, "motion[1].sine + constant + cosine is at least 1.125; expected 1 at most"}}},
     {"NoShares",
      with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20}")),
      {{2, 11, "motion[1].sine + constant + cosine is 0"}}},
     {"ShareOutside",
      with_motion(segments("{law = \"universal\", over_deg = 120, rise = 20, sine = [0.5, 2]}")),
-     {{2, 71, "entry 2 of motion[1].sine is 2; a share from 0 to 1"}}},
+     {{2, 71, "entry 2 of motion[1].sine is 2; expected a share from 0 to 1"}}},
     {"NoConditions",
      with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20}")),
      {{2, 11, "motion[1].conditions is missing"}}},
@@ -430,9 +428,9 @@ const std::vector<FaultCase> kCases = {
                  "{at_deg = 0, velocity = 0, jerk = 0},\n{velocity = 1},\n{at_deg = 9},\n"
                  "{at_deg = 130, jerk = 0},\n{at_deg = 5, jerk = 0}, {at_deg = 5, jerk = 1}\n]}]"),
      {{3, 1, "motion[1].conditions[1].displacement is given beside another, or velocity"},
-      {4, 1, "conditions[2].at_deg is missing; an angle in degrees from 0 to 120"},
+      {4, 1, "conditions[2].at_deg is missing; expected an angle in degrees from 0 to 120"},
       {5, 1, "conditions[3].displacement is missing, or velocity"},
-      {6, 11, "is 130, beyond the segment; an angle from 0 to 120"},
+      {6, 11, "is 130, beyond the segment; expected an angle from 0 to 120"},
       {7, 35, "is that of another condition on the same derivative"}}},
     {"ConditionAtTheEnd",
      with_motion(segments("{law = \"polynomial\", over_deg = 120, rise = 20, conditions = "
@@ -456,18 +454,18 @@ const std::vector<FaultCase> kCases = {
       {2, 76, "unknown key \"displacement\""}}},
     {"NoPoints",
      with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20}")),
-     {{2, 11, "motion[1].points is missing; an array of [at_deg, displacement]"}}},
+     {{2, 11, "motion[1].points is missing; expected an array of [at_deg, displacement]"}}},
     {"PointsOutOfOrder",
      with_motion(
          segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[30, 1], [30, 2]]}")),
      {{2, 74, "entry 2 of motion[1].points stands at 30 degrees"}}},
     {"PointOutside",
      with_motion(segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[120, 1]]}")),
-     {{2, 65, "stands at 120 degrees; angles that increase, above 0 and below 120"}}},
+     {{2, 65, "stands at 120 degrees; expected angles that increase, above 0 and below 120"}}},
     {"Degree",
      with_motion(
          segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 4}")),
-     {{2, 84, "is 4; 3 or 5"}}},
+     {{2, 84, "is 4; expected 3 or 5"}}},
     {"CubicAcceleration",
      with_motion(
          segments("{law = \"spline\", over_deg = 120, rise = 20, points = [[12, 1]], degree = 3, "
@@ -481,22 +479,24 @@ const std::vector<FaultCase> kCases = {
     {"PointsTooClose",
      with_motion("[{law = \"spline\", over_deg = 360, points = [[2.9778502051908996e-22, 1]], "
                  "periodic = true}]"),
-     {{2, 53, "motion[1].points have no spline of degree 5 that can be computed; points farther"}}},
+     {{2, 53,
+       "motion[1].points have no spline of degree 5 that can be computed; expected points "
+       "farther"}}},
     {"Side", roller("side = \"leading\"\n"), {{6, 8, "a translating roller has no arm"}}},
     {"ClosureOfAFace",
      file("translating-flat", "base_radius = 9", "closure = \"groove\"\n"),
-     {{6, 11, "is \"groove\", which a translating flat face does not have; a roller"}}},
+     {{6, 11, "is \"groove\", which a translating flat face does not have; expected a roller"}}},
     {"ClosureOfAnArm",
      swinging("oscillating-roller", kArm, "closure = \"constant-breadth\"\n"),
-     {{6, 11, "which an oscillating roller does not have; a translating flat face or"}}},
+     {{6, 11, "which an oscillating roller does not have; expected a translating flat face or"}}},
     {"BreadthByForce", roller("breadth = 3\n"), {{6, 11, "belongs to a translating follower"}}},
     {"ArmsMissing",
      swinging("oscillating-roller", kArm, "closure = \"conjugate\"\n"),
-     {{4, 1, "follower.arms_deg is missing; the angle between the two arms"}}},
+     {{4, 1, "follower.arms_deg is missing; expected the angle between the two arms"}}},
     {"ArmsOfASlide", roller("arms_deg = 90\n"), {{6, 12, "belongs to an oscillating follower"}}},
     {"ArmOfASlide",
      file("translating-roller", "base_radius = 9, offset = 1, roller_radius = 1, arm = 3", ""),
-     {{3, 68, "mechanism.arm is given, but a translating roller has none; leave it out"}}},
+     {{3, 68, "mechanism.arm is given, but a translating roller has none; remove it"}}},
     {"RollerOfAFace",
      file("translating-flat", "base_radius = 9", "roller_radius = 1\n"),
      {{6, 17, "follower.roller_radius is given, but a translating flat face has none"}}},
@@ -506,13 +506,13 @@ const std::vector<FaultCase> kCases = {
     {"LengthTwice", roller("roller_radius = 8\n"), {{3, 60, "is given a second time"}}},
     {"KnifeWithRoller",
      file("translating-knife", "base_radius = 9, offset = 1, roller_radius = 1", ""),
-     {{3, 59, "is 1, but a knife edge has none; 0 is wanted"}}},
+     {{3, 59, "is 1, but a knife edge has none; expected 0"}}},
     {"OutsideBounds",
      roller("[bounds]\nbase_radius = [50, 60]\n"),
      {{3, 28, "is 40, outside its bounds; bounds.base_radius allows [50, 60]"}}},
     {"NegativeBound",
      roller("[bounds]\nbase_radius = [-1, 60]\n"),
-     {{7, 16, "is -1; 0, a length from 1e-30 to 1e30 or inf"}}},
+     {{7, 16, "is -1; expected 0, a length from 1e-30 to 1e30 or inf"}}},
     {"ZeroBound",
      roller("[bounds]\nbase_radius = [0, 0]\n"),
      {{3, 28, "outside its bounds"}, {7, 15, "is [0, 0]; lengths"}}},
@@ -535,7 +535,7 @@ const std::vector<FaultCase> kCases = {
      {{3, 51, "at 164.472 degrees from the line of centres on the base circle and at 189.472"}}},
     {"FaceOutOfReach",
      swinging("oscillating-flat", "base_radius = 25, centre_distance = 30, face_offset = 5", ""),
-     {{3, 28, "cannot touch the base circle; a sum of less than 30"}}},
+     {{3, 28, "cannot touch the base circle; expected a sum of less than 30"}}},
     {"FaceSwingsOver",
      swinging("oscillating-flat", "base_radius = 29, centre_distance = 31", ""),
      {{3, 50, "at 69.3065 degrees from the line of centres on the base circle and at 94.3065"}}},
@@ -544,14 +544,16 @@ const std::vector<FaultCase> kCases = {
      "\"cycloid\", over_deg = 90, rise_deg = 90}, {law = \"harmonic\", over_deg = 90, rise_deg = "
      "-100}, {law = \"harmonic\", over_deg = 90, rise_deg = -90}]\nmechanism = {" +
          kArm + "}\nfollower.type = \"oscillating-roller\"\n",
-     {{4, 17, "which the motion swings by 190 degrees; less than 180"}}},
+     {{4, 17, "which the motion swings by 190 degrees; expected less than 180"}}},
     {"OffsetOfOppositeRollers",
      roller("closure = \"constant-breadth\"\n"),
      {{3, 41, "is 5, but the second roller of closure = \"constant-breadth\" would stand"}}},
     {"MassOfAnArm",
      swinging("oscillating-roller", kArm, "mass = 1\n"),
-     {{6, 8, "is given, but the follower oscillates; inertia about its pivot"}}},
-    {"InertiaOfASlide", roller("inertia = 1\n"), {{6, 11, "the follower translates; mass"}}},
+     {{6, 8, "is given, but the follower oscillates; expected inertia about its pivot"}}},
+    {"InertiaOfASlide",
+     roller("inertia = 1\n"),
+     {{6, 11, "the follower translates; expected mass"}}},
     {"MassWithoutSpeed",
      roller("mass = 1\n"),
      {{1, 1, "drive.speed is missing, without which follower.mass presses on nothing"}}},
@@ -559,12 +561,12 @@ const std::vector<FaultCase> kCases = {
     {"ContactWithoutForce",
      roller("[contact]\nwidth = 1\nelasticity = [1, 1]\n"),
      {{6, 1,
-       "nothing presses the follower on the cam; follower.mass (with drive.speed), "
-       "spring_rate, preload or load is wanted besides"}}},
+       "nothing presses the follower on the cam; expected follower.mass (with drive.speed), "
+       "spring_rate, preload or load as well"}}},
     {"HalfAContact",
      roller("load = 1\n[contact]\npoisson = [0.3, 0.6]\n"),
      {{7, 1, "contact.width is missing"},
-      {7, 1, "contact.elasticity is missing; [E1, E2]"},
+      {7, 1, "contact.elasticity is missing; expected [E1, E2]"},
       {8, 17, "a ratio from 0 to 0.5"}}},
     {"ContactOfAKnife",
      file("translating-knife", "base_radius = 9, offset = 1",
@@ -574,15 +576,16 @@ const std::vector<FaultCase> kCases = {
      roller("[constraints]\ncontact_force_max = 1\ntorque_max = 1\ncontact_stress_max = 1\n"
             "no_separation = true\n"),
      {{7, 21,
-       "constraints.contact_force_max is given without what it follows from; follower.mass "
-       "(with drive.speed), spring_rate, preload or load is wanted"},
+       "constraints.contact_force_max is given without what it follows from; expected "
+       "follower.mass "
+       "(with drive.speed), spring_rate, preload or load"},
       {8, 14, "torque_max is given without"},
-      {9, 22, "preload or load, contact.width and contact.elasticity is wanted"},
+      {9, 22, "preload or load, contact.width and contact.elasticity"},
       {10, 17, "no_separation is given without"}}},
     {"StressWithoutContact",
      roller("load = 1\n[target]\nobjective = \"contact-stress\"\n"),
      {{8, 13,
-       "given without what it follows from; contact.width and contact.elasticity is wanted"}}},
+       "given without what it follows from; expected contact.width and contact.elasticity"}}},
     {"StressOfAKnife",
      file("translating-knife", "base_radius = 9, offset = 1",
           "load = 1\n[constraints]\ncontact_stress_max = 9\n"),
@@ -592,7 +595,7 @@ const std::vector<FaultCase> kCases = {
      {{9, 17, "closure = \"groove\" lets nothing separate"}}},
     {"PreloadOfAFreeMotion",
      free_motion("load = 1\n[target]\nobjective = \"torque\"\n"),
-     {{4, 1, "follower.preload is missing; with free angles or shares of the motion and forces"}}},
+     {{4, 1, "follower.preload is missing; expected a number, since forces are limited"}}},
     {"PreloadOfAFreeMotionByItsForce",
      free_motion("load = 1\n[target]\nobjective = \"contact-force\"\n"),
      {{4, 1, "follower.preload is missing"}}},
@@ -615,21 +618,21 @@ const std::vector<FaultCase> kCases = {
               "\"contact-stress\"\n"),
      {{12, 22,
        "is given, but with closure = \"constant-breadth\" the curvature of the second contact is "
-       "not judged; leave it out"},
+       "not judged; remove it"},
       {14, 13,
        "is \"contact-stress\", but with closure = \"constant-breadth\" the second contact would "
-       "not be judged; another objective"}}},
+       "not be judged; expected another objective"}}},
     {"ForceOfOppositeRollers",
      file("translating-roller", "base_radius = 40, roller_radius = 8",
           kBreadth + "[constraints]\ncontact_force_max = 9\n[target]\nobjective = "
                      "\"contact-force\"\n"),
-     {{9, 21, "the pressure angle of the second contact is not judged; leave it out"},
+     {{9, 21, "the pressure angle of the second contact is not judged; remove it"},
       {11, 13, "is \"contact-force\", but with closure = \"constant-breadth\" the second"}}},
     {"ForceOfAPair",
      roller(kConjugate + "[target]\nobjective = \"contact-force\"\n"),
      {{9, 13,
        "is \"contact-force\", but with closure = \"conjugate\" only the first of both cams would "
-       "be judged; another objective"}}},
+       "be judged; expected another objective"}}},
     {"StressOfAPair",
      roller(kConjugate + kMaterials + "[target]\nobjective = \"contact-stress\"\n"),
      {{12, 13, "is \"contact-stress\", but with closure = \"conjugate\" only the first"}}},
@@ -648,7 +651,7 @@ const std::vector<FaultCase> kCases = {
      {{7, 26, "from 0.001 to 89.999"}}},
     {"PressureAngleOfAFace",
      file("translating-flat", "base_radius = 9", "[target]\nobjective = \"pressure-angle\"\n"),
-     {{7, 13, "is 0 for a translating flat face whatever its cam"}}},
+     {{7, 13, "is 0 for a translating flat face for any cam"}}},
     {"Solver",
      roller("[solve]\nsolver = \"ceres\"\ncertify = true\n"),
      {{7, 10, "which minimises sums of squares"}, {8, 1, "unknown key \"certify\" in [solve]"}}},
@@ -662,7 +665,7 @@ const std::vector<FaultCase> kCases = {
     {"Grows",
      file("translating-roller", "offset = 0, roller_radius = 3",
           "[target]\nobjective = \"pressure-angle\"\n"),
-     {{3, 13, "the objective is the less the larger the cam is; an upper bound"}}},
+     {{3, 13, "the objective is the less the larger the cam is; expected an upper bound"}}},
     {"NoLength",
      swinging("oscillating-roller", "", "[constraints]\npressure_angle_deg_max = 30\n"),
      {{3, 13, "so is every other length, and angles alone do not say how large a cam is"}}},

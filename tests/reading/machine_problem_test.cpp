@@ -27,7 +27,7 @@ std::string equivalent(const std::string& lines) {
 }
 
 MachineProblem read_sound(const std::string& text) {
-  auto problem = parse_machine(text);
+  auto problem = parse_task<MachineProblem>(text);
   if (!problem) ADD_FAILURE() << problem.error().front().message;
   return problem ? *std::move(problem) : MachineProblem{};
 }
@@ -212,7 +212,7 @@ TEST_P(MachineFault, IsFoundAtItsPlace) {
 }
 
 const FaultCase kFaults[] = {
-    {"nothing", "kind = \"machine\"\n", {{1, 1, "mechanism is missing; a [mechanism]"}}},
+    {"nothing", "kind = \"machine\"\n", {{1, 1, "mechanism is missing; expected a [mechanism]"}}},
     {"no_type", "kind = \"machine\"\n[mechanism]\ncrank = 1\n", {{2, 1, "type is missing"}}},
     {"no_inertia",
      "kind = \"machine\"\n[mechanism]\ntype = \"scotch-yoke\"\npivot = [0, 0]\ncrank = 1\n",
@@ -240,23 +240,23 @@ const FaultCase kFaults[] = {
      {{4, 12, "one expression in phi, w and t"}}},
     {"inertia_below_zero",
      equivalent("inertia = \"1 - 2*sin(phi)\"\n"),
-     {{3, 11, "(30.05 degrees); an inertia from"}}},
+     {{3, 11, "(30.05 degrees); expected an inertia from"}}},
     {"inertia_jumps", equivalent("inertia = \"phi < 2 ? 1 : 3\"\n"), {{3, 11, "jumps at phi = 0"}}},
     {"torque_not_finite",
      equivalent("inertia = 1\ntorque = \"1/(phi - pi)*0\"\n"),
-     {{4, 10, "at phi = 3.14159 (180 degrees); a number"}}},
+     {{4, 10, "at phi = 3.14159 (180 degrees); expected a number"}}},
     {"rows_in_order",
      equivalent("inertia = [[0, 1], [90, 2], [80, 3]]\n"),
      {{3, 29, "row 3 of equivalent.inertia has the angle 80 after 90"}}},
     {"row_of_no_inertia",
      equivalent("inertia = [[0, 1], [90, 0]]\n"),
-     {{3, 20, "row 2 of equivalent.inertia is 0; an inertia"}}},
+     {{3, 20, "row 2 of equivalent.inertia is 0; expected an inertia"}}},
     {"more_than_a_turn",
      equivalent("inertia = [[0, 1], [400, 2]]\n"),
-     {{3, 20, "spans 400 degrees; a turn"}}},
+     {{3, 20, "spans 400 degrees; expected a turn"}}},
     {"closing_row",
      equivalent("inertia = [[0, 1], [90, 2], [360, 3]]\n"),
-     {{3, 29, "is 3 a turn after the first, 1; the same value"}}},
+     {{3, 29, "is 3 a turn after the first, 1; expected the same value"}}},
     {"one_row", equivalent("inertia = [[0, 1]]\n"), {{3, 11, "2"}}},
     {"interpolation_of_nothing",
      equivalent("inertia = 1\ninterpolation = \"smooth\"\n"),

@@ -25,7 +25,7 @@ const std::string kSix =
     "poses = [[0, 0, 0], [1, 0, 10], [2, 0, 30], [4, 0, 50], [5, 1, 60], [6, 1, 80]]\n";
 
 MotionProblem read(const std::string& lines) {
-  const auto problem = parse_problem(file(lines));
+  const auto problem = parse_task(file(lines));
   if (!problem) {
     ADD_FAILURE() << problem.error().front().message;
     return {};
@@ -78,16 +78,16 @@ const std::vector<FaultCase> kCases = {
     {"Both",
      file(kTwo + "segments = [[[1, 1], [1, 3]], [[5, 5], [3, 5]]]\n"),
      {{4, 12, "beside target.poses"}}},
-    {"OnePose", file("poses = [[0, 0, 0]]\n"), {{3, 9, "has 1 pose; 2 to"}}},
+    {"OnePose", file("poses = [[0, 0, 0]]\n"), {{3, 9, "has 1 pose; expected 2 to"}}},
     {"SixPosesExactly",
      file(kSix + "method = \"exact\"\n"),
      {{4, 10, "is \"exact\" with 6 poses; at most five can be met"}}},
     {"TwoPosesNearby",
      file(kTwo + "method = \"least-squares\"\n"),
-     {{4, 10, "is \"least-squares\" with 2 poses; at least three"}}},
+     {{4, 10, "is \"least-squares\" with 2 poses; expected at least three"}}},
     {"UnknownMethod", file(kSix + "method = \"least\"\n"), {{4, 10, "\"least-squares\""}}},
-    {"ZeroWeight", file(kSix + "angle_weight = 0\n"), {{4, 16, "is 0; a length"}}},
-    {"NegativeWeight", file(kSix + "angle_weight = -1\n"), {{4, 16, "is -1; a length"}}},
+    {"ZeroWeight", file(kSix + "angle_weight = 0\n"), {{4, 16, "is 0; expected a length"}}},
+    {"NegativeWeight", file(kSix + "angle_weight = -1\n"), {{4, 16, "is -1; expected a length"}}},
     {"WeightOfExactPoses",
      file(kThree + "angle_weight = 1\n"),
      {{4, 16, "is given, but the poses are met exactly"}}},

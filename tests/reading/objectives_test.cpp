@@ -33,7 +33,7 @@ std::string motion(const std::string& more) {
 
 template <class AnyProblem>
 AnyProblem read(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (!problem) {
     ADD_FAILURE() << problem.error().front().message;
     return {};
@@ -45,7 +45,8 @@ TEST(ObjectivesTest, AFrontHasTwelvePointsUnlessTheFileSaysHowMany) {
   const std::string crank = "class = \"crank-rocker\"\n";
   const std::string both = "objectives = [\"transmission_angle\", \"error\"]\n";
   const auto front = read<PathProblem>(path(crank, both)).solve;
-  EXPECT_EQ(front.objectives, (std::vector<Measure>{Measure::transmission_angle, Measure::error}));
+  EXPECT_EQ(front.objectives, (std::vector<DesignObjective>{DesignObjective::transmission_angle,
+                                                            DesignObjective::error}));
   EXPECT_EQ(front.designs, 12);
   EXPECT_EQ(read<PathProblem>(path(crank, both + "designs = 5\n")).solve.designs, 5);
   EXPECT_EQ(read<PathProblem>(path(crank, "")).solve.designs, 3);
@@ -76,22 +77,22 @@ const std::vector<FaultCase> kCases = {
     {"Twice", path("", "objectives = [\"error\", \"error\"]\n"), {{6, 24, "twice"}}},
     {"Three",
      path("", "objectives = [\"error\", \"size\", \"link_ratio\"]\n"),
-     {{6, 14, "1 to 2 are wanted"}}},
+     {{6, 14, "expected 1 to 2"}}},
     {"TwoWithoutError",
      path("rms_error_max = 1\n", "objectives = [\"size\", \"link_ratio\"]\n"),
-     {{7, 14, "\"error\" and one other are wanted"}}},
+     {{7, 14, "expected \"error\" and one other"}}},
     {"OneWithoutBound",
      path("", "objectives = [\"size\"]\n"),
-     {{6, 14, "constraints.rms_error_max is wanted"}}},
+     {{6, 14, "expected constraints.rms_error_max"}}},
     {"TransmissionWithoutFullTurn",
      path("class = \"grashof\"\n", "objectives = [\"error\", \"transmission_angle\"]\n"),
-     {{7, 14, "constraints.class = \"crank-rocker\" or \"double-crank\" is wanted"}}},
+     {{7, 14, "expected constraints.class = \"crank-rocker\" or \"double-crank\""}}},
     {"SizeOfAFunction",
      function("", "", "objectives = [\"error\", \"size\"]\n"),
-     {{10, 14, "\"link_ratio\" or \"transmission_angle\" is wanted"}}},
+     {{10, 14, "expected \"link_ratio\" or \"transmission_angle\""}}},
     {"BoundOfAnotherError",
      function("objective = \"minimax\"", "rms_error_deg_max = 1\n", ""),
-     {{9, 21, "constraints.max_error_deg_max is wanted"}}},
+     {{9, 21, "expected constraints.max_error_deg_max"}}},
     {"NegativeBound", path("rms_error_max = -1\n", ""), {{5, 17, "an error from"}}},
     {"WithLoss",
      path("", "objectives = [\"error\", \"size\"]\nloss = \"huber\"\nloss_scale = 1\n"),
@@ -104,10 +105,10 @@ const std::vector<FaultCase> kCases = {
      {{7, 10, "every other solver can"}}},
     {"FrontOfOne",
      path("", "objectives = [\"error\", \"size\"]\ndesigns = 1\n"),
-     {{7, 11, "at least 2 are wanted"}}},
+     {{7, 11, "expected at least 2"}}},
     {"ManyBest",
      path("rms_error_max = 1\n", "objectives = [\"size\"]\ndesigns = 4\n"),
-     {{8, 11, "leave it out"}}},
+     {{8, 11, "remove it"}}},
     {"ExactPath",
      "kind = \"path-generation\"\n[target]\nmethod = \"exact\"\n"
      "points = [[0, 0], [1, 0], [2, 1], [2, 2], [1, 3]]\n[mechanism]\npivot_a = [0, 1]\n"
@@ -120,7 +121,7 @@ const std::vector<FaultCase> kCases = {
      {{12, 21, "precision points"}}},
     {"MotionWithSliders",
      motion("[solve]\nobjectives = [\"error\", \"link_ratio\"]\n"),
-     {{5, 14, "mechanism.dyads = [\"RR\"] is wanted"}}},
+     {{5, 14, "expected mechanism.dyads = [\"RR\"]"}}},
 };
 
 class ObjectivesFaultsTest : public testing::TestWithParam<FaultCase> {};

@@ -18,7 +18,7 @@ std::string with_target(const std::string& lines) {
   return "kind = \"path-generation\"\n[target]\n" + lines;
 }
 
-/// Out from a point and back again, in as many directions as samples are asked for.
+/// Out from a point and back again, in as many directions as samples are requested.
 std::string spikes() {
   std::string text;
   for (int i = 0; i < 12; ++i) {
@@ -30,7 +30,7 @@ std::string spikes() {
 }
 
 PathProblem read_well(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (problem) return std::get<PathProblem>(*problem);
   for (const Fault& fault : problem.error()) ADD_FAILURE() << fault.line << ": " << fault.message;
   return {};
@@ -68,7 +68,7 @@ const FaultCase kFaults[] = {
     {"TwoDifferentPoints",
      with_target("curve = [[0, 0], [1, 0], [0, 0], [1, 0]]\n"),
      {{3, 9, "fewer than 3 different points"}}},
-    {"NoCurve", with_target("curve = 3\n"), {{3, 9, "an array of [x, y] is wanted"}}},
+    {"NoCurve", with_target("curve = 3\n"), {{3, 9, "expected an array of [x, y]"}}},
     {"NotFinite",
      with_target("curve = [[0, 0], [1, inf], [1, 1]]\n"),
      {{3, 22, "a number, 0 or of magnitude"}}},
@@ -76,9 +76,7 @@ const FaultCase kFaults[] = {
      with_target("curve = [[1e12, 0], [1000000000001.0, 0], [1e12, 1]]\n"),
      {{3, 9, "at a distance of up to"}}},
     {"PathData", with_target("svg_path = \"M 0 0 L 1 x\"\n"), {{3, 23, "has no number"}}},
-    {"Open",
-     with_target("svg_path = \"M 0 0 L 1 0 0 1\"\n"),
-     {{3, 28, "a closed curve is wanted"}}},
+    {"Open", with_target("svg_path = \"M 0 0 L 1 0 0 1\"\n"), {{3, 28, "expected a closed curve"}}},
     {"DrawingOfNoFile", with_target("svg = \"a.svg\"\n"), {{3, 7, "there is none; give svg_path"}}},
     {"TwoForms",
      with_target(kSquare + "svg_path = \"M 0 0 h 4 v 4 z\"\n"),
@@ -127,7 +125,7 @@ const FaultCase kFaults[] = {
      with_target(kSquare + "place = \"similar\"\n[mechanism]\ncoupler_point = [1, 1]\n[bounds]\n"
                            "pivot_a = [[0, 0], [1, 1]]\n[constraints]\npivot_region = [[0, 0], [1, "
                            "1]]\n"),
-     {{6, 17, "place = \"similar\""}, {8, 11, "leave it out"}, {10, 16, "leave it out"}}},
+     {{6, 17, "place = \"similar\""}, {8, 11, "remove it"}, {10, 16, "remove it"}}},
 };
 
 class PathCurveFaults : public testing::TestWithParam<FaultCase> {};
@@ -153,7 +151,7 @@ class Drawings : public testing::Test {
   auto read(const std::string& drawing, const std::string& more = "") {
     std::ofstream(folder / "a.svg") << drawing;
     std::ofstream(folder / "a.toml") << with_target("svg = \"a.svg\"\n" + more);
-    return read_problem(folder / "a.toml");
+    return read_task(folder / "a.toml");
   }
 
   void expect_fault(const std::string& drawing, const std::string& says,
@@ -204,16 +202,16 @@ TEST_F(Drawings, FaultsAreToldAtTheKey) {
   expect_fault(svg("<g transform='scale(2)'>" + kTriangle + "</g>"), "has a transform");
   expect_fault(svg("<g style='transform:scale(2)'>" + kTriangle + "</g>"), "has a transform");
   expect_fault(svg("<path/>"), "draws nothing");
-  expect_fault(svg("<path d='M 0 0 L 1 0 1 1'/>"), "a closed curve is wanted");
+  expect_fault(svg("<path d='M 0 0 L 1 0 1 1'/>"), "expected a closed curve");
 }
 
 TEST_F(Drawings, WhatIsNoFileIsRefused) {
   std::ofstream(folder / "a.toml") << with_target("svg = \"none.svg\"\n");
-  const auto missing = read_problem(folder / "a.toml");
+  const auto missing = read_task(folder / "a.toml");
   ASSERT_FALSE(missing);
   EXPECT_NE(missing.error().front().message.find("\"none.svg\" is no file"), std::string::npos);
   std::ofstream(folder / "a.toml") << with_target("svg = \".\"\n");
-  ASSERT_FALSE(read_problem(folder / "a.toml"));
+  ASSERT_FALSE(read_task(folder / "a.toml"));
 }
 
 TEST_F(Drawings, DeepNestingIsWalkedWithoutHarm) {

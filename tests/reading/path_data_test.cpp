@@ -44,7 +44,7 @@ TEST(PathData, YIsTurnedUpwards) {
 }
 
 // Each arc from (x, y) to (x', y') runs on the turned ellipse, by the longer or shorter way and in
-// the sense asked for.
+// the sense requested.
 TEST(PathData, ArcsKeepToTheirEllipseWayAndSense) {
   for (const bool large : {false, true}) {
     for (const bool positive : {false, true}) {

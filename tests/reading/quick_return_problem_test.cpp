@@ -22,24 +22,24 @@ std::string file(const std::string& ratio, const std::string& lines) {
 }
 
 Result solved(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   EXPECT_TRUE(problem) << text;
   return problem ? solve(std::get<QuickReturnProblem>(*problem), {}) : Result{};
 }
 
 /// K of a design by following it over a turn of its crank.
 double followed_time_ratio(const NamedMechanism& mechanism) {
-  const Course course = follow(mechanism.mechanism, 0, 6.283185307179586);
+  const AssemblyRanges assembly_ranges = follow(mechanism.mechanism, 0, 6.283185307179586);
   const auto travel = travels(mechanism.mechanism)[std::size_t(mechanism.output)];
-  const auto output = output_range(mechanism.mechanism, course, travel);
-  return output ? time_ratio(mechanism.mechanism, course, *output).value_or(0) : 0;
+  const auto output = output_range(mechanism.mechanism, assembly_ranges, travel);
+  return output ? time_ratio(mechanism.mechanism, assembly_ranges, *output).value_or(0) : 0;
 }
 
 TEST(QuickReturnProblem, EveryFileOfTheLibraryIsSolvedAndMovesAsItShould) {
   int files = 0;
   const std::filesystem::path folder(COGNATE_LIBRARY_DIR "/quick-return");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto problem = std::get<QuickReturnProblem>(*read_problem(entry.path()));
+    const auto problem = std::get<QuickReturnProblem>(*read_task(entry.path()));
     const Result result = solve(problem, {});
     EXPECT_EQ(result.status, Status::solved) << entry.path();
     for (const Design& design : result.designs) {
@@ -61,7 +61,7 @@ TEST(QuickReturnProblem, AllSolutionsWithTheirMirrorImages) {
   EXPECT_EQ(result.designs[3].mirror_of, 2);
   EXPECT_NEAR(lengths(four_bar(result.designs[0])).frame, 276.8037081761766, 1e-10);
   EXPECT_TRUE(result.families.empty());
-  EXPECT_TRUE(result.facts.empty()) << "no pivot was left out";
+  EXPECT_TRUE(result.quantities.empty()) << "no pivot was left out";
 }
 
 TEST(QuickReturnProblem, AFamilyWhereADimensionIsFree) {

@@ -13,7 +13,7 @@ namespace cognate::problems {
 namespace {
 
 AnalysisProblem read(const std::string& text) {
-  auto problem = parse_analysis("kind = \"analysis\"\n" + text);
+  auto problem = parse_task<AnalysisProblem>("kind = \"analysis\"\n" + text);
   if (problem) return *std::move(problem);
   for (const Fault& fault : problem.error()) {
     ADD_FAILURE() << fault.line << ":" << fault.column << ": " << fault.message << "\n" << text;

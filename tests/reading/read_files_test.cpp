@@ -31,7 +31,7 @@ class ReadFilesTest : public testing::Test {
 };
 
 // The one fault of `result` and that it stands at 1:1.
-std::string only_fault(const tl::expected<Problem, std::vector<Fault>>& result) {
+std::string only_fault(const tl::expected<Task, std::vector<Fault>>& result) {
   EXPECT_FALSE(result);
   if (result || result.error().size() != 1) return "not one fault";
   EXPECT_EQ(result.error()[0].line, 1U);
@@ -42,7 +42,7 @@ std::string only_fault(const tl::expected<Problem, std::vector<Fault>>& result) 
 const std::string kLine = "kind = \"path-generation\"\n[target]\npoints = [[0,0],[1,0],[1,1]]\n";
 
 TEST_F(ReadFilesTest, ReadsAFile) {
-  EXPECT_TRUE(read_problem(write(kLine)));
+  EXPECT_TRUE(read_task(write(kLine)));
 }
 
 TEST_F(ReadFilesTest, ReadsWindowsText) {
@@ -50,33 +50,32 @@ TEST_F(ReadFilesTest, ReadsWindowsText) {
   for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2)) {
     text.insert(i, 1, '\r');
   }
-  EXPECT_TRUE(read_problem(write(text)));
+  EXPECT_TRUE(read_task(write(text)));
 }
 
 TEST_F(ReadFilesTest, Missing) {
-  EXPECT_NE(only_fault(read_problem(folder_ / "none.toml")).find("does not exist"),
-            std::string::npos);
+  EXPECT_NE(only_fault(read_task(folder_ / "none.toml")).find("does not exist"), std::string::npos);
 }
 
 TEST_F(ReadFilesTest, Directory) {
-  EXPECT_NE(only_fault(read_problem(folder_)).find("is a directory"), std::string::npos);
+  EXPECT_NE(only_fault(read_task(folder_)).find("is a directory"), std::string::npos);
 }
 
 TEST_F(ReadFilesTest, HundredMegabytes) {
   const auto file = write("");
   std::filesystem::resize_file(file, 100'000'000);  // sparse: takes no room on the disk
-  EXPECT_NE(only_fault(read_problem(file)).find("larger than 8 MiB"), std::string::npos);
+  EXPECT_NE(only_fault(read_task(file)).find("larger than 8 MiB"), std::string::npos);
 }
 
 TEST_F(ReadFilesTest, EndlessDevice) {
   if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no such device here";
-  EXPECT_NE(only_fault(read_problem("/dev/zero")).find("larger than 8 MiB"), std::string::npos);
+  EXPECT_NE(only_fault(read_task("/dev/zero")).find("larger than 8 MiB"), std::string::npos);
 }
 
 TEST_F(ReadFilesTest, EightMebibytesAreRead) {
   const std::string text = kLine + std::string((8U << 20U) - kLine.size(), '\n');
-  EXPECT_TRUE(parse_problem(text));
-  EXPECT_FALSE(parse_problem(text + "\n"));
+  EXPECT_TRUE(parse_task(text));
+  EXPECT_FALSE(parse_task(text + "\n"));
 }
 
 std::string repeated(const std::string& part, int times) {
@@ -92,7 +91,7 @@ TEST(ReadDeepTextTest, NestingEndsInAMessage) {
         repeated("a.", deep) + "a = 1", "[" + repeated("a.", deep) + "a]",
         "a = " + repeated("{a.b.c.d.e.f.g.h.i.j.k = ", 10'000),
         "a = " + repeated("[", 256) + repeated("]", 256), "a = \"" + repeated("\\\"", deep)}) {
-    const auto problem = parse_problem(text);
+    const auto problem = parse_task(text);
     ASSERT_FALSE(problem);
     EXPECT_FALSE(problem.error().empty());
   }
@@ -103,19 +102,20 @@ TEST(ReadDeepTextTest, AtMostAHundredFaultsInOrder) {
   for (int i = 0; i < 5000; ++i) points += "\"a\",\n";
   std::string keys;
   for (int i = 0; i < 5000; ++i) keys += "key" + std::to_string(i) + " = 1\n";
-  const auto problem = parse_problem("kind = \"path-generation\"\n" + keys +
-                                     "[target]\npoints = [" + points + "]\n");
+  const auto problem =
+      parse_task("kind = \"path-generation\"\n" + keys + "[target]\npoints = [" + points + "]\n");
   ASSERT_FALSE(problem);
   ASSERT_EQ(problem.error().size(), 100U);
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(problem.error()[i].line, i + 2);
 }
 
 TEST(ReadDeepTextTest, TooManyPointsAreOneFault) {
-  const auto problem = parse_problem("kind = \"path-generation\"\n[target]\npoints = [" +
-                                     repeated("[0, 1],", 10'001) + "]\n");
+  const auto problem = parse_task("kind = \"path-generation\"\n[target]\npoints = [" +
+                                  repeated("[0, 1],", 10'001) + "]\n");
   ASSERT_FALSE(problem);
   ASSERT_EQ(problem.error().size(), 1U);
-  EXPECT_NE(problem.error()[0].message.find("10001 points; 3 to 10000"), std::string::npos);
+  EXPECT_NE(problem.error()[0].message.find("10001 points; expected 3 to 10000"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace {
 
 const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
 
-Problem read_or_fail(const std::filesystem::path& file) {
-  const auto problem = read_problem(file);
+Task read_or_fail(const std::filesystem::path& file) {
+  const auto problem = read_task(file);
   if (problem) return *problem;
   for (const Fault& fault : problem.error()) {
     ADD_FAILURE() << file << ":" << fault.line << ":" << fault.column << ": " << fault.message;
@@ -223,10 +223,10 @@ TEST(ReadFunctionTest, TableSamples) {
   const std::string head =
       "kind = \"function-generation\"\n[target]\ntable = [[0, 0], [1, 1], [4, 2]]\n"
       "input_range_deg = 60\noutput_range_deg = -60\n";
-  const auto own = parse_problem(head);
+  const auto own = parse_task(head);
   ASSERT_TRUE(own);
   EXPECT_EQ(std::get<FunctionProblem>(*own).sample_at, (std::vector<double>{0, 1, 4}));
-  const auto five = parse_problem(head + "[solve]\nsamples = 5\n");
+  const auto five = parse_task(head + "[solve]\nsamples = 5\n");
   ASSERT_TRUE(five);
   const auto& problem = std::get<FunctionProblem>(*five);
   EXPECT_EQ(problem.sample_at, (std::vector<double>{0, 1, 2, 3, 4}));
@@ -238,7 +238,7 @@ TEST(ReadFunctionTest, TableSamples) {
 
 // Derivatives stand for further pairs.
 TEST(ReadFunctionTest, DerivativesOfPairs) {
-  const auto problem = parse_problem(
+  const auto problem = parse_task(
       "kind = \"function-generation\"\n[target]\npairs_deg = [[0, 0], [40, 30]]\n"
       "derivatives = [[], [1, 0.5]]\nprecision_points = 4\n[mechanism]\noutput_start_deg = 5\n");
   ASSERT_TRUE(problem);
@@ -250,7 +250,7 @@ TEST(ReadFunctionTest, DerivativesOfPairs) {
 
 // Exact pairs without start angles are angles from the frame line.
 TEST(ReadFunctionTest, ExactPairsStartAtTheFrame) {
-  const auto problem = parse_problem(
+  const auto problem = parse_task(
       "kind = \"function-generation\"\n[target]\npairs_deg = [[1, 2], [3, 4], [5, 7]]\n"
       "objective = \"exact\"\n");
   ASSERT_TRUE(problem);

@@ -21,21 +21,21 @@ namespace {
 const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "straight-line";
 
 Result solve_file(const std::string& name) {
-  const auto problem = read_problem(kLibrary / (name + ".toml"));
+  const auto problem = read_task(kLibrary / (name + ".toml"));
   EXPECT_TRUE(problem.has_value()) << name;
   return problem ? solve(std::get<StraightLineProblem>(*problem), {}) : Result{};
 }
 
 Result solve_text(const std::string& mechanism, int contact) {
   const auto problem =
-      parse_problem("kind = \"straight-line\"\n[target]\nmethod = \"exact\"\ncontact = " +
-                    std::to_string(contact) + "\n[mechanism]\n" + mechanism);
+      parse_task("kind = \"straight-line\"\n[target]\nmethod = \"exact\"\ncontact = " +
+                 std::to_string(contact) + "\n[mechanism]\n" + mechanism);
   EXPECT_TRUE(problem.has_value()) << (problem ? "" : problem.error()[0].message);
   return problem ? solve(std::get<StraightLineProblem>(*problem), {}) : Result{};
 }
 
-double fact(const Design& design, const std::string& name) {
-  for (const Fact& f : design.metrics.facts) {
+double quantity(const Design& design, const std::string& name) {
+  for (const Quantity& f : design.metrics.quantities) {
     if (f.name == name) return std::get<double>(f.value);
   }
   ADD_FAILURE() << "no fact " << name;
@@ -56,8 +56,8 @@ TEST(StraightLineLibrary, WattIsTheMiddleOfTheCoupler) {
   ASSERT_EQ(result.designs.size(), 1U);
   EXPECT_EQ(result.status, Status::solved);
   expect_point(result.designs[0], {0.5, 0});
-  EXPECT_EQ(fact(result.designs[0], "contact_points"), 5);
-  EXPECT_GT(fact(result.designs[0], "straight_length_at_0_001"), 1);
+  EXPECT_EQ(quantity(result.designs[0], "contact_points"), 5);
+  EXPECT_GT(quantity(result.designs[0], "straight_length_at_0_001"), 1);
   ASSERT_EQ(result.loci.size(), 1U);
   EXPECT_EQ(result.loci[0].name, "inflection line");
 }
@@ -67,7 +67,7 @@ TEST(StraightLineLibrary, ChebyshevHasArmsOfFourThirdsOfTheFrame) {
   ASSERT_EQ(result.designs.size(), 1U);
   EXPECT_NEAR(four_bar(result.designs[0]).crank, 8, 1e-11);
   expect_point(result.designs[0], {1, 0}, 1e-11);
-  EXPECT_EQ(fact(result.designs[0], "contact_points"), 6);
+  EXPECT_EQ(quantity(result.designs[0], "contact_points"), 6);
 }
 
 /// The half deviation of the classical coupler point, whose strip goes from −2 to 2 across.
@@ -76,7 +76,7 @@ TEST(StraightLineLibrary, ChebyshevsClassicalPointIsNearBallsPoint) {
   ASSERT_EQ(result.designs.size(), 1U);
   // Of the pole at 8/3 and the inflection circle's diameter 25/18 above it, against 4.
   expect_point(result.designs[0], {1, -(8.0 / 3 + 25.0 / 18 - 4)});
-  EXPECT_EQ(fact(result.designs[0], "contact_points"), 4);
+  EXPECT_EQ(quantity(result.designs[0], "contact_points"), 4);
   // Chebyshev's middle of the coupler: 0.2438 % of the stroke of 4 (both sides of the line).
   FourBar classical = four_bar(result.designs[0]);
   classical.coupler_point = Vec2d{1, 0};
@@ -86,9 +86,9 @@ TEST(StraightLineLibrary, ChebyshevsClassicalPointIsNearBallsPoint) {
   // first is a dead point of the crank.
   const auto ends = forward_interval(path, at, {std::atan2(3, 4), std::atan2(5, 0)});
   ASSERT_TRUE(ends);
-  const Stretch stretch = measure(path, ends->from, ends->to);
-  EXPECT_NEAR(stretch.length, 4, 1e-6);
-  EXPECT_NEAR(2 * stretch.deviation, 0.00975373308633909, 1e-8);
+  const StraightSegment segment = measure(path, ends->from, ends->to);
+  EXPECT_NEAR(segment.length, 4, 1e-6);
+  EXPECT_NEAR(2 * segment.deviation, 0.00975373308633909, 1e-8);
 }
 
 /// At the frame's middle P is on the axis at −1/(2 h), h the height of the coupler (Euler-Savary).
@@ -114,7 +114,7 @@ TEST(StraightLineLibrary, EvansKeepsTheMeanProportion) {
   bool found = false;
   for (const Design& design : result.designs) {
     found = found || norm(coupler_point(design) - Vec2d{-4.5, 0}) < 1e-12;
-    EXPECT_GE(fact(design, "contact_points"), 4);
+    EXPECT_GE(quantity(design, "contact_points"), 4);
   }
   EXPECT_TRUE(found);
 }
@@ -125,7 +125,7 @@ TEST(StraightLineLibrary, HoekenIsTheLimitOfNortonsTable) {
   const Design& design = result.designs[0];
   EXPECT_NEAR(lengths(four_bar(design)).frame, 3, 1e-8);
   expect_point(design, {8, 0}, 1e-7);
-  EXPECT_EQ(fact(design, "contact_points"), 6);
+  EXPECT_EQ(quantity(design, "contact_points"), 6);
   EXPECT_EQ(result.status, Status::solved);
 }
 
@@ -133,8 +133,8 @@ TEST(StraightLineLibrary, ParallelCranksReachThePublishedLengths) {
   const Result same = solve_file("parallel-cranks-same-side");
   ASSERT_EQ(same.designs.size(), 2U);
   expect_point(same.designs[0], {320, 1040}, 1e-9);
-  EXPECT_NEAR(fact(same.designs[0], "straight_length_at_0_001"), 152.2, 0.3);
-  EXPECT_NEAR(fact(same.designs[1], "straight_length_at_0_01"), 123.7, 0.25);
+  EXPECT_NEAR(quantity(same.designs[0], "straight_length_at_0_001"), 152.2, 0.3);
+  EXPECT_NEAR(quantity(same.designs[1], "straight_length_at_0_01"), 123.7, 0.25);
   const Result aslant = solve_file("parallel-cranks-aslant");
   ASSERT_EQ(aslant.designs.size(), 1U);
   expect_point(aslant.designs[0], {72, 0}, 1e-11);
@@ -154,11 +154,11 @@ TEST(StraightLine, AllPositionsOfACrankRockerComeBack) {
   const Result result = solve_file("crank-rocker");
   ASSERT_EQ(result.designs.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_GE(fact(result.designs[i], "contact_points"), 5);
+    EXPECT_GE(quantity(result.designs[i], "contact_points"), 5);
     if (i == 0) continue;
     ++tested;
-    EXPECT_LE(fact(result.designs[i], "straight_length_at_0_001"),
-              fact(result.designs[i - 1], "straight_length_at_0_001"));
+    EXPECT_LE(quantity(result.designs[i], "straight_length_at_0_001"),
+              quantity(result.designs[i - 1], "straight_length_at_0_001"));
   }
   EXPECT_GE(tested, 3);
 }
@@ -199,8 +199,8 @@ TEST(StraightLine, StretchesEndAtChangePoints) {
     const Result kite = solve_text("frame = 2\ncrank = 2\ncoupler = 1\nrocker = 1\n" + start, 4);
     ASSERT_FALSE(kite.designs.empty());
     for (const Design& design : kite.designs) {
-      EXPECT_GE(fact(design, "crank_from_deg_at_0_001"), -1e-9) << start;
-      EXPECT_LE(fact(design, "crank_to_deg_at_0_001"), 360 + 1e-9) << start;
+      EXPECT_GE(quantity(design, "crank_from_deg_at_0_001"), -1e-9) << start;
+      EXPECT_LE(quantity(design, "crank_to_deg_at_0_001"), 360 + 1e-9) << start;
     }
   }
   // Scott Russell: the end of the doubled coupler moves on the normal of the slide line, as
@@ -210,8 +210,8 @@ TEST(StraightLine, StretchesEndAtChangePoints) {
       5);
   ASSERT_FALSE(russell.designs.empty());
   expect_point(russell.designs[0], {-2, 0});
-  EXPECT_EQ(fact(russell.designs[0], "contact_points"), 9);
-  EXPECT_NEAR(fact(russell.designs[0], "straight_length_at_0_001"), 8, 1e-9);
+  EXPECT_EQ(quantity(russell.designs[0], "contact_points"), 9);
+  EXPECT_NEAR(quantity(russell.designs[0], "straight_length_at_0_001"), 8, 1e-9);
 }
 
 TEST(StraightLine, ConstraintsDecide) {
@@ -225,7 +225,7 @@ TEST(StraightLine, ConstraintsDecide) {
 }
 
 void expect_fault(const std::string& text, const std::string& message) {
-  const auto problem = parse_problem("kind = \"straight-line\"\n" + text);
+  const auto problem = parse_task("kind = \"straight-line\"\n" + text);
   ASSERT_FALSE(problem.has_value()) << text;
   bool found = false;
   for (const auto& fault : problem.error()) {
@@ -255,7 +255,7 @@ TEST(StraightLine, ReaderRefusesWhatCannotBe) {
 }
 
 TEST(StraightLine, ReaderOfSearchesSaysWhereAFaultIs) {
-  const auto problem = parse_problem(
+  const auto problem = parse_task(
       "kind = \"straight-line\"\n[target]\ndeviation = 0.1\ndeviation_relative = 0.5\n"
       "[constraints]\n  crank_range_deg = [0, 400]\nsize_over_length_max = -1\n"
       "speed_variation_max = 0\n[mechanism]\ncrank_deg = 5\n");
@@ -272,7 +272,7 @@ TEST(StraightLine, ReaderOfSearchesSaysWhereAFaultIs) {
 
 TEST(StraightLine, ReaderOfSearchesRefusesWhatCannotBe) {
   expect_fault("[target]\ndeviation = 0.01\n", "nothing in the file fixes the linkage's size");
-  expect_fault("[target]\nlength = 1\ndeviation = 0.5\n", "such a stretch is no line");
+  expect_fault("[target]\nlength = 1\ndeviation = 0.5\n", "such a segment is no line");
   expect_fault("[target]\ndeviation = 0.01\ndeviation_relative = 0.01\nlength = 1\n",
                "given beside deviation");
   expect_fault("[target]\nlength = 1\ncontact = 4\n", "method = \"exact\"");

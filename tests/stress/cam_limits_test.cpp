@@ -22,9 +22,9 @@ std::vector<cam::MotionSegment> rise_and_return(MotionLaw law, double stroke) {
 
 void expect_finite(const problems::CamResult& result) {
   for (const auto& design : result.designs) {
-    for (const auto& fact : design.metrics) {
-      const auto* number = std::get_if<double>(&fact.value);
-      EXPECT_TRUE(!number || std::isfinite(*number)) << fact.name;
+    for (const auto& quantity : design.metrics) {
+      const auto* number = std::get_if<double>(&quantity.value);
+      EXPECT_TRUE(!number || std::isfinite(*number)) << quantity.name;
     }
   }
 }
@@ -56,7 +56,7 @@ TEST(CamStress, SmallRisesOnLargeCams) {
     const auto result = solve(problem, {.threads = 1});
     expect_finite(result);
     const auto rise =
-        problems::CamExtremes(result.designs.at(0).cam).pressure_angle(cam::Stretch::rises);
+        problems::CamExtremes(result.designs.at(0).cam).pressure_angle(cam::MotionPart::rises);
     EXPECT_NEAR(rise->value, 2 * stroke / (100 * kDegree) / 100, 1.1 * stroke / 100 * rise->value)
         << stroke;
   }
@@ -70,7 +70,8 @@ TEST(CamStress, OffsetsAsLargeAsTheCam) {
     const auto result = solve(problem, {.threads = 1});
     expect_finite(result);
     const auto& cam = result.designs.at(0).cam;
-    const double still = value_of(cam::Quantity::pressure_angle, cam.system, cam.programme.at(0));
+    const double still =
+        value_of(cam::CamQuantity::pressure_angle, cam.system, cam.programme.at(0));
     const double offset = 50 * (1 - missing);
     const double left = (50 - offset) / 50;  // exact
     const double start = 50 * std::sqrt(left * (2 - left));
@@ -134,7 +135,7 @@ TEST(CamStress, ManySegments) {
   expect_finite(result);
   const auto& cam = result.designs.at(0).cam;
   const double steepest = 2 * 1e-3 / (kPi / kWaves);
-  const auto rise = problems::CamExtremes(cam).pressure_angle(cam::Stretch::rises);
+  const auto rise = problems::CamExtremes(cam).pressure_angle(cam::MotionPart::rises);
   // At the steepest place, half way up, or near it where the height is less.
   EXPECT_NEAR(std::tan(rise->value) * (100 + 5e-4), steepest, 1e-6 * steepest);
 }

@@ -34,7 +34,7 @@ class ExactFunctionStress {
   void add(ExactFunctionCount& count) {
     const std::string text = next();
     ++count.problems;
-    const auto problem = parse_problem(text);
+    const auto problem = parse_task(text);
     if (!problem) {
       ++count.refused;
       return;

@@ -113,7 +113,8 @@ Found search(const Linkage& l, ForceQuantity quantity, int samples) {
   return found;
 }
 
-/// A fact of an extreme: where its value, its place and the place near which it is unbounded stand.
+/// A reported of an extreme: where its value, its place and the place near which it is unbounded
+/// stand.
 struct ForceFact {
   std::string value, at, unbounded_at;
 };
@@ -134,11 +135,11 @@ class Judge {
   Judge(const Linkage& linkage, ForceTally& tally) : linkage_(linkage), tally_(tally) {}
 
   void judge() {
-    const auto problem = problems::parse_analysis(file_of(linkage_));
+    const auto problem = problems::parse_task<problems::AnalysisProblem>(file_of(linkage_));
     if (!problem) return disagree("file refused: " + problem.error().front().message);
     const auto result = problems::analyse(*problem, problems::Run{.threads = 1});
-    for (const auto& fact : result.facts) {
-      if (const auto* value = std::get_if<double>(&fact.value)) facts_[fact.name] = *value;
+    for (const auto& reported : result.quantities) {
+      if (const auto* value = std::get_if<double>(&reported.value)) facts_[reported.name] = *value;
     }
     ++tally_.linkages;
     constexpr int kSamples = 2500;
@@ -167,33 +168,33 @@ class Judge {
     }
   }
 
-  void compare(const ForceFact& fact, ForceQuantity quantity, double value, bool unbounded,
+  void compare(const ForceFact& reported, ForceQuantity quantity, double value, bool unbounded,
                double range) {
-    const bool said = facts_.contains(fact.unbounded_at);
+    const bool said = facts_.contains(reported.unbounded_at);
     if (said != unbounded) {
-      return disagree(fact.value + (said ? " said" : " not said") + " unbounded");
+      return disagree(reported.value + (said ? " said" : " not said") + " unbounded");
     }
     if (unbounded) {
       ++tally_.unbounded;
-      if (facts_.contains(fact.value)) disagree(fact.value + " both");
-      return compare_place(facts_[fact.unbounded_at]);
+      if (facts_.contains(reported.value)) disagree(reported.value + " both");
+      return compare_place(facts_[reported.unbounded_at]);
     }
-    if (!facts_.contains(fact.value)) return disagree(fact.value + " missing");
+    if (!facts_.contains(reported.value)) return disagree(reported.value + " missing");
     const double size = std::max(std::abs(value), std::isfinite(range) && range < 1e6 ? range : 0);
-    const double difference = size > 1e-9 ? std::abs(facts_[fact.value] - value) / size : 0;
+    const double difference = size > 1e-9 ? std::abs(facts_[reported.value] - value) / size : 0;
     ++tally_.bounded;
     tally_.worst = std::max(tally_.worst, difference);
     if (difference > 2e-6) {
-      return disagree(fact.value + " off by " + std::to_string(difference));
+      return disagree(reported.value + " off by " + std::to_string(difference));
     }
-    const double at = facts_[fact.at] * kDegree;
+    const double at = facts_[reported.at] * kDegree;
     double nearest = HUGE_VAL;
     for (const double step : {-1e-8, 0.0, 1e-8}) {
       for (const bool loaded : {true, false}) {
         nearest = std::min(nearest, std::abs(force(linkage_, quantity, at + step, loaded) - value));
       }
     }
-    if (nearest > 1e-5 * size + 1e-9) disagree(fact.at + " holds another force");
+    if (nearest > 1e-5 * size + 1e-9) disagree(reported.at + " holds another force");
   }
 
   void compare_place(double degrees) {

@@ -14,15 +14,15 @@ namespace cognate::problems {
 namespace {
 
 AnalysisResult result_of(const std::string& text) {
-  const auto problem = parse_analysis("kind = \"analysis\"\n" + text);
+  const auto problem = parse_task<AnalysisProblem>("kind = \"analysis\"\n" + text);
   EXPECT_TRUE(problem) << (problem ? "" : problem.error().front().message);
   return problem ? analyse(*problem, Run{.threads = 1}) : AnalysisResult{};
 }
 
 std::map<std::string, double> numbers(const AnalysisResult& result) {
   std::map<std::string, double> all;
-  for (const Fact& fact : result.facts) {
-    if (const auto* value = std::get_if<double>(&fact.value)) all[fact.name] = *value;
+  for (const Quantity& quantity : result.quantities) {
+    if (const auto* value = std::get_if<double>(&quantity.value)) all[quantity.name] = *value;
   }
   return all;
 }
@@ -37,7 +37,7 @@ TEST(ForceExtremes, AgreeWithBruteForce) {
 }
 
 TEST(ForceExtremes, OfALoadBetweenTwoRowsAreThoseOfItsInterval) {
-  const auto facts = numbers(result_of(R"(
+  const auto quantities = numbers(result_of(R"(
 mechanism = {type = "slider-crank", crank = 0.1, coupler = 0.3}
 load = [{on = "slider", force = [-1000, 0], when = [40.2, 40.8]}]
 drive = {speed = 10, steps = 360}
@@ -45,10 +45,11 @@ drive = {speed = 10, steps = 360}
   // |F| · |ds/dφ|, which grows with the angle there.
   const double angle = 40.8 * kDegree, sine = std::sin(angle), cosine = std::cos(angle);
   const double rate = 0.1 * sine * (1 + 0.1 * cosine / std::sqrt(0.09 - 0.01 * sine * sine));
-  EXPECT_NEAR(facts.at("torque_N_m.min"), -1000 * rate, 1e-9);
-  EXPECT_NEAR(facts.at("torque_N_m.min_at_deg"), 40.8, 1e-9);
-  EXPECT_EQ(facts.at("torque_N_m.max"), 0);
-  EXPECT_NEAR(facts.at("reaction_max_N.C_on_slider"), 1000 / std::sqrt(1 - sine * sine / 9), 1e-9);
+  EXPECT_NEAR(quantities.at("torque_N_m.min"), -1000 * rate, 1e-9);
+  EXPECT_NEAR(quantities.at("torque_N_m.min_at_deg"), 40.8, 1e-9);
+  EXPECT_EQ(quantities.at("torque_N_m.max"), 0);
+  EXPECT_NEAR(quantities.at("reaction_max_N.C_on_slider"), 1000 / std::sqrt(1 - sine * sine / 9),
+              1e-9);
 }
 
 TEST(ForceExtremes, AreUnboundedNearADeadPoint) {
@@ -61,13 +62,13 @@ link = [{between = ["B", "C"], mass = 2, centre = [0.14, 0], inertia = 0.02}]
 load = [{on = "rocker", torque = -5}]
 drive = {speed = 3, steps = )" + std::to_string(steps) +
                                             "}\n");
-    const auto facts = numbers(result);
+    const auto quantities = numbers(result);
     // BD is the difference of coupler and rocker: cos φ = (0.25² + 0.3² − 0.18²)/(2 · 0.25 · 0.3).
     const double dead = std::acos((0.0625 + 0.09 - 0.0324) / 0.15) / kDegree;
-    EXPECT_NEAR(facts.at("torque_N_m.min_unbounded_at_deg"), dead, 1e-9);
-    EXPECT_NEAR(facts.at("reaction_max_unbounded_at_deg.A_on_crank"), dead, 1e-9);
+    EXPECT_NEAR(quantities.at("torque_N_m.min_unbounded_at_deg"), dead, 1e-9);
+    EXPECT_NEAR(quantities.at("reaction_max_unbounded_at_deg.A_on_crank"), dead, 1e-9);
     for (const char* gone : {"torque_N_m.min", "torque_N_m.max", "reaction_max_N.A_on_crank"}) {
-      EXPECT_FALSE(facts.contains(gone)) << gone;
+      EXPECT_FALSE(quantities.contains(gone)) << gone;
     }
     EXPECT_TRUE(std::ranges::any_of(result.notes, [](const std::string& note) {
       return note.find("grows without bound near the dead point at 86.9045°") != note.npos;
@@ -96,7 +97,7 @@ drive = {speed = 12, steps = )" +
 }
 
 TEST(ForceExtremes, OfADrivenSliderHaveTheirPlaceAsALength) {
-  const auto facts = numbers(result_of(R"(
+  const auto quantities = numbers(result_of(R"(
 [mechanism]
 type = "chain"
 pivot = [{name = "A", at = [0, 0]}]
@@ -122,8 +123,8 @@ end = 0.39
     const double slope = 0.5 * (10 + 0.8 / (x * x)) / std::sqrt(1 - cosine * cosine);
     if (10 * slope < least) least = 10 * slope, at = x;
   }
-  EXPECT_NEAR(facts.at("drive_force_N.min"), least, 1e-8 * least);
-  EXPECT_NEAR(facts.at("drive_force_N.min_at"), at, 1e-6);
+  EXPECT_NEAR(quantities.at("drive_force_N.min"), least, 1e-8 * least);
+  EXPECT_NEAR(quantities.at("drive_force_N.min_at"), at, 1e-6);
 }
 
 }  // namespace

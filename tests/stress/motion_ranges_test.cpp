@@ -17,16 +17,16 @@ namespace cognate::problems {
 namespace {
 
 AnalysisResult result_of(const std::string& mechanism, const std::string& drive) {
-  const auto problem = parse_analysis("kind = \"analysis\"\n[mechanism]\n" + mechanism +
-                                      "\n[drive]\nsteps = 12\n" + drive);
+  const auto problem = parse_task<AnalysisProblem>("kind = \"analysis\"\n[mechanism]\n" +
+                                                   mechanism + "\n[drive]\nsteps = 12\n" + drive);
   EXPECT_TRUE(problem) << (problem ? "" : problem.error().front().message);
   return problem ? analyse(*problem, Run{.threads = 1}) : AnalysisResult{};
 }
 
 std::map<std::string, double> numbers(const AnalysisResult& result) {
   std::map<std::string, double> all;
-  for (const Fact& fact : result.facts) {
-    if (const auto* value = std::get_if<double>(&fact.value)) all[fact.name] = *value;
+  for (const Quantity& quantity : result.quantities) {
+    if (const auto* value = std::get_if<double>(&quantity.value)) all[quantity.name] = *value;
   }
   return all;
 }

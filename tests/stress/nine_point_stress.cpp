@@ -98,8 +98,8 @@ bool comes_back(const ExactPathSolutions& found, const Planted& planted) {
 
 void random_complex(int sets) {
   using namespace nine_point;
-  StopSign stop({});
-  TrackMeans means;
+  StopToken stop({});
+  TrackingOptions means;
   means.stop = &stop;
   const auto start = start_set({1, 8}, {}, means);
   std::mt19937_64 random(1);

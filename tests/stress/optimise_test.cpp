@@ -24,7 +24,7 @@ int cases(int many) {
 
 PathProblem from_library(const std::string& name) {
   return std::get<PathProblem>(
-      *read_problem(std::string(COGNATE_LIBRARY_DIR) + "/path/" + name + ".toml"));
+      *read_task(std::string(COGNATE_LIBRARY_DIR) + "/path/" + name + ".toml"));
 }
 
 struct Copy {

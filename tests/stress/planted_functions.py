@@ -116,7 +116,7 @@ def errors_of(planted, inputs, outputs):
 
 
 def outcomes_of(arguments, text, minimax):
-    """Of each seed; `found` is the square of the greatest error where that is asked for."""
+    """Of each seed; `found` is the square of the greatest error where that is requested."""
     outcomes = [planting.solve(os.path.abspath(arguments.program), text, seed, arguments.threads)
                 for seed in range(1, arguments.seeds + 1)]
     for outcome in outcomes:

@@ -152,10 +152,17 @@ class Outcome:
         self.seconds, self.code, self.message = seconds, code, message
         self.status = document["status"] if document else "none"
         designs = document["designs"] if document else []
-        self.found = designs[0]["error"]["sum_of_squares"] if designs else math.inf
+        self.found = squares(designs[0]) if designs else math.inf
         self.feasible = self.status == "solved"
         self.designs = designs
         self.facts = document.get("facts", {}) if document else {}
+
+
+def squares(design):
+    """The sum of squares of a design's errors: of a straight line, its deviation."""
+    if "straight_length" in design["metrics"]:
+        return design["metrics"]["deviation"] ** 2
+    return design["error"]["sum_of_squares"]
 
 
 def solve(program, text, seed, threads=None):

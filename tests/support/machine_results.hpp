@@ -1,4 +1,4 @@
-/// @file Machines of texts, and what is told of them.
+/// @file Machines of texts, and what is reported of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ namespace cognate::test {
 
 /// The machine of `text`, the file's first line left out.
 inline problems::MachineProblem parse(const std::string& text) {
-  const auto problem = problems::parse_machine("kind = \"machine\"\n" + text);
+  const auto problem =
+      problems::parse_task<problems::MachineProblem>("kind = \"machine\"\n" + text);
   if (problem) return *problem;
   for (const problems::Fault& fault : problem.error()) {
     ADD_FAILURE() << fault.line << ":" << fault.column << ": " << fault.message;
@@ -28,8 +29,8 @@ inline problems::MachineResult result_of(const std::string& text) {
   return problems::run_machine(parse(text), {});
 }
 
-inline double fact(const problems::MachineResult& result, const std::string& name) {
-  for (const problems::Fact& each : result.facts) {
+inline double quantity(const problems::MachineResult& result, const std::string& name) {
+  for (const problems::Quantity& each : result.quantities) {
     if (each.name == name) return std::get<double>(each.value);
   }
   ADD_FAILURE() << "no " << name;

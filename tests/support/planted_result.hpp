@@ -90,10 +90,10 @@ inline Result planted_synthesis() {
                     .transmission_acute_min = kPi / 4,
                     .precision_residual = 2e-16,
                     .condition = kInfinity,
-                    .facts = {{"class", std::string("crank turns fully")},
-                              {"swing.least_deg", 12.5},
-                              {"certified", true},
-                              {"of_nothing", kInfinity}}};
+                    .quantities = {{"class", std::string("crank turns fully")},
+                                   {"swing.least_deg", 12.5},
+                                   {"certified", true},
+                                   {"of_nothing", kInfinity}}};
   slider.constraints.clear();
   slider.mirror_of = 0;
   slider.origin = "exact:three-poses";
@@ -103,7 +103,7 @@ inline Result planted_synthesis() {
           .loci = {{"centre-point curve", {{{0, 1}, {2, 3}, {kInfinity, 0}, {4, 5}}}},
                    {"poles", {{{6, 7}}}}},
           .families = {{"fixed pivot", {{"at", {1, 2, 3}}, {"swing_deg", {30, none, 50}}}}},
-          .facts = {{"complex_solutions", 1442.0}, {"ratio", none}, {"real.triplets", 21.0}},
+          .quantities = {{"complex_solutions", 1442.0}, {"ratio", none}, {"real.triplets", 21.0}},
           .work = {.seconds = 0.25}};
 }
 

@@ -17,7 +17,7 @@ namespace cognate::test {
 inline double distance_from_tooth(const gear::SpurGear& g, const Vec2d& point) {
   const double alpha = g.rack.pressure_angle;
   const double rounding = g.rack.corner_radius.value_or(g.rack.clearance / (1 - std::sin(alpha)));
-  const double half_width = kPi / 4 + g.thinning / (2 * g.module);
+  const double half_width = kPi / 4 + g.coarsening / (2 * g.module);
   const Vec2d normal{std::cos(alpha), -std::sin(alpha)};
   // The corner's centre is its radius from the tip line and from the flank.
   const double height = rounding - g.rack.addendum - g.rack.clearance;

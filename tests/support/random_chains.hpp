@@ -9,7 +9,7 @@
 
 namespace cognate::test {
 
-/// Draws mechanisms whose dyads hang on any body before them: points of moving links, guides on
+/// Draws mechanisms whose dyads depend on any body before them: points of moving links, guides on
 /// moving sliders. Lengths are chosen so that every dyad closes near the drive position `start`,
 /// well away from a dead point.
 class ChainMaker {

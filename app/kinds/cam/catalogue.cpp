@@ -1,5 +1,11 @@
-#include "app/kinds/cam/catalogue.hpp"
+#include <fmt/core.h>
 
+#include <cmath>
+#include <optional>
+
+#include "analysis/cam/motion_law.hpp"
+#include "app/console/text_table.hpp"
+#include "app/kinds/cam/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -8,24 +14,24 @@ namespace {
 using cam::MotionLaw;
 
 constexpr Entry kTranslatingRoller[] = {
-    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"base_radius", "of the prime circle: minimum distance of the roller's centre from the cam's"},
     {"offset",
      "of the follower's line from the cam's centre; positive helps the rise; 0 with constant "
      "breadth"},
     {"roller_radius", "in [mechanism] or [follower]"}};
 constexpr Entry kTranslatingFlat[] = {
-    {"base_radius", "least distance of the face from the cam's centre"},
+    {"base_radius", "minimum distance of the face from the cam's centre"},
     {"offset", "of the follower's line, without effect on the cam (default 0)"}};
 constexpr Entry kTranslatingKnife[] = {
-    {"base_radius", "least distance of the edge from the cam's centre"},
+    {"base_radius", "minimum distance of the edge from the cam's centre"},
     {"offset", "of the follower's line from the cam's centre; positive helps the rise"}};
 constexpr Entry kOscillatingRoller[] = {
-    {"base_radius", "of the pitch curve: least distance of the roller's centre from the cam's"},
+    {"base_radius", "of the prime circle: minimum distance of the roller's centre from the cam's"},
     {"centre_distance", "of the follower's pivot from the cam's centre"},
     {"arm", "from the pivot to the roller's centre; in [mechanism] or [follower]"},
     {"roller_radius", "in [mechanism] or [follower]"}};
 constexpr Entry kOscillatingFlat[] = {
-    {"base_radius", "least distance of the face from the cam's centre"},
+    {"base_radius", "minimum distance of the face from the cam's centre"},
     {"centre_distance", "of the follower's pivot from the cam's centre"},
     {"face_offset", "by how much the face lies nearer to the cam than its pivot (default 0)"}};
 
@@ -49,8 +55,8 @@ constexpr Entry kFollower[] = {
     {"mass", "translating; inertia: oscillating, about the pivot; with drive.speed"},
     {"spring_rate", "by length, or by radian of an oscillating follower"},
     {"preload",
-     "of the spring at displacement 0; left out: the least that keeps contact; wanted "
-     "where angles or shares of the motion are free and forces limited or least"},
+     "of the spring at displacement 0; left out: the minimum that keeps contact; wanted "
+     "where angles or shares of the motion are free and forces limited or minimised"},
     {"load", "constant, against the rise: a force, or a moment about the pivot"}};
 
 constexpr Entry kMotion[] = {
@@ -80,7 +86,8 @@ constexpr Entry kBounds[] = {
 
 constexpr Entry kTarget[] = {
     {"objective",
-     "what is least: \"size\" (the base radius, default), \"pressure-angle\", \"contact-force\", "
+     "what is minimised: \"size\" (the base radius, default), \"pressure-angle\", "
+     "\"contact-force\", "
      "\"torque\" or \"contact-stress\"; of conjugate cams neither contact force nor stress"}};
 
 constexpr Entry kConstraints[] = {
@@ -127,7 +134,7 @@ std::string_view meaning(MotionLaw law) {
     case MotionLaw::constant_velocity:
       return "knocks at its ends";
     case MotionLaw::constant_acceleration:
-      return "parabolic: the least acceleration, which jumps";
+      return "parabolic: the minimum acceleration, which jumps";
     case MotionLaw::harmonic:
       return "half a cosine: acceleration jumps against a dwell";
     case MotionLaw::cycloidal:
@@ -159,9 +166,9 @@ bool has_parameters(MotionLaw law) {
 }
 
 constexpr Metric kCamMetrics[] = {
-    {"stroke", "length", "greatest displacement of a translating follower"},
+    {"stroke", "length", "maximum displacement of a translating follower"},
     {"swing_deg", "deg", "of an oscillating one"},
-    {"pressure_angle_deg_max", "deg", "greatest of either sign"},
+    {"pressure_angle_deg_max", "deg", "maximum of either sign"},
     {"pressure_angle_deg_max_rise", "deg", "in the rises, of either sign"},
     {"pressure_angle_deg_max_return", "deg", "in the returns, of either sign"},
     {"pressure_angle_deg_max_rise_working", "deg",
@@ -183,23 +190,23 @@ constexpr Metric kCamMetrics[] = {
     {"follower_velocity_max", "length/s or rad/s", "at the cam's speed"},
     {"follower_acceleration_max", "length/s² or rad/s²", "at the cam's speed"},
     {"follower_jerk_max", "length/s³ or rad/s³", "at the cam's speed"},
-    {"preload", "N or N·m", "of the follower: given, or the least that keeps contact"},
-    {"preload_min", "N or N·m", "the least that keeps contact"},
-    {"demand_min", "N or N·m", "least push along the motion; negative: lifts off"},
+    {"preload", "N or N·m", "of the follower: given, or the minimum that keeps contact"},
+    {"preload_min", "N or N·m", "the minimum that keeps contact"},
+    {"demand_min", "N or N·m", "minimum push along the motion; negative: lifts off"},
     {"contact_force_max", "N", "along the normal"},
-    {"torque_max", "N·m", "that drives the cam, the greatest of either sense"},
+    {"torque_max", "N·m", "that drives the cam, the maximum of either sense"},
     {"contact_stress_max", "Pa", "Hertzian pressure of the line contact"},
     {"..._at_deg", "deg", "of an extreme NAME, as NAME_at_deg: the cam angle where it is"}};
 
-}  // namespace
-
-std::span<const KeyedEntry> cam_followers() {
-  return kFollowers;
-}
-
-std::span<const KeyedEntry> cam_tables() {
-  return kTables;
-}
+/// A motion law and the greatest velocity, acceleration and jerk of a rise of 1 over a cam angle of
+/// 1, computed from the law itself and as handbooks print them; infinite where acceleration jumps.
+/// Laws with parameters have no factors of their own.
+struct MotionLawEntry {
+  std::string_view name;
+  std::string_view meaning;
+  std::optional<cam::PeakFactors> factors;
+  std::optional<cam::PeakFactors> handbook;
+};
 
 std::vector<MotionLawEntry> motion_laws() {
   std::vector<MotionLawEntry> all;
@@ -215,8 +222,80 @@ std::vector<MotionLawEntry> motion_laws() {
   return all;
 }
 
+std::string factor(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "inf";
+}
+
+/// A computed factor, and in brackets the handbook's; nothing where the law has parameters.
+std::string factors(const MotionLawEntry& law, double cam::PeakFactors::*of) {
+  std::string text = law.factors ? factor((*law.factors).*of) : "";
+  if (law.handbook) text += fmt::format(" ({})", factor((*law.handbook).*of));
+  return text;
+}
+
+std::string motion_law_text() {
+  Column names{"  law", Align::left, {}};
+  Column velocity{"velocity", Align::right, {}}, acceleration{"acceleration", Align::right, {}},
+      jerk{"jerk", Align::right, {}}, meanings{"", Align::left, {}};
+  for (const auto& law : motion_laws()) {
+    names.cells.push_back("  " + std::string(law.name));
+    velocity.cells.push_back(factors(law, &cam::PeakFactors::velocity));
+    acceleration.cells.push_back(factors(law, &cam::PeakFactors::acceleration));
+    jerk.cells.push_back(factors(law, &cam::PeakFactors::jerk));
+    meanings.cells.emplace_back(law.meaning);
+  }
+  std::string text =
+      "motion laws of cams (motion.law = ...): greatest values for a rise of 1 over a cam angle of "
+      "1,"
+      " in brackets\nthose that handbooks print\n";
+  for (const auto& line : set_columns({names, velocity, acceleration, jerk, meanings})) {
+    text += line + '\n';
+  }
+  return text;
+}
+
+/// Infinity has no JSON number: null.
+nlohmann::ordered_json peak_factors_json(const std::optional<cam::PeakFactors>& factors) {
+  if (!factors) return nullptr;
+  const auto number = [](double x) {
+    return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
+  };
+  return {{"velocity", number(factors->velocity)},
+          {"acceleration", number(factors->acceleration)},
+          {"jerk", number(factors->jerk)}};
+}
+
+nlohmann::ordered_json motion_laws_json() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& law : motion_laws()) {
+    rows.push_back({{"name", law.name},
+                    {"meaning", law.meaning},
+                    {"peak_factors", peak_factors_json(law.factors)},
+                    {"handbook", peak_factors_json(law.handbook)}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::span<const KeyedEntry> cam_followers() {
+  return kFollowers;
+}
+
 std::span<const Metric> cam_metrics() {
   return kCamMetrics;
+}
+
+std::vector<ListSection> Kind<problems::CamProblem>::sections() {
+  return {list_section("cam_followers",
+                       "followers of cams (follower.type = ...) and their lengths in [mechanism]",
+                       kFollowers),
+          list_section("cam_tables", "tables of a cam", kTables),
+          {"motion_laws", motion_law_text(), motion_laws_json()}};
+}
+
+std::vector<MetricList> Kind<problems::CamProblem>::metric_lists() {
+  return {{"cam_metrics", "metric of a cam", kCamMetrics}};
 }
 
 }  // namespace cognate::app

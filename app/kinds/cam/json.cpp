@@ -1,7 +1,3 @@
-#include "app/kinds/cam/json.hpp"
-
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +6,7 @@
 #include "analysis/cam/turn_extremes.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/json_values.hpp"
-#include "app/documents/problem_json.hpp"
-#include "app/documents/result_json.hpp"
-#include "app/documents/version.hpp"
+#include "app/kinds/cam/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -42,11 +36,28 @@ CamProblem settled(const CamProblem& problem, const CamDesign& design) {
   return found;
 }
 
+/// Follower, every length it has, the motion with what was found of it, and a preload that was
+/// found.
+ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
+  const ordered_json tables = Kind<CamProblem>::to_json(settled(problem, design));
+  ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};
+  for (const char* key : {"side", "closure", "breadth", "arms_deg"}) {
+    if (tables["follower"].contains(key)) mechanism[key] = tables["follower"][key];
+  }
+  mechanism.update(tables["mechanism"]);
+  mechanism["motion"] = tables["motion"];
+  const bool pressed = problem.second.closure == cam::Closure::force;
+  if (problem.has_operation && pressed && !problem.preload) {
+    mechanism["preload"] = design.operation.preload;
+  }
+  return mechanism;
+}
+
 /// 90° less the pressure angle, whose sign tells the two sides of 90° apart; 0° or 180° where the
 /// follower stands on the wrong side of the cam's centre.
 ordered_json transmission_json(const cam::Cam& cam) {
-  const auto pressure =
-      turn_extremes(cam.programme, cam::Stretch::whole, cam.system, cam::Quantity::pressure_angle);
+  const auto pressure = turn_extremes(cam.programme, cam::MotionPart::whole, cam.system,
+                                      cam::CamQuantity::pressure_angle);
   const auto angle = [](double pressure_angle) {
     return std::clamp(kRightAngle - pressure_angle, 0.0, 2 * kRightAngle);
   };
@@ -70,7 +81,7 @@ ordered_json time_ratio_json(const cam::MotionProgramme& programme) {
 }
 
 bool is_undercut(const CamDesign& design) {
-  return std::ranges::any_of(design.metrics, [](const problems::Fact& fact) {
+  return std::ranges::any_of(design.metrics, [](const problems::Quantity& fact) {
     const auto* answer = std::get_if<bool>(&fact.value);
     return fact.name == "undercut" && answer != nullptr && *answer;
   });
@@ -78,7 +89,7 @@ bool is_undercut(const CamDesign& design) {
 
 ordered_json metrics_json(const CamProblem& problem, const CamDesign& design) {
   ordered_json table = {{"class", to_string(problem.follower)}};
-  add_finite_facts(table, design.metrics);
+  add_finite_quantities(table, design.metrics);
   table["transmission_angle_deg"] = transmission_json(design.cam);
   table["time_ratio"] = time_ratio_json(design.cam.programme);
   table["defects"] = ordered_json::array();
@@ -95,18 +106,6 @@ ordered_json proof_json(const problems::SizeProof& proof) {
   }
   ordered_json table = {{"base_radius_least", proof.base_radius_least}, {"positions", positions}};
   if (!proof.within.empty()) table["within"] = proof.within;
-  return table;
-}
-
-ordered_json design_json(const CamProblem& problem, const CamDesign& design) {
-  ordered_json table = {{"mechanism", mechanism_json(problem, design)},
-                        {"crank_deg", ordered_json::array()},
-                        {"error", {{"sum_of_squares", 0.0}, {"rms", 0.0}, {"max", 0.0}}},
-                        {"metrics", metrics_json(problem, design)},
-                        {"constraints", ordered_json::array()}};
-  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
-  table["origin"] = design.origin;
-  if (design.proof) table["proof"] = proof_json(*design.proof);
   return table;
 }
 
@@ -146,46 +145,31 @@ ordered_json jumps_json(const CamResult& result) {
 
 }  // namespace
 
-ordered_json best_design_json(const CamProblem& problem, const CamResult& result) {
-  return result.designs.empty() ? ordered_json::object()
-                                : design_json(problem, result.designs.front());
+ordered_json Kind<CamProblem>::design_json(const CamProblem& problem, const CamResult& result,
+                                           std::size_t index) {
+  const CamDesign& design = result.designs[index];
+  ordered_json table = {{"mechanism", mechanism_json(problem, design)},
+                        {"crank_deg", ordered_json::array()},
+                        {"error", {{"sum_of_squares", 0.0}, {"rms", 0.0}, {"max", 0.0}}},
+                        {"metrics", metrics_json(problem, design)},
+                        {"constraints", ordered_json::array()}};
+  for (const auto& check : design.constraints) table["constraints"].push_back(app::to_json(check));
+  table["origin"] = design.origin;
+  if (design.proof) table["proof"] = proof_json(*design.proof);
+  return table;
 }
 
-ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
-  const ordered_json tables = to_json(settled(problem, design));
-  ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};
-  for (const char* key : {"side", "closure", "breadth", "arms_deg"}) {
-    if (tables["follower"].contains(key)) mechanism[key] = tables["follower"][key];
-  }
-  mechanism.update(tables["mechanism"]);
-  mechanism["motion"] = tables["motion"];
-  const bool pressed = problem.second.closure == cam::Closure::force;
-  if (problem.has_operation && pressed && !problem.preload) {
-    mechanism["preload"] = design.operation.preload;
-  }
-  return mechanism;
-}
-
-tl::expected<ordered_json, std::string> result_document(const CamProblem& problem,
-                                                        const CamResult& result,
-                                                        std::uint64_t seed) {
-  ordered_json document = {{"format", "cognate-result/1"},
-                           {"version", version()},
-                           {"seed", seed},
-                           {"status", to_string(result.status)},
-                           {"problem", to_json(problem)}};
-  document["designs"] = ordered_json::array();
-  for (const auto& design : result.designs) {
-    document["designs"].push_back(design_json(problem, design));
-  }
+void Kind<CamProblem>::add_findings(ordered_json& document, const CamProblem& problem,
+                                    const CamResult& result) {
   document["segments"] = segments_json(problem, result);
   document["jumps"] = jumps_json(result);
-  document["notes"] = result.notes;
-  document["work"] = to_json(result.work);
-  if (const auto where = find_non_finite(document)) {
-    return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
-  }
-  return document;
+}
+
+ExportOutcome Kind<CamProblem>::export_design(const ResultDesign& design,
+                                              const ExportOptions& wanted,
+                                              const std::string& stem) {
+  return exported(result_cam(design),
+                  [&](const ResultCam& cam) { return export_cam(cam, wanted, stem); });
 }
 
 }  // namespace cognate::app

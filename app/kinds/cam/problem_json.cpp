@@ -1,11 +1,10 @@
-#include "app/documents/problem_json.hpp"
-
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/problem_tables.hpp"
+#include "app/kinds/cam/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -22,7 +21,7 @@ class FreeValues {
  public:
   explicit FreeValues(const CamProblem& problem) : free_(problem.free_motion) {}
 
-  /// Segments must be asked for in order.
+  /// Segments must be requested in order.
   const problems::Range* find(std::size_t segment, MotionParameter parameter) {
     while (next_ < free_.size() && free_[next_].segment < segment) ++next_;
     for (std::size_t i = next_; i < free_.size() && free_[i].segment == segment; ++i) {
@@ -194,7 +193,7 @@ void add_contact(const CamProblem& problem, ordered_json& tables) {
 
 }  // namespace
 
-ordered_json to_json(const CamProblem& problem) {
+ordered_json Kind<CamProblem>::to_json(const CamProblem& problem) {
   ordered_json tables = document("cam", problem.title);
   tables["follower"] = follower(problem);
   tables["motion"] = motion(problem);

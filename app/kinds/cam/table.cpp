@@ -1,5 +1,3 @@
-#include "app/kinds/cam/table.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,13 +5,12 @@
 #include <cmath>
 #include <span>
 
+#include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
-#include "app/console/text_table.hpp"
-#include "app/kinds/cam/description.hpp"
+#include "app/kinds/cam/kind.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/linkage/verify.hpp"
 
 namespace cognate::app {
 namespace {
@@ -21,46 +18,35 @@ namespace {
 using problems::CamDesign;
 using problems::CamProblem;
 using problems::CamResult;
+using problems::to_string;
+
+/// "base_radius and offset", the lengths that are found; empty where all are given.
+std::string free_lengths(const problems::CamProblem& problem) {
+  std::string text;
+  for (const auto& dimension : problems::names<problems::CamDimension>()) {
+    const auto& length = problem.length(dimension.value);
+    if (length.used && !length.given) {
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", dimension.name);
+    }
+  }
+  return text;
+}
 
 std::optional<double> number_of(const CamDesign& design, std::string_view name) {
-  const auto found = std::ranges::find(design.metrics, name, &problems::Fact::name);
+  const auto found = std::ranges::find(design.metrics, name, &problems::Quantity::name);
   if (found == design.metrics.end()) return std::nullopt;
   const auto* number = std::get_if<double>(&found->value);
   return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
-/// "38.71 at 50": a fact and the cam angle of its place.
+/// "38.71 at 50": a quantity and the cam angle of its place.
 std::string placed(const CamDesign& design, const std::string& name) {
   const auto value = number_of(design, name), at = number_of(design, name + "_at_deg");
-  if (!value) return "–";
+  if (!value) return kNoValue;
   return at ? fmt::format("{:.5g} at {:.4g}", *value, *at) : fmt::format("{:.5g}", *value);
 }
 
-std::string constraints_text(const CamDesign& design) {
-  const auto missed =
-      std::ranges::count(design.constraints, false, &problems::ConstraintCheck::satisfied);
-  return missed == 0 ? "all met" : fmt::format("{} missed", missed);
-}
-
-class Columns {
- public:
-  explicit Columns(std::span<const CamDesign> designs) : designs_(designs) {}
-
-  template <class Cell>
-  void add(std::string heading, Align align, Cell cell) {
-    Column column{std::move(heading), align, {}};
-    for (const CamDesign& design : designs_) column.cells.push_back(cell(design));
-    columns_.push_back(std::move(column));
-  }
-
-  std::string text(const Screen& screen) const { return table_text(columns_, screen); }
-
- private:
-  std::span<const CamDesign> designs_;
-  std::vector<Column> columns_;
-};
-
-void add_lengths(const CamProblem& problem, Columns& columns) {
+void add_lengths(const CamProblem& problem, DesignTable<CamDesign>& columns) {
   struct Length {
     const char* heading;
     double cam::CamDimensions<double>::*value;
@@ -82,26 +68,22 @@ void add_lengths(const CamProblem& problem, Columns& columns) {
   }
 }
 
-void append_designs(std::string& text, const CamProblem& problem,
-                    std::span<const CamDesign> designs, const Screen& screen) {
-  Columns columns(designs);
-  int number = 0;
-  columns.add("#", Align::right, [&](const CamDesign&) { return std::to_string(++number); });
+std::string designs_text(const CamProblem& problem, std::span<const CamDesign> designs,
+                         const Screen& screen) {
+  if (designs.empty()) return {};
+  DesignTable<CamDesign> columns(designs);
   add_lengths(problem, columns);
-  const auto add_fact = [&](const char* heading, const char* name) {
-    const bool any = std::ranges::any_of(
-        designs, [&](const CamDesign& design) { return number_of(design, name).has_value(); });
-    if (!any) return;
-    columns.add(heading, Align::right,
-                [&](const CamDesign& design) { return placed(design, name); });
+  const auto add_quantity = [&](const char* heading, const char* name) {
+    columns.add_if_any(heading, Align::right,
+                       [&](const CamDesign& design) { return placed(design, name); });
   };
-  add_fact("pressure of rise [deg at deg]", "pressure_angle_deg_max_rise");
-  add_fact("of return [deg at deg]", "pressure_angle_deg_max_return");
-  add_fact("least radius [length at deg]", "curvature_radius_min");
-  add_fact("greatest torque [N m at deg]", "torque_max");
-  columns.add("constraints", Align::left, constraints_text);
+  add_quantity("pressure of rise [deg at deg]", "pressure_angle_deg_max_rise");
+  add_quantity("of return [deg at deg]", "pressure_angle_deg_max_return");
+  add_quantity("least radius [length at deg]", "curvature_radius_min");
+  add_quantity("greatest torque [N m at deg]", "torque_max");
+  columns.add_constraints();
   columns.add("origin", Align::left, [](const CamDesign& d) { return printable(d.origin); });
-  text += columns.text(screen);
+  return table_text(columns.columns(), screen);
 }
 
 /// Why the best design cannot be smaller.
@@ -123,14 +105,29 @@ std::string proof_line(const CamResult& result) {
 
 }  // namespace
 
-std::string cam_table(const CamProblem& problem, const CamResult& result, const Screen& screen) {
-  std::string text = describe(problem) + '\n';
-  text += status_text(result, screen.colour);
-  const auto shown = shown_designs(result);
-  if (!shown.empty()) append_designs(text, problem, shown, screen);
-  return text + left_out_line(result.designs.size()) + '\n' +
-         violations_text(result, screen.colour) + proof_line(result) + notes_text(result.notes) +
-         work_line(result.work);
+std::string Kind<CamProblem>::refusal(const CamProblem& /*problem*/, Command command) {
+  if (command == Command::solve) return "";
+  return "kind is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are "
+         "all given; expected kind = \"analysis\" with a whole [mechanism]";
+}
+
+std::string Kind<CamProblem>::describe(const CamProblem& problem) {
+  const std::size_t segments = problem.motion.size();
+  std::string what = fmt::format("cam of a follower {}, {} segment{} of motion",
+                                 to_string(problem.follower), segments, segments == 1 ? "" : "s");
+  const std::string lengths = free_lengths(problem);
+  if (!lengths.empty()) what += ", free: " + lengths;
+  const std::size_t free = problem.free_motion.size();
+  if (free > 0) what += fmt::format(", {} free value{} of the motion", free, free == 1 ? "" : "s");
+  return titled(problem.title, what);
+}
+
+std::string Kind<CamProblem>::table(const CamProblem& problem, const CamResult& result,
+                                    const Screen& screen) {
+  return result_table({.heading = describe(problem),
+                       .designs = designs_text(problem, shown_designs(result), screen),
+                       .after = proof_line(result)},
+                      result, screen);
 }
 
 }  // namespace cognate::app

@@ -1,15 +1,9 @@
-#include "app/kinds/evaluation/json.hpp"
-
-#include <fmt/core.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "app/documents/json_values.hpp"
-#include "app/documents/result_json.hpp"
-#include "app/documents/version.hpp"
-#include "app/kinds/evaluation/problem_json.hpp"
+#include "app/kinds/evaluation/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
 
@@ -23,7 +17,7 @@ using problems::drive_slides;
 
 ordered_json metrics_json(const AnalysisResult& result) {
   ordered_json table = ordered_json::object();
-  add_facts(table, result.facts);
+  add_quantities(table, result.quantities);
   for (const char* always : {"transmission_angle_deg", "time_ratio"}) {
     if (!table.contains(always)) table[always] = nullptr;
   }
@@ -37,15 +31,6 @@ ordered_json values_json(const std::vector<double>& values) {
     list.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
   }
   return list;
-}
-
-ordered_json design_json(const AnalysisProblem& problem, const AnalysisResult& result) {
-  ordered_json table = {{"mechanism", mechanism_json(problem.mechanism)}};
-  table[drive_slides(problem) ? "slide" : "crank_deg"] = values_json(result.columns.front().values);
-  table["metrics"] = metrics_json(result);
-  table["constraints"] = ordered_json::array();
-  table["origin"] = "given";
-  return table;
 }
 
 ordered_json columns_json(const AnalysisResult& result) {
@@ -89,37 +74,30 @@ ordered_json cognates_json(const AnalysisResult& result) {
   ordered_json list = ordered_json::array();
   for (const problems::Cognate& cognate : result.cognates) {
     list.push_back({{"crank_turns_with", cognate.timed ? "crank" : "coupler"},
-                    {"mechanism", to_json(cognate.linkage)},
+                    {"mechanism", mechanism_json(problems::named(cognate.linkage))},
                     {"crank_deg", degrees(cognate.crank_angle)}});
   }
   return list;
 }
 
-ordered_json analysis_json(const AnalysisProblem& problem, const AnalysisResult& result) {
-  ordered_json table = {{"columns", columns_json(result)},
-                        {"landmarks", landmarks_json(problem, result)}};
-  if (problem.output.cognates) table["cognates"] = cognates_json(result);
+}  // namespace
+
+ordered_json Kind<AnalysisProblem>::design_json(const AnalysisProblem& problem,
+                                                const AnalysisResult& result,
+                                                std::size_t /*index*/) {
+  ordered_json table = {{"mechanism", mechanism_json(problem.mechanism)}};
+  table[drive_slides(problem) ? "slide" : "crank_deg"] = values_json(result.columns.front().values);
+  table["metrics"] = metrics_json(result);
+  table["constraints"] = ordered_json::array();
+  table["origin"] = "given";
   return table;
 }
 
-}  // namespace
-
-tl::expected<ordered_json, std::string> result_document(const AnalysisProblem& problem,
-                                                        const AnalysisResult& result,
-                                                        std::uint64_t seed) {
-  ordered_json document = {{"format", "cognate-result/1"},
-                           {"version", version()},
-                           {"seed", seed},
-                           {"status", problems::to_string(result.status)},
-                           {"problem", to_json(problem)},
-                           {"designs", ordered_json::array({design_json(problem, result)})},
-                           {"analysis", analysis_json(problem, result)},
-                           {"notes", result.notes},
-                           {"work", to_json(result.work)}};
-  if (const auto where = find_non_finite(document)) {
-    return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
-  }
-  return document;
+void Kind<AnalysisProblem>::add_findings(ordered_json& document, const AnalysisProblem& problem,
+                                         const AnalysisResult& result) {
+  auto& table = document["analysis"];
+  table = {{"columns", columns_json(result)}, {"landmarks", landmarks_json(problem, result)}};
+  if (problem.output.cognates) table["cognates"] = cognates_json(result);
 }
 
 }  // namespace cognate::app

@@ -1,10 +1,10 @@
-#include "app/kinds/evaluation/problem_json.hpp"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/json_values.hpp"
+#include "app/kinds/evaluation/kind.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
 namespace {
@@ -16,28 +16,6 @@ using problems::to_string;
 
 double degrees_of(const Vec2d& direction) {
   return degrees(std::atan2(direction.y, direction.x));
-}
-
-ordered_json pivots(const Vec2d& first, const Vec2d& second) {
-  return ordered_json::array({to_json(first), to_json(second)});
-}
-
-template <class SliderCrankLike>
-ordered_json slider_crank_tables(const SliderCrankLike& mechanism) {
-  return {{"pivot", to_json(mechanism.pivot)},
-          {"crank", mechanism.crank},
-          {"coupler", mechanism.coupler},
-          {"offset", mechanism.offset},
-          {"direction_deg", degrees_of(mechanism.direction)},
-          {"assembly", to_string(mechanism.assembly)}};
-}
-
-template <class GuideBarLike>
-ordered_json guide_bar_tables(const GuideBarLike& mechanism) {
-  return {{"fixed_pivots", pivots(mechanism.pivot_a, mechanism.pivot_c)},
-          {"crank", mechanism.crank},
-          {"offset", mechanism.offset},
-          {"assembly", to_string(mechanism.assembly)}};
 }
 
 ordered_json names_json(const std::vector<std::string>& names) {
@@ -90,59 +68,62 @@ ordered_json point_json(const problems::PointDescription& point) {
   return {{"name", point.name}, {"on", names_json(point.on)}, {"at", to_json(point.at)}};
 }
 
-/// What `[mechanism]` says besides its type.
-struct Tables {
-  ordered_json operator()(const FourBar& linkage) const {
-    auto table = to_json(linkage);
-    table.erase("type");
-    return table;
+/// The value of one key of a type; null where it has none.
+template <class Type>
+struct KeyJson {
+  const Type& mechanism;
+
+  ordered_json operator()(const problems::PivotsKey<Type>& pivots) const {
+    return ordered_json::array(
+        {to_json(mechanism.*pivots.first), to_json(mechanism.*pivots.second)});
   }
-  ordered_json operator()(const SliderCrank& mechanism) const {
-    return slider_crank_tables(mechanism);
+  ordered_json operator()(const problems::PlaceKey<Type>& place) const {
+    return to_json(mechanism.*place.of);
   }
-  ordered_json operator()(const FixedBlock& mechanism) const {
-    return slider_crank_tables(mechanism);
+  ordered_json operator()(const problems::DirectionKey<Type>& direction) const {
+    return degrees_of(mechanism.*direction.of);
   }
-  ordered_json operator()(const GuideBar& mechanism) const { return guide_bar_tables(mechanism); }
-  ordered_json operator()(const OscillatingBlock& mechanism) const {
-    return guide_bar_tables(mechanism);
+  ordered_json operator()(const problems::InclinationKey<Type>& line) const {
+    return degrees_of(mechanism.*line.of);
   }
-  ordered_json operator()(const ScotchYoke& mechanism) const {
-    return {{"pivot", to_json(mechanism.pivot)},
-            {"crank", mechanism.crank},
-            {"offset", mechanism.offset},
-            {"direction_deg", degrees_of(mechanism.direction)},
-            {"slot_deg", degrees_of(mechanism.slot)}};
+  ordered_json operator()(const problems::AssemblyKey<Type>& assembly) const {
+    return to_string(mechanism.*assembly.of);
   }
-  ordered_json operator()(const TangentGenerator& mechanism) const {
-    return {{"pivot", to_json(mechanism.pivot)},
-            {"offset", mechanism.offset},
-            {"direction_deg", degrees_of(mechanism.direction)}};
+  ordered_json operator()(const problems::PointKey<Type>& point) const {
+    const auto& at = mechanism.*point.of;
+    return at ? to_json(*at) : ordered_json(nullptr);
   }
-  ordered_json operator()(const EllipticTrammel& mechanism) const {
-    return {{"centre", to_json(mechanism.centre)},
-            {"length", mechanism.length},
-            {"direction_deg", degrees_of(mechanism.direction)},
-            {"second_line_deg", degrees_of(mechanism.second_line)}};
-  }
-  ordered_json operator()(const OldhamCoupling& mechanism) const {
-    return {{"fixed_pivots", pivots(mechanism.pivot_a, mechanism.pivot_d)},
-            {"slot_deg", degrees_of(mechanism.slot)}};
-  }
-  ordered_json operator()(const problems::ChainDescription& chain) const {
-    ordered_json table = ordered_json::object();
-    table["pivot"] = ordered_json::array();
-    for (const auto& pivot : chain.pivots) {
-      table["pivot"].push_back({{"name", pivot.name}, {"at", to_json(pivot.at)}});
-    }
-    const bool turns = std::holds_alternative<problems::CrankDescription>(chain.drive);
-    table[turns ? "crank" : "slider"] =
-        std::visit([](const auto& drive) { return drive_json(drive); }, chain.drive);
-    table["dyad"] = ordered_json::array();
-    for (const auto& dyad : chain.dyads) table["dyad"].push_back(dyad_json(dyad));
-    return table;
+  /// A length or an offset.
+  template <class Number>
+  ordered_json operator()(const Number& number) const {
+    return mechanism.*number.of;
   }
 };
+
+/// What `[mechanism]` says besides its type.
+template <class Type>
+ordered_json tables_of(const Type& mechanism) {
+  ordered_json table = ordered_json::object();
+  for (const auto& key : problems::TypeTraits<Type>::kKeys) {
+    auto value = std::visit(KeyJson<Type>{mechanism}, key.holds);
+    if (!value.is_null()) table[std::string(key.name)] = std::move(value);
+  }
+  return table;
+}
+
+ordered_json tables_of(const problems::ChainDescription& chain) {
+  ordered_json table = ordered_json::object();
+  table["pivot"] = ordered_json::array();
+  for (const auto& pivot : chain.pivots) {
+    table["pivot"].push_back({{"name", pivot.name}, {"at", to_json(pivot.at)}});
+  }
+  const bool turns = std::holds_alternative<problems::CrankDescription>(chain.drive);
+  table[turns ? "crank" : "slider"] =
+      std::visit([](const auto& drive) { return drive_json(drive); }, chain.drive);
+  table["dyad"] = ordered_json::array();
+  for (const auto& dyad : chain.dyads) table["dyad"].push_back(dyad_json(dyad));
+  return table;
+}
 
 ordered_json drive_table(const AnalysisProblem& problem) {
   const auto& drive = problem.drive;
@@ -182,7 +163,8 @@ ordered_json output_table(const AnalysisProblem& problem) {
 
 ordered_json mechanism_json(const NamedMechanism& mechanism) {
   ordered_json table = {{"type", to_string(mechanism.type)}};
-  table.update(std::visit(Tables{}, mechanism.description));
+  table.update(std::visit([](const auto& described) { return tables_of(described); },
+                          mechanism.description));
   if (mechanism.extra_points.empty()) return table;
   table["point"] = ordered_json::array();
   for (const auto& point : mechanism.extra_points) table["point"].push_back(point_json(point));
@@ -221,7 +203,7 @@ ordered_json load_json(const AnalysisProblem& problem, const problems::LoadRule&
   return table;
 }
 
-ordered_json to_json(const AnalysisProblem& problem) {
+ordered_json Kind<AnalysisProblem>::to_json(const AnalysisProblem& problem) {
   ordered_json tables = {{"kind", "analysis"}};
   if (!problem.title.empty()) tables["title"] = problem.title;
   tables["mechanism"] = mechanism_json(problem.mechanism);
@@ -230,7 +212,7 @@ ordered_json to_json(const AnalysisProblem& problem) {
   tables["link"] = links_json(problem);
   tables["load"] = ordered_json::array();
   for (const auto& load : problem.loads) tables["load"].push_back(load_json(problem, load));
-  tables["gravity"] = to_json(problem.gravity);
+  tables["gravity"] = app::to_json(problem.gravity);
   return tables;
 }
 

@@ -1,16 +1,19 @@
-#include "app/kinds/evaluation/table.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "app/console/messages.hpp"
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
-#include "app/study/metric_unit.hpp"
+#include "app/documents/csv.hpp"
+#include "app/kinds/evaluation/kind.hpp"
+#include "app/kinds/quantity_table.hpp"
+#include "app/report/filled_page.hpp"
+#include "app/report/page.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
@@ -55,22 +58,13 @@ Colour status_colour(const AnalysisResult& result) {
   return result.closed_rows > 0 ? Colour::yellow : Colour::red;
 }
 
-struct Written {
-  std::string operator()(double value) const { return fmt::format("{:.6g}", value); }
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(const std::string& value) const { return printable(value); }
-};
-
-void append_facts(std::string& text, const AnalysisResult& result, const Screen& screen) {
-  Column names{"metric", Align::left, {}};
-  Column values{"value", Align::left, {}};
-  Column units{"unit", Align::left, {}};
-  for (const auto& fact : result.facts) {
-    names.cells.push_back(printable(fact.name));
-    values.cells.push_back(std::visit(Written{}, fact.value));
-    units.cells.push_back(metric_unit(fact.name));
+/// The kind of a key position in words: "minimum transmission angle".
+std::string words(std::string kind) {
+  for (const auto& [key, word] :
+       {std::pair("least ", "minimum "), std::pair("greatest ", "maximum ")}) {
+    if (kind.starts_with(key)) return kind.replace(0, std::string_view(key).size(), word);
   }
-  if (!names.cells.empty()) text += table_text({names, values, units}, screen);
+  return kind;
 }
 
 void append_landmarks(std::string& text, const AnalysisProblem& problem,
@@ -79,7 +73,7 @@ void append_landmarks(std::string& text, const AnalysisProblem& problem,
   const auto& bodies = problem.mechanism.bodies;
   const auto output = static_cast<std::size_t>(problem.mechanism.output);
   const bool turns = !problems::output_travel(problem.mechanism).slides;
-  Column kinds{"landmark", Align::left, {}};
+  Column kinds{"key position", Align::left, {}};
   Column owners{"of", Align::left, {}};
   const auto unit = [](bool angle) { return angle ? " [deg]" : " [length]"; };
   const bool driven_by_angle = !drive_slides(problem);
@@ -87,9 +81,10 @@ void append_landmarks(std::string& text, const AnalysisProblem& problem,
       std::string(driven_by_angle ? "crank" : "slide") + unit(driven_by_angle), Align::right, {}};
   Column values{printable(bodies[output]) + unit(turns), Align::right, {}};
   for (const auto& landmark : result.landmarks) {
-    kinds.cells.push_back(landmark.again ? fmt::format("{}, also at {}", landmark.kind,
-                                                       coordinate(*landmark.again, driven_by_angle))
-                                         : landmark.kind);
+    kinds.cells.push_back(words(landmark.kind));
+    if (landmark.again) {
+      kinds.cells.back() += ", also at " + coordinate(*landmark.again, driven_by_angle);
+    }
     owners.cells.push_back(printable(landmark.of));
     drives.cells.push_back(number(landmark.drive, driven_by_angle));
     values.cells.push_back(std::isfinite(landmark.value) ? number(landmark.value, turns) : "–");
@@ -99,21 +94,27 @@ void append_landmarks(std::string& text, const AnalysisProblem& problem,
 
 }  // namespace
 
-std::string describe(const AnalysisProblem& problem) {
+std::string Kind<AnalysisProblem>::refusal(const AnalysisProblem& /*problem*/, Command command) {
+  if (command == Command::analyze) return "";
+  return "kind is \"analysis\": there is nothing to solve, 'cognate analyze' evaluates this "
+         "mechanism; expected a design problem";
+}
+
+std::string Kind<AnalysisProblem>::describe(const AnalysisProblem& problem) {
   const auto& sweep = problem.drive;
   const bool angle = !drive_slides(problem);
   const auto what =
       fmt::format("analysis of {}, {} {} to {} in {} steps",
                   problems::to_string(problem.mechanism.type), angle ? "crank" : "slide",
                   coordinate(sweep.start, angle), coordinate(sweep.end, angle), sweep.steps);
-  return printable(problem.title.empty() ? what : problem.title + ": " + what);
+  return titled(problem.title, what);
 }
 
-std::string analysis_table(const AnalysisProblem& problem, const AnalysisResult& result,
-                           const Screen& screen) {
+std::string Kind<AnalysisProblem>::table(const AnalysisProblem& problem,
+                                         const AnalysisResult& result, const Screen& screen) {
   std::string text = describe(problem) + '\n';
   text += paint(status_line(result), status_colour(result), screen.colour) + '\n';
-  append_facts(text, result, screen);
+  text += quantity_table(result.quantities, screen);
   append_landmarks(text, problem, result, screen);
   text += '\n';
   text += notes_text(result.notes);
@@ -121,6 +122,15 @@ std::string analysis_table(const AnalysisProblem& problem, const AnalysisResult&
       fmt::format("{:.3g} s on {} thread{}, {} positions\n", result.work.seconds,
                   result.work.threads, result.work.threads == 1 ? "" : "s", result.work.positions);
   return text;
+}
+
+std::string Kind<AnalysisProblem>::csv(const AnalysisResult& result) {
+  return csv_text(result.columns);
+}
+
+std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
+  const bool editable = problem.mechanism.type != problems::MechanismType::chain;
+  return editable ? analysis_page() : without_kernel(analysis_page());
 }
 
 }  // namespace cognate::app

@@ -1,4 +1,4 @@
-#include "app/kinds/gear/catalogue.hpp"
+#include "app/kinds/gear/kind.hpp"
 
 namespace cognate::app {
 namespace {
@@ -49,8 +49,8 @@ constexpr Entry kTarget[] = {
     {"ratio", "z2/z1"},
     {"ratio_tolerance", "relative (default 0)"},
     {"objective",
-     "\"balanced-sliding\" (the greatest specific sliding, least; default), \"contact-ratio\" "
-     "(greatest) or \"size\" (the centre distance, least)"}};
+     "\"balanced-sliding\" (its maximum minimised; default), \"contact-ratio\" "
+     "(maximised) or \"size\" (the centre distance, minimised)"}};
 
 constexpr Entry kConstraints[] = {
     {"contact_ratio_min", "1 (default) or more; of helical gears with the overlap"},
@@ -84,7 +84,7 @@ constexpr Metric kGearMetrics[] = {
     {"form_diameter", "length", "where the involute begins, as the rack cuts it"},
     {"tooth_thickness", "length", "arc on the reference circle"},
     {"tip_thickness", "length", "arc (transverse) on the tip circle; negative: pointed below it"},
-    {"pointed_diameter", "length", "where the flanks of a tooth meet"},
+    {"pointed_diameter", "length", "of a pointed tooth: where its flanks meet"},
     {"undercut", "boolean", "whether the rack cuts into the involute"},
     {"least_teeth", "1", "without undercut at this shift"},
     {"least_profile_shift", "1", "without undercut of this number of teeth"},
@@ -118,13 +118,13 @@ constexpr Metric kPairMetrics[] = {
     {"overlap_ratio", "1", "helical: face width over axial pitch; also of a gear"},
     {"total_contact_ratio", "1", "helical: the sum of both"},
     {"continuous_centre_distance_max", "length",
-     "where the contact ratio is below 1: the greatest at which it is 1"},
+     "where the contact ratio is below 1: the maximum at which it is 1"},
     {"path_length", "length", "of contact"},
     {"approach_length, recess_length", "length", "before and after the pitch point"},
     {"backlash", "length", "arc on the working pitch circles; negative: the teeth overlap"},
     {"normal_backlash", "length", "along the line of action; of helical gears across the teeth"},
-    {"sliding_max", "1", "greatest magnitude of specific sliding at the ends of the flanks"},
-    {"sliding_speed_ratio_max", "1", "greatest sliding speed over the pitch line's"},
+    {"sliding_max", "1", "maximum magnitude of specific sliding at the ends of the flanks"},
+    {"sliding_speed_ratio_max", "1", "maximum sliding speed over the pitch line's"},
     {"shaft_angle_deg", "deg", "bevel: between the axes"},
     {"cone_distance", "length", "bevel: from the apex to the outer end"},
     {"normal_pressure_angle_deg", "deg", "of a worm"},
@@ -157,8 +157,22 @@ std::span<const Metric> gear_pair_metrics() {
   return kPairMetrics;
 }
 
-std::span<const Metric> gear_columns() {
-  return kGearColumns;
+std::vector<ListSection> Kind<problems::GearProblem>::sections() {
+  return {list_section("gear_tables", "tables of a gear", kGearTables)};
+}
+
+std::vector<ListSection> Kind<problems::GearPairProblem>::sections() {
+  return {list_section("gear_pair_tables", "tables of a gear pair", kPairTables)};
+}
+
+std::vector<MetricList> Kind<problems::GearProblem>::metric_lists() {
+  return {{"gear_metrics", "metric of a gear (of a pair: pinion., wheel. or worm. before it)",
+           kGearMetrics},
+          {"gear_columns", "column of a gear", kGearColumns, false}};
+}
+
+std::vector<MetricList> Kind<problems::GearPairProblem>::metric_lists() {
+  return {{"gear_pair_metrics", "metric of a gear pair", kPairMetrics}};
 }
 
 }  // namespace cognate::app

@@ -1,9 +1,8 @@
-#include "app/documents/problem_json.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/documents/problem_tables.hpp"
+#include "app/kinds/gear/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -124,7 +123,7 @@ void add_search(const GearPairProblem& problem, ordered_json& tables) {
 
 }  // namespace
 
-ordered_json to_json(const GearProblem& problem) {
+ordered_json Kind<GearProblem>::to_json(const GearProblem& problem) {
   const gear::SpurGear& gear = problem.gear.normal;
   ordered_json tables = document("gear", problem.title);
   ordered_json mechanism = {{"gearing", to_string(problem.gearing)},
@@ -142,7 +141,7 @@ ordered_json to_json(const GearProblem& problem) {
   return tables;
 }
 
-ordered_json to_json(const GearPairProblem& problem) {
+ordered_json Kind<GearPairProblem>::to_json(const GearPairProblem& problem) {
   ordered_json tables = document("gear-pair", problem.title);
   tables["mechanism"] = mechanism(problem);
   tables["rack"] = rack(problem.rack);

@@ -1,54 +1,67 @@
-#include "app/kinds/gear/table.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
+#include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
-#include "app/console/text_table.hpp"
-#include "app/kinds/gear/description.hpp"
-#include "app/study/metric_unit.hpp"
-#include "problems/linkage/verify.hpp"
+#include "app/documents/csv.hpp"
+#include "app/kinds/gear/kind.hpp"
+#include "app/kinds/quantity_table.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {
 
-using problems::Fact;
+using problems::Gearing;
 using problems::GearPairDesign;
 using problems::GearPairProblem;
 using problems::GearPairResult;
+using problems::GearProblem;
+using problems::GearResult;
+using problems::Quantity;
+using problems::to_string;
 
-bool is_shown(const Fact& fact) {
-  const auto* number = std::get_if<double>(&fact.value);
+/// "teeth, module", what is found.
+std::string free_parts(const GearPairProblem& problem) {
+  if (problem.gearing == Gearing::bevel || problem.gearing == Gearing::worm) return {};
+  std::string text;
+  const auto add = [&](const char* name) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
+  };
+  if (!problem.teeth[0]) add("teeth");
+  if (!problem.module) add("module");
+  if (!problem.profile_shift[0] || !problem.profile_shift[1]) add("profile shifts");
+  if (!problem.centre_distance && !text.empty()) add("centre distance");
+  return text;
+}
+
+std::string teeth_text(const GearPairProblem& problem) {
+  if (problem.gearing == Gearing::worm) {
+    return fmt::format(" of {:g} start{} and {:g} teeth", problem.worm.starts,
+                       problem.worm.starts == 1 ? "" : "s", problem.worm.wheel_teeth);
+  }
+  if (!problem.teeth[0] || !problem.teeth[1]) return {};
+  return fmt::format(" of {} and {} teeth", *problem.teeth[0], *problem.teeth[1]);
+}
+
+bool is_shown(const Quantity& quantity) {
+  const auto* number = std::get_if<double>(&quantity.value);
   return number == nullptr || std::isfinite(*number);
 }
 
-std::string facts_text(const std::vector<Fact>& facts, const Screen& screen) {
-  Column names{"metric", Align::left, {}}, values{"value", Align::left, {}},
-      units{"unit", Align::left, {}};
-  for (const Fact& fact : facts) {
-    if (!is_shown(fact)) continue;
-    names.cells.push_back(printable(fact.name));
-    values.cells.push_back(std::visit(WrittenValue{}, fact.value));
-    units.cells.push_back(metric_unit(fact.name));
-  }
-  return table_text({names, values, units}, screen);
+std::string quantities_text(std::vector<Quantity> quantities, const Screen& screen) {
+  std::erase_if(quantities, [](const Quantity& quantity) { return !is_shown(quantity); });
+  return quantity_table(quantities, screen);
 }
 
 std::string cell(const GearPairDesign& design, std::string_view name) {
-  const auto found = std::ranges::find(design.metrics, name, &Fact::name);
-  if (found == design.metrics.end() || !is_shown(*found)) return "–";
+  const auto found = std::ranges::find(design.metrics, name, &Quantity::name);
+  if (found == design.metrics.end() || !is_shown(*found)) return kNoValue;
   const auto* number = std::get_if<double>(&found->value);
-  return number ? fmt::format("{:.6g}", *number) : "–";
-}
-
-std::string constraints_text(const GearPairDesign& design) {
-  const auto missed =
-      std::ranges::count(design.constraints, false, &problems::ConstraintCheck::satisfied);
-  return missed == 0 ? "all met" : fmt::format("{} missed", missed);
+  return number ? fmt::format("{:.6g}", *number) : kNoValue;
 }
 
 std::string designs_text(std::span<const GearPairDesign> designs, const Screen& screen) {
@@ -65,29 +78,21 @@ std::string designs_text(std::span<const GearPairDesign> designs, const Screen& 
                               {"contact ratio", "contact_ratio"},
                               {"sliding", "sliding_max"},
                               {"backlash [length]", "backlash"}};
-  std::vector<Column> columns{{"#", Align::right, {}}};
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    columns.front().cells.push_back(std::to_string(i + 1));
-  }
-  const auto add = [&](std::string heading, Align align, const auto& text) {
-    Column column{std::move(heading), align, {}};
-    for (const auto& design : designs) column.cells.push_back(text(design));
-    columns.push_back(std::move(column));
-  };
+  DesignTable<GearPairDesign> columns(designs);
   for (const auto& shown : kShown) {
-    add(shown.heading, Align::right,
-        [&](const auto& design) { return cell(design, shown.metric); });
+    columns.add(shown.heading, Align::right,
+                [&](const auto& design) { return cell(design, shown.metric); });
   }
-  add("constraints", Align::left, constraints_text);
-  return table_text(columns, screen);
+  columns.add_constraints();
+  return table_text(columns.columns(), screen);
 }
 
 std::string tests_line(const GearPairResult& result) {
   std::string text;
-  for (const Fact& fact : result.facts) {
-    const auto* number = std::get_if<double>(&fact.value);
-    if (number == nullptr || (*number == 0 && fact.name.starts_with("refused"))) continue;
-    text += fmt::format("{}{} {:.0f}", text.empty() ? "" : ", ", fact.name, *number);
+  for (const Quantity& quantity : result.quantities) {
+    const auto* number = std::get_if<double>(&quantity.value);
+    if (number == nullptr || (*number == 0 && quantity.name.starts_with("refused"))) continue;
+    text += fmt::format("{}{} {:.0f}", text.empty() ? "" : ", ", quantity.name, *number);
   }
   std::ranges::replace(text, '_', ' ');
   return text.empty() ? text : text + '\n';
@@ -95,30 +100,59 @@ std::string tests_line(const GearPairResult& result) {
 
 }  // namespace
 
-std::string gear_table(const problems::GearProblem& problem, const problems::GearResult& result,
-                       const Screen& screen) {
+std::string Kind<GearProblem>::refusal(const GearProblem& /*problem*/, Command command) {
+  if (command == Command::analyze) return "";
+  return "kind is \"gear\": there is nothing to solve, 'cognate analyze' evaluates this gear; "
+         "expected a design problem";
+}
+
+std::string Kind<GearPairProblem>::refusal(const GearPairProblem& problem, Command command) {
+  if (command == Command::solve || is_whole(problem)) return "";
+  return "the gear pair is not whole; expected teeth, module and both values of profile_shift, or "
+         "'cognate solve', which finds them";
+}
+
+std::string Kind<GearProblem>::describe(const GearProblem& problem) {
+  const auto& gear = problem.gear.normal;
+  return titled(problem.title, fmt::format("{} gear of {:g} teeth, module {:g}",
+                                           to_string(problem.gearing), gear.teeth, gear.module));
+}
+
+std::string Kind<GearPairProblem>::describe(const GearPairProblem& problem) {
+  std::string what = fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
+  if (problem.module) what += fmt::format(", module {:g}", *problem.module);
+  const std::string free = free_parts(problem);
+  if (!free.empty()) what += ", free: " + free;
+  return titled(problem.title, what);
+}
+
+std::string Kind<GearProblem>::table(const GearProblem& problem, const GearResult& result,
+                                     const Screen& screen) {
   const bool sound = result.status == problems::Status::solved;
   std::string text = describe(problem) + '\n';
   text += paint(sound ? "solved: nothing is wrong with the gear"
                       : "infeasible: something is wrong with the gear",
                 sound ? Colour::green : Colour::red, screen.colour) +
           '\n';
-  return text + facts_text(result.metrics, screen) + '\n' + notes_text(result.notes);
+  return text + quantities_text(result.metrics, screen) + '\n' + notes_text(result.notes);
 }
 
-std::string gear_pair_table(const GearPairProblem& problem, const GearPairResult& result,
-                            const Screen& screen) {
-  std::string text = describe(problem) + '\n';
-  text += status_text(result, screen.colour);
+std::string Kind<GearProblem>::csv(const GearResult& result) {
+  return csv_text(result.columns);
+}
+
+std::string Kind<GearPairProblem>::table(const GearPairProblem& problem,
+                                         const GearPairResult& result, const Screen& screen) {
   const auto shown = shown_designs(result);
   const bool given = is_whole(problem);
-  if (!shown.empty() && !given) text += designs_text(shown, screen);
+  std::string designs;
+  if (!shown.empty() && !given) designs += designs_text(shown, screen);
   if (!shown.empty() && (given || shown.size() == 1)) {
-    text += facts_text(shown.front().metrics, screen);
+    designs += quantities_text(shown.front().metrics, screen);
   }
-  return text + left_out_line(result.designs.size()) + '\n' +
-         violations_text(result, screen.colour) + tests_line(result) + notes_text(result.notes) +
-         work_line(result.work);
+  return result_table(
+      {.heading = describe(problem), .designs = designs, .after = tests_line(result)}, result,
+      screen);
 }
 
 }  // namespace cognate::app

@@ -1,5 +1,6 @@
+#include "app/documents/cycle_tables.hpp"
 #include "app/documents/problem_tables.hpp"
-#include "app/documents/turn_tables.hpp"
+#include "app/kinds/guidance/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -46,7 +47,7 @@ ordered_json mechanism(const problems::MotionProblem& problem) {
 
 }  // namespace
 
-ordered_json tables_of(const problems::MotionProblem& problem) {
+ordered_json Kind<problems::MotionProblem>::to_json(const problems::MotionProblem& problem) {
   ordered_json tables = document("motion-generation", problem.title);
   tables["target"] = target(problem);
   tables["mechanism"] = mechanism(problem);

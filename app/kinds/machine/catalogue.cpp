@@ -1,4 +1,4 @@
-#include "app/kinds/machine/catalogue.hpp"
+#include "app/kinds/machine/kind.hpp"
 
 namespace cognate::app {
 namespace {
@@ -25,7 +25,8 @@ constexpr Entry kMotor[] = {
     {"inertia", "kg m2, of the rotor about its own axis (default 0)"}};
 constexpr Entry kFlywheel[] = {
     {"inertia", "kg m2 at the drive"},
-    {"fluctuation", "or: (greatest - least)/mean speed that the flywheel to be found shall leave"}};
+    {"fluctuation",
+     "or: (maximum - minimum)/mean speed that the flywheel to be found shall leave"}};
 constexpr Entry kBrake[] = {{"torque", "N m at the drive, against the motion, the motor off"}};
 constexpr Entry kRun[] = {
     {"tasks", "which of \"steady\", \"start\", \"stop\" (default [\"steady\"])"},
@@ -46,29 +47,30 @@ constexpr KeyedEntry kTables[] = {
     {"[motor]", "what drives the machine", kMotor},
     {"[flywheel]", "on the drive", kFlywheel},
     {"[brake]", "of a stop", kBrake},
-    {"[run]", "which motions are wanted", kRun}};
+    {"[run]", "which motions are computed", kRun}};
 
 constexpr Metric kMetrics[] = {
-    {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of greatest and least"},
-    {"speed_max_rad_s", "rad/s", "greatest speed of the drive"},
+    {"speed_mean_rad_s", "rad/s", "of the steady motion: half the sum of maximum and minimum"},
+    {"speed_max_rad_s", "rad/s", "maximum speed of the drive"},
     {"speed_max_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
-    {"speed_min_rad_s", "rad/s", "least speed of the drive"},
+    {"speed_min_rad_s", "rad/s", "minimum speed of the drive"},
     {"speed_min_at_deg", "deg", "the drive's angle there, of its period; none of an even speed"},
-    {"fluctuation", "1", "(greatest - least)/mean of the speed"},
+    {"fluctuation", "1", "coefficient of speed fluctuation: (maximum - minimum)/mean"},
     {"fluctuation_without_flywheel", "1", "where a flywheel is to be found: without it"},
-    {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is what is wanted, exactly"},
+    {"flywheel_inertia_kg_m2", "kg m2", "with which the fluctuation is the desired one, exactly"},
     {"flywheel_inertia_approximate_kg_m2", "kg m2",
      "by the textbooks' formula, for comparison: excess work over mean speed squared and "
      "fluctuation, less the equivalent inertia"},
     {"greatest_excess_work_J", "J", "on which that formula stands, of the motion without flywheel"},
     {"period_s", "s", "of the steady motion"},
-    {"energy_swing_J", "J", "greatest less least kinetic energy in a period"},
-    {"multiplier", "1", "what is left of a small deviation after a period; below 1: stable"},
+    {"energy_swing_J", "J", "maximum less minimum kinetic energy in a period"},
+    {"multiplier", "1",
+     "Floquet multiplier: what is left of a small deviation after a period; stable below 1"},
     {"energy_residual", "1",
      "balance of the works in a period, relative, by a second integration of other equations"},
     {"motor_work_J", "J", "of the motor in a period"},
     {"motor_power_mean_W", "W", "of the motor over a period"},
-    {"motor_power_max_W", "W", "its greatest"},
+    {"motor_power_max_W", "W", "its maximum"},
     {"start_time_s", "s",
      "of the start: until speed_end is reached, else until the speed is within 1 % of the steady "
      "one "
@@ -98,16 +100,13 @@ constexpr Metric kColumns[] = {
 
 }  // namespace
 
-std::span<const KeyedEntry> machine_tables() {
-  return kTables;
+std::vector<ListSection> Kind<problems::MachineProblem>::sections() {
+  return {list_section("machine_tables", "tables of a machine", kTables)};
 }
 
-std::span<const Metric> machine_metrics() {
-  return kMetrics;
-}
-
-std::span<const Metric> machine_columns() {
-  return kColumns;
+std::vector<MetricList> Kind<problems::MachineProblem>::metric_lists() {
+  return {{"machine_metrics", "metric of a machine", kMetrics},
+          {"machine_columns", "column of a machine", kColumns, false}};
 }
 
 }  // namespace cognate::app

@@ -1,13 +1,9 @@
-#include "app/kinds/machine/json.hpp"
-
-#include <fmt/core.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/documents/json_values.hpp"
-#include "app/documents/result_json.hpp"
-#include "app/documents/version.hpp"
+#include "app/kinds/machine/kind.hpp"
+#include "app/study/design_values.hpp"
+#include "app/study/metrics.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -39,9 +35,12 @@ ordered_json motions_json(const MachineResult& result) {
   return list;
 }
 
-ordered_json design_json(const MachineProblem& problem, const MachineResult& result) {
+}  // namespace
+
+ordered_json Kind<MachineProblem>::design_json(const MachineProblem& problem,
+                                               const MachineResult& result, std::size_t /*index*/) {
   ordered_json metrics = ordered_json::object();
-  add_finite_facts(metrics, result.facts);
+  add_finite_quantities(metrics, result.quantities);
   return {{"mechanism", machine_mechanism_json(problem)},
           {"crank_deg", ordered_json::array()},
           {"metrics", metrics},
@@ -49,24 +48,26 @@ ordered_json design_json(const MachineProblem& problem, const MachineResult& res
           {"origin", "given"}};
 }
 
-}  // namespace
+void Kind<MachineProblem>::add_findings(ordered_json& document, const MachineProblem& /*problem*/,
+                                        const MachineResult& result) {
+  document["machine"] = {{"motions", motions_json(result)}};
+}
 
-tl::expected<ordered_json, std::string> result_document(const MachineProblem& problem,
-                                                        const MachineResult& result,
-                                                        std::uint64_t seed) {
-  ordered_json document = {{"format", "cognate-result/1"},
-                           {"version", version()},
-                           {"seed", seed},
-                           {"status", problems::to_string(result.status)},
-                           {"problem", to_json(problem)},
-                           {"designs", ordered_json::array({design_json(problem, result)})},
-                           {"machine", {{"motions", motions_json(result)}}},
-                           {"notes", result.notes},
-                           {"work", to_json(result.work)}};
-  if (const auto where = find_non_finite(document)) {
-    return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
-  }
-  return document;
+problems::MetricNames Kind<MachineProblem>::metric_names(const MachineProblem& base) {
+  problems::MetricNames names;
+  add_metrics(names, metric_lists().front().metrics);
+  add_values(names.names, machine_mechanism_json(base), "mechanism");
+  return names;
+}
+
+ExportOutcome Kind<MachineProblem>::export_design(const ResultDesign& design,
+                                                  const ExportOptions& /*wanted*/,
+                                                  const std::string& /*stem*/) {
+  return tl::unexpected(ExportRefusal{
+      design.name +
+          ": designs[0]: mechanism.type is \"equivalent\", a machine given by its inertia and "
+          "torque, which has no shape; expected one with a [mechanism]",
+      true});
 }
 
 }  // namespace cognate::app

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/json_values.hpp"
-#include "app/kinds/machine/json.hpp"
+#include "app/kinds/machine/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -89,7 +89,7 @@ void add_parts(ordered_json& tables, const MachineProblem& problem) {
 
 }  // namespace
 
-ordered_json to_json(const MachineProblem& problem) {
+ordered_json Kind<MachineProblem>::to_json(const MachineProblem& problem) {
   ordered_json tables = {{"kind", "machine"}};
   if (!problem.title.empty()) tables["title"] = problem.title;
   if (problem.mechanism) add_parts(tables, problem);

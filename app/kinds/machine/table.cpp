@@ -1,5 +1,3 @@
-#include "app/kinds/machine/table.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -11,9 +9,9 @@
 #include "app/console/messages.hpp"
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
-#include "app/console/text_table.hpp"
 #include "app/documents/csv.hpp"
-#include "app/study/metric_unit.hpp"
+#include "app/kinds/machine/kind.hpp"
+#include "app/kinds/quantity_table.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -41,15 +39,15 @@ std::string flywheel_words(const MachineProblem& problem) {
 std::string status_words(const MachineResult& result) {
   switch (result.status) {
     case Status::solved:
-      return "solved: every motion asked for exists";
+      return "solved: every motion requested exists";
     case Status::infeasible:
-      return "not every motion asked for exists, or ends as it should";
+      return "not every motion requested exists, or ends as it should";
     case Status::time_limit:
       return "stopped at the time limit";
     case Status::interrupted:
       return "interrupted";
     default:
-      return "no solution: no motion asked for exists";
+      return "no solution: no motion requested exists";
   }
 }
 
@@ -58,25 +56,19 @@ Colour colour_of(const MachineResult& result) {
   return result.motions.empty() ? Colour::red : Colour::yellow;
 }
 
-void append_facts(std::string& text, const MachineResult& result, const Screen& screen) {
-  Column names{"metric", Align::left, {}};
-  Column values{"value", Align::left, {}};
-  Column units{"unit", Align::left, {}};
-  for (const auto& fact : result.facts) {
-    names.cells.push_back(printable(fact.name));
-    values.cells.push_back(printable(std::visit(WrittenValue{}, fact.value)));
-    units.cells.push_back(metric_unit(fact.name));
-  }
-  if (!names.cells.empty()) text += table_text({names, values, units}, screen);
-}
-
 std::size_t rows_of(const problems::MachineMotion& motion) {
   return motion.columns.empty() ? 0 : motion.columns.front().values.size();
 }
 
 }  // namespace
 
-std::string describe(const MachineProblem& problem) {
+std::string Kind<MachineProblem>::refusal(const MachineProblem& /*problem*/, Command command) {
+  if (command == Command::analyze) return "";
+  return "kind is \"machine\": there is nothing to solve, 'cognate analyze' runs this machine; "
+         "expected a design problem";
+}
+
+std::string Kind<MachineProblem>::describe(const MachineProblem& problem) {
   std::vector<std::string_view> tasks;
   for (const auto task : problem.run.tasks) tasks.push_back(problems::to_string(task));
   const std::string_view moving = problem.mechanism
@@ -84,20 +76,20 @@ std::string describe(const MachineProblem& problem) {
                                       : "equivalent inertia";
   const auto what = fmt::format("machine of {} {}{}: {}", moving, drive_words(problem),
                                 flywheel_words(problem), fmt::join(tasks, ", "));
-  return printable(problem.title.empty() ? what : problem.title + ": " + what);
+  return titled(problem.title, what);
 }
 
-std::string machine_table(const MachineProblem& problem, const MachineResult& result,
-                          const Screen& screen) {
+std::string Kind<MachineProblem>::table(const MachineProblem& problem, const MachineResult& result,
+                                        const Screen& screen) {
   std::string text = describe(problem) + '\n';
   text += paint(status_words(result), colour_of(result), screen.colour) + '\n';
-  append_facts(text, result, screen);
+  text += quantity_table(result.quantities, screen);
   text += '\n';
   text += notes_text(result.notes);
   return text + work_line(result.work);
 }
 
-std::string machine_csv(const MachineResult& result) {
+std::string Kind<MachineProblem>::csv(const MachineResult& result) {
   if (result.motions.empty()) return csv_text({});
   std::vector<std::string> tasks;
   std::vector<problems::Column> columns = result.motions.front().columns;

@@ -1,4 +1,5 @@
 #include "app/documents/problem_tables.hpp"
+#include "app/kinds/straight_line/kind.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -55,16 +56,17 @@ ordered_json search_tables(const StraightLineProblem& problem) {
   tables["bounds"] = bounds_table(problem.bounds);
   auto& constraints = tables["constraints"];
   constraints = constraints_table(problem.constraints);
-  set_deg(constraints, "crank_range_deg", problem.stretch.crank_range);
-  set(constraints, "size_over_length_max", problem.stretch.size_over_length_max);
-  set(constraints, "speed_variation_max", problem.stretch.speed_variation_max);
+  set_deg(constraints, "crank_range_deg", problem.segment.crank_range);
+  set(constraints, "size_over_length_max", problem.segment.size_over_length_max);
+  set(constraints, "speed_variation_max", problem.segment.speed_variation_max);
   tables["solve"] = solve_table(problem.solve);
   return tables;
 }
 
 }  // namespace
 
-ordered_json tables_of(const StraightLineProblem& problem) {
+ordered_json Kind<problems::StraightLineProblem>::to_json(
+    const problems::StraightLineProblem& problem) {
   if (problem.goal) return search_tables(problem);
   ordered_json tables = document("straight-line", problem.title);
   tables["target"] = {{"method", "exact"}, {"contact", problem.contact}};

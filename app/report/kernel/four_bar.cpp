@@ -11,7 +11,7 @@
 #include "analysis/linkage/defects.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
-#include "app/report/design_motion.hpp"
+#include "app/drawing/design_motion.hpp"
 #include "app/report/kernel/nearest.hpp"
 #include "app/report/kernel/numbers.hpp"
 
@@ -74,7 +74,7 @@ COGNATE_EXPORT(four_bar) int take_four_bar() {
 /// least acute transmission angle over the motion used (as problems/linkage/verify.hpp has it),
 /// time ratio, the three defects, and from where to where that motion goes (from A→D; NaN: all of
 /// it).
-COGNATE_EXPORT(four_bar_facts) int four_bar_facts(int count, int travel, int sequence) {
+COGNATE_EXPORT(four_bar_quantities) int four_bar_quantities(int count, int travel, int sequence) {
   const Lengths<double> links = lengths(linkage);
   const auto stations = taken(0, count);
   const auto used = taken(0, count + travel);

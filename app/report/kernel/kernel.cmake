@@ -75,7 +75,7 @@ cognate_page_kernel(kernel
   analysis/linkage/frame_axes.cpp
   analysis/linkage/mobility.cpp
   analysis/linkage/motion.cpp
-  app/report/design_motion.cpp
+  app/drawing/design_motion.cpp
   app/report/kernel/four_bar.cpp
   app/report/kernel/nearest.cpp)
 set(COGNATE_MECHANISM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/mechanism_kernel.base64")
@@ -88,8 +88,8 @@ cognate_page_kernel(mechanism_kernel
   analysis/linkage/guide_bar.cpp
   analysis/linkage/guide_bar_mobility.cpp
   analysis/mechanism/circuit_range.cpp
-  analysis/mechanism/course.cpp
-  analysis/mechanism/course_probe.cpp
+  analysis/mechanism/assembly_ranges.cpp
+  analysis/mechanism/assembly_probe.cpp
   analysis/mechanism/dyad_reach.cpp
   analysis/mechanism/joints.cpp
   analysis/mechanism/kinematics.cpp
@@ -100,16 +100,16 @@ cognate_page_kernel(mechanism_kernel
   analysis/linkage/mobility.cpp
   analysis/linkage/slider_crank.cpp
   analysis/linkage/slider_crank_mobility.cpp
-  app/report/convex_hull.cpp
+  app/drawing/convex_hull.cpp
   app/report/kernel/mechanism.cpp
-  app/report/mechanism_poses.cpp
-  app/report/mechanism_shapes.cpp
+  app/drawing/mechanism_poses.cpp
+  app/drawing/mechanism_shapes.cpp
   problems/mechanism/joint_names.cpp
   problems/evaluation/motion_summary.cpp
   problems/mechanism/named_mechanism.cpp
   problems/evaluation/output_travel.cpp
-  problems/mechanism/simple_parts.cpp
-  problems/evaluation/type_facts.cpp
+  problems/mechanism/mechanism_types.cpp
+  problems/evaluation/type_quantities.cpp
   problems/evaluation/whole_motion.cpp
   problems/linkage/deadline.cpp
   problems/linkage/names.cpp

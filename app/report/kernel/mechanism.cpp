@@ -6,13 +6,17 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
 
+#include "app/drawing/mechanism_poses.hpp"
+#include "app/drawing/mechanism_shapes.hpp"
 #include "app/report/kernel/numbers.hpp"
-#include "app/report/mechanism_poses.hpp"
-#include "app/report/mechanism_shapes.hpp"
 #include "problems/evaluation/motion_summary.hpp"
-#include "problems/evaluation/type_facts.hpp"
+#include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::page {
 namespace {
@@ -65,92 +69,50 @@ class Writer {
   std::size_t count_ = 0;
 };
 
-FourBar four_bar(Reader& in) {
-  FourBar linkage{.pivot_a = in.point(), .pivot_d = in.point()};
-  linkage.crank = in.number();
-  linkage.coupler = in.number();
-  linkage.rocker = in.number();
-  linkage.assembly = in.assembly();
-  const bool traces = in.number() != 0;
-  const Vec2d point = in.point();
-  if (traces) linkage.coupler_point = point;
-  return linkage;
-}
+/// Takes what one key holds.
+template <class Type>
+struct TakeKey {
+  Reader& in;
+  Type& made;
 
-template <class SliderCrankLike>
-SliderCrankLike slider_crank(Reader& in) {
-  SliderCrankLike made{.pivot = in.point()};
-  made.crank = in.number();
-  made.coupler = in.number();
-  made.offset = in.number();
-  made.direction = in.direction();
-  made.assembly = in.assembly();
-  return made;
-}
-
-template <class GuideBarLike>
-GuideBarLike guide_bar(Reader& in) {
-  GuideBarLike made{.pivot_a = in.point(), .pivot_c = in.point()};
-  made.crank = in.number();
-  made.offset = in.number();
-  made.assembly = in.assembly();
-  return made;
-}
-
-ScotchYoke scotch_yoke(Reader& in) {
-  ScotchYoke made{.pivot = in.point()};
-  made.crank = in.number();
-  made.offset = in.number();
-  made.direction = in.direction();
-  made.slot = in.direction();
-  return made;
-}
-
-TangentGenerator tangent_generator(Reader& in) {
-  TangentGenerator made{.pivot = in.point()};
-  made.offset = in.number();
-  made.direction = in.direction();
-  return made;
-}
-
-EllipticTrammel elliptic_trammel(Reader& in) {
-  EllipticTrammel made{.centre = in.point()};
-  made.length = in.number();
-  made.direction = in.direction();
-  made.second_line = in.direction();
-  return made;
-}
-
-OldhamCoupling oldham_coupling(Reader& in) {
-  OldhamCoupling made{.pivot_a = in.point(), .pivot_d = in.point()};
-  made.slot = in.direction();
-  return made;
-}
-
-MechanismDescription description(problems::MechanismType type, Reader& in) {
-  using enum problems::MechanismType;
-  switch (type) {
-    case four_bar:
-      return page::four_bar(in);
-    case slider_crank:
-      return page::slider_crank<SliderCrank>(in);
-    case guide_bar:
-      return page::guide_bar<GuideBar>(in);
-    case oscillating_block:
-      return page::guide_bar<OscillatingBlock>(in);
-    case fixed_block:
-      return page::slider_crank<FixedBlock>(in);
-    case scotch_yoke:
-      return page::scotch_yoke(in);
-    case tangent_generator:
-      return page::tangent_generator(in);
-    case elliptic_trammel:
-      return page::elliptic_trammel(in);
-    case oldham_coupling:
-    case chain:
-      return page::oldham_coupling(in);
+  void operator()(const problems::PivotsKey<Type>& pivots) const {
+    made.*pivots.first = in.point();
+    made.*pivots.second = in.point();
   }
-  return FourBar{};
+  void operator()(const problems::PlaceKey<Type>& place) const { made.*place.of = in.point(); }
+  void operator()(const problems::DirectionKey<Type>& direction) const {
+    made.*direction.of = in.direction();
+  }
+  void operator()(const problems::InclinationKey<Type>& line) const {
+    made.*line.of = in.direction();
+  }
+  void operator()(const problems::AssemblyKey<Type>& assembly) const {
+    made.*assembly.of = in.assembly();
+  }
+  void operator()(const problems::PointKey<Type>& point) const {
+    const bool has = in.number() != 0;
+    const Vec2d at = in.point();
+    if (has) made.*point.of = at;
+  }
+  /// A length or an offset.
+  template <class Number>
+  void operator()(const Number& number) const {
+    made.*number.of = in.number();
+  }
+};
+
+MechanismDescription description(std::string_view type, Reader& in) {
+  MechanismDescription made;
+  problems::for_each_mechanism_type([&]<class Type>(std::type_identity<Type>) {
+    if constexpr (problems::SimpleType<Type>) {
+      using Traits = problems::TypeTraits<Type>;
+      if (Traits::kWord != type) return;
+      Type dimensions;
+      for (const auto& key : Traits::kKeys) std::visit(TakeKey<Type>{in, dimensions}, key.holds);
+      made = dimensions;
+    }
+  });
+  return made;
 }
 
 void put_shape(const app::BodyShape& shape, Writer& out) {
@@ -166,14 +128,16 @@ void put_shape(const app::BodyShape& shape, Writer& out) {
 
 }  // namespace
 
-/// Takes a mechanism of a type (its number in problems::MechanismType): its dimensions in the order
-/// of its description, points as x and y, directions as angles in radians, an assembly by its sign,
-/// of a four-bar whether it has a coupler point and that; then start and end of the drive, and
-/// `points` points of bodies, each with the number of its body.
-COGNATE_EXPORT(mechanism) void take_mechanism(int type, int points) {
+/// Takes a mechanism: the `letters` of its type's name, its dimensions in the order of the type's
+/// keys, points as x and y, directions as angles in radians, an assembly by its sign, a point that
+/// may be missing behind whether it is there; then start and end of the drive, and `points` points
+/// of bodies, each with the number of its body.
+COGNATE_EXPORT(mechanism) void take_mechanism(int letters, int points) {
   Reader in;
   problem = {};
-  problem.mechanism = problems::named(description(static_cast<problems::MechanismType>(type), in));
+  std::string type;
+  for (int i = 0; i < letters; ++i) type += static_cast<char>(in.number());
+  problem.mechanism = problems::named(description(type, in));
   problem.drive.start = in.number();
   problem.drive.end = in.number();
   for (int i = 0; i < points; ++i) {
@@ -214,26 +178,29 @@ COGNATE_EXPORT(mechanism_motion) int mechanism_motion(int samples) {
   return std::ranges::all_of(poses.bodies, placed) ? 1 : 0;
 }
 
-/// What the program says of the mechanism taken: its facts by type and over its motion, each a line
-/// of the name and the value, parted by a tab. A value that is a number is written as #, and stands
-/// in the block, in the order of the lines. Returns the length of the text, which begins at `text`.
-COGNATE_EXPORT(mechanism_facts) int mechanism_facts() {
+/// What the program says of the mechanism taken: its quantities by type and over its motion, each a
+/// line of the name and the value, parted by a tab. A value that is a number is written as #, and
+/// stands in the block, in the order of the lines. Returns the length of the text, which begins at
+/// `text`.
+COGNATE_EXPORT(mechanism_quantities) int mechanism_quantities() {
   const problems::Deadline none{problems::Run{}};
-  auto facts = problems::type_facts(problem.mechanism, problem.drive.start);
-  const auto course = problems::follow_until(problem, problem.drive.start, problem.drive.end, none);
-  const auto summary = problems::summarise(problem, course, none);
-  facts.insert(facts.end(), summary.facts.begin(), summary.facts.end());
+  auto quantities = problems::type_quantities(problem.mechanism, problem.drive.start);
+  const auto assembly_ranges =
+      problems::follow_until(problem, problem.drive.start, problem.drive.end, none);
+  const auto of_motion =
+      problems::quantities_of(problems::summarise(problem, assembly_ranges, none));
+  quantities.insert(quantities.end(), of_motion.begin(), of_motion.end());
   Writer out;
   text.clear();
-  for (const problems::Fact& fact : facts) {
-    text += fact.name + '\t';
-    if (const auto* value = std::get_if<double>(&fact.value)) {
+  for (const problems::Quantity& quantity : quantities) {
+    text += quantity.name + '\t';
+    if (const auto* value = std::get_if<double>(&quantity.value)) {
       text += '#';
       out.put(*value);
-    } else if (const auto* is = std::get_if<bool>(&fact.value)) {
+    } else if (const auto* is = std::get_if<bool>(&quantity.value)) {
       text += *is ? "true" : "false";
     } else {
-      text += std::get<std::string>(fact.value);
+      text += std::get<std::string>(quantity.value);
     }
     text += '\n';
   }

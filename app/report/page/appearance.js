@@ -1,5 +1,8 @@
 // How the reader wants the page: light or dark, and in which language.
 
+import { byId, element } from "./dom.js";
+import { language, LANGUAGES, remember, remembered, say, WORDS } from "./words.js";
+
 const darkWanted = matchMedia("(prefers-color-scheme: dark)");
 
 // "light" or "dark": as chosen, else as the system is.
@@ -11,7 +14,7 @@ function wantedTheme() {
 const applyTheme = (theme = wantedTheme()) => { document.documentElement.dataset.theme = theme; };
 
 // Calls `redraw` whenever colours change, for what is drawn as a bitmap. Paper is white.
-function followTheme(redraw) {
+export function followTheme(redraw) {
   const change = (theme) => { applyTheme(theme); redraw(); };
   darkWanted.addEventListener("change", () => change());
   byId("theme").addEventListener("change", (event) => { remember("theme", event.target.value); change(); });

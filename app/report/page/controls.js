@@ -1,9 +1,15 @@
 // What every moving report can be told: play, pause, speed, one step on or back, print, save.
 
+import { byId, element, svg } from "./dom.js";
+import { Help, shortcut, TAKES_KEYS } from "./keys.js";
+import { Live } from "./live.js";
+import { Player } from "./player.js";
+import { say } from "./words.js";
+
 const ICONS = { play: "M7 4l13 8-13 8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z", back: "M5 4h3v16H5zM20 4v16L9 12z", on: "M16 4h3v16h-3zM4 4v16l11-8z" };
 const icon = (name) => svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: ICONS[name] }));
 
-class Controls {
+export class Controls {
   // `advance(seconds)` moves on while playing; `step(sense, large)` answers an arrow key.
   constructor(advance, step) {
     this.player = new Player(advance);
@@ -82,11 +88,11 @@ class Controls {
 }
 
 // Lets the reader save `text` under the report's title and `ending`.
-function saveText(title, ending, type, text) {
+export function saveText(title, ending, type, text) {
   const url = URL.createObjectURL(new Blob([text], { type }));
   const name = (title || "cognate").replace(/[^\w-]+/g, "-").slice(0, 60);
   element("a", { href: url, download: `${name}.${ending}` }).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-const saveResult = (result) => saveText(result.problem?.title, "result.json", "application/json", `${JSON.stringify(result, null, 2)}\n`);
+export const saveResult = (result) => saveText(result.problem?.title, "result.json", "application/json", `${JSON.stringify(result, null, 2)}\n`);

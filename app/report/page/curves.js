@@ -1,11 +1,18 @@
 // Plots over the drive, drawn by uPlot.
 
+import { colour, element, svg } from "./dom.js";
+import { number } from "./format.js";
+import { PlotCursor } from "./plot_cursor.js";
+import { tableButton } from "./plot_table.js";
+import { interpolate, locate } from "./sampling.js";
+import { say } from "./words.js";
+
 // Steps of an axis of angles, in degrees.
-const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
+export const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 
 // Makes the plots in `holder`; `onPick` is called with the drive coordinate that is chosen, `onPoint`
 // with the one pointed at, null where none is.
-class Curves {
+export class Curves {
   constructor(holder, onPick, onPoint = () => {}) {
     Object.assign(this, { holder, onPick, onPoint, plots: [] });
     this.available = typeof uPlot !== "undefined";
@@ -103,7 +110,7 @@ function showValues(sheet, x) {
 }
 
 // The sign of a line in a key: its colour and its dashes.
-function keySign({ colour: name, dash }) {
+export function keySign({ colour: name, dash }) {
   return svg("svg", { viewBox: "0 0 20 8", "aria-hidden": "true" },
     svg("path", { d: "M0 4H20", style: `stroke:var(${name});stroke-width:2.2;stroke-dasharray:${dash ? dash.join(" ") : "none"}` }));
 }
@@ -124,7 +131,7 @@ function marks(u, sheet) {
   u.ctx.restore();
 }
 
-function padded(low, high) {
+export function padded(low, high) {
   const margin = 0.08 * (high - low) || 0.1 * Math.abs(high) || 1;
   return [low - margin, high + margin];
 }

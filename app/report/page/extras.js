@@ -1,6 +1,11 @@
 // What a picture can show besides the mechanism, each switched on and off by a button below it.
 
-class Extras {
+import { element, svg } from "./dom.js";
+import { shortcut } from "./keys.js";
+import { round } from "./shapes.js";
+import { say } from "./words.js";
+
+export class Extras {
   // `layers`: each with its `name`, `words` (key of its text), `root`, `available(scene)`, and
   // `build(scene)`, `move(scene, drive)`; `holder`: where the buttons go.
   constructor(holder, layers) {
@@ -73,4 +78,4 @@ class Extras {
 }
 
 // At most so many points are followed.
-const MOST_MARKS = 6;
+export const MOST_MARKS = 6;

@@ -1,14 +1,17 @@
 // Facts of a motion or of a synthesis in words.
 
-const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), acute_min: say("fact.least_acute"), N_m: "N·m", N: "N", deg: "°" };
+import { degreesShort, number, sentence } from "./format.js";
+import { say, sentenceOf, term } from "./words.js";
 
-// Shares of a stretch's length to which it is straight, as names end.
+const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: "N·m", N: "N", deg: "°" };
+
+// Shares of a segment's length to which it is straight, as names end.
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
 
 // A fact's name without its unit, and whether it says where something is reached: "torque_N_m.max"
 // and "torque_N_m.max_at_deg" are of one "torque.max"; so is "torque_N_m.max_unbounded_at_deg", which
 // says that there is none.
-function factParts(name) {
+export function factParts(name) {
   const [share = ""] = /_at_0_0*1$/.exec(name) ?? [];
   if (share) {
     const parts = factParts(name.slice(0, -share.length));
@@ -27,7 +30,7 @@ function onBody(name) {
   return first && say("fact.on", { first: term(first.replaceAll("_", " ")), second: term(second.replaceAll("_", " ")) });
 }
 
-function factName(key) {
+export function factName(key) {
   const [of, what] = key.split(/\.(.*)/);
   const words = (text) => {
     const [share] = /_at_0_0*1$/.exec(text) ?? [];
@@ -35,25 +38,29 @@ function factName(key) {
     return term(text.replaceAll("_", " "));
   };
   if (!what) return sentence(words(of));
+  if (what === "acute_min") return sentence(say("fact.least_acute", { of: words(of) }));
   const largest = /^(.*)_max$/.exec(of);
   return largest ? say("fact.largest_of", { of: words(largest[1]), what: onBody(what) ?? words(what) })
     : say("fact.of", { of: sentence(words(of)), what: FACT_WORDS[what] ?? words(what) });
 }
 
-function factText(value, unit) {
+export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
   if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
   return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)}${unit ? ` ${FACT_WORDS[unit]}` : ""}`;
 }
 
+// Curves that share n points at one place have contact of order n − 1.
+const contactText = (points) => say("fact.contact", { order: points - 1, points });
+
 // The facts by their names, each with the place where it holds.
-function factRows(facts) {
+export function factRows(facts) {
   const rows = new Map();
   for (const { name, value } of facts) {
     const { key, unit, where, unbounded } = factParts(name);
     const row = rows.get(key) ?? (unbounded ? { text: say("fact.unbounded") } : {});
-    rows.set(key, where ? { ...row, place: factText(value, unit) } : { ...row, text: factText(value, unit), exact: value });
+    rows.set(key, where ? { ...row, place: factText(value, unit) } : { ...row, text: key === "contact_points" ? contactText(value) : factText(value, unit), exact: value });
   }
   return rows;
 }

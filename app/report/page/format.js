@@ -1,13 +1,13 @@
 // Numbers as a reader wants them: few digits, a true minus, powers of ten written out.
 
-const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+export const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
-function powerOfTen(exponent) {
+export function powerOfTen(exponent) {
   return "10" + [...String(exponent)].map((c) => SUPERSCRIPTS[c]).join("");
 }
 
 // `x` to `digits` significant digits; very large and small numbers as a power of ten.
-function number(x, digits = 5) {
+export function number(x, digits = 5) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   if (x === 0) return "0";
   const size = Math.abs(x);
@@ -20,24 +20,24 @@ function number(x, digits = 5) {
 }
 
 // `x` with a fixed count of decimals, so that running values do not jump about.
-function fixed(x, decimals) {
+export function fixed(x, decimals) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   const text = x.toFixed(decimals);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 }
 
 // A time of computing.
-function duration(seconds) {
+export function duration(seconds) {
   const [scale, unit] = seconds >= 1 ? [1, "s"] : seconds >= 1e-3 ? [1e3, "ms"] : [1e6, "µs"];
   return `${number(scale * seconds, 3)} ${unit}`;
 }
 
-const degrees = (x, decimals = 2) => `${fixed(x, decimals)}°`;
-const degreesShort = (x, digits = 6) => `${number(x, digits)}°`;
-const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+export const degrees = (x, decimals = 2) => `${fixed(x, decimals)}°`;
+export const degreesShort = (x, digits = 6) => `${number(x, digits)}°`;
+export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 // The power of a thousand that brings `size` near one, as an exponent: 0 where none is needed.
-function engineeringExponent(size) {
+export function engineeringExponent(size) {
   if (!(size > 0) || (size >= 0.02 && size < 1e5)) return 0;
   return 3 * Math.floor(Math.log10(size) / 3);
 }

@@ -1,8 +1,13 @@
 // The other linkages of a four-bar: its other assembly, and Roberts' cognates, which trace the same
 // coupler curve.
 
+import { element, set, svg } from "./dom.js";
+import { number } from "./format.js";
+import { groundSign, legendItem, pathThrough, pathWithGaps, round } from "./shapes.js";
+import { say } from "./words.js";
+
 const times2 = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
-const less2 = (p, q) => [p[0] - q[0], p[1] - q[1]];
+export const less2 = (p, q) => [p[0] - q[0], p[1] - q[1]];
 const more2 = (p, q) => [p[0] + q[0], p[1] + q[1]];
 
 // The other place where C may be: mirrored in the line through B and D, where it slides in that through
@@ -37,7 +42,7 @@ function robertsCognate({ a, b, c, d, p }, which) {
   return { a: d, b: joint, c: more2(pivot, times2(less2([1, 0], k), less2(b, a))), d: pivot, p };
 }
 
-const GHOSTS = {
+export const GHOSTS = {
   assembly: (pose) => otherAssembly(pose),
   cognate2: (pose) => robertsCognate(pose, 1),
   cognate3: (pose) => robertsCognate(pose, 2),
@@ -64,7 +69,7 @@ function firstPose(kind, scene) {
   return null;
 }
 
-class Ghost {
+export class Ghost {
   // `notes`: a list in which the dimensions are told.
   constructor(kind, notes) {
     Object.assign(this, { kind, notes, name: kind, words: `extras.${kind}`, root: svg("g", { class: `ghost-linkage ${kind}` }), line: element("li") });

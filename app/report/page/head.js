@@ -1,10 +1,14 @@
 // The head and the foot of a report: what it is of, how the run ended, what it took.
 
+import { byId, element, fact } from "./dom.js";
+import { duration, number, sentence } from "./format.js";
+import { language, say, sentenceOf, term } from "./words.js";
+
 const TONES = { solved: "good", done: "good", infeasible: "warn", "time-limit": "warn", interrupted: "warn", "no-solution": "bad" };
 
 // `summary`: the parts of the line below the title; `keys`: what the keyboard does; `ends`: the text
 // of a status where that of designs does not fit.
-function showHead(result, kind, summary, keys, ends = {}) {
+export function showHead(result, kind, summary, keys, ends = {}) {
   const title = result.problem?.title || say("head.untitled");
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
@@ -18,7 +22,7 @@ function showHead(result, kind, summary, keys, ends = {}) {
   document.querySelector(".page-head").dataset.version = version;
 }
 
-function showNotes(notes) {
+export function showNotes(notes) {
   byId("notes").hidden = notes.length === 0;
   // What moves comes first, what is told of it next.
   document.querySelector("#main > .side")?.after(byId("notes"));
@@ -32,7 +36,7 @@ function noteItem(note) {
 }
 
 // What is proved of the best design, as one of the notes.
-function certificateNote(certificate) {
+export function certificateNote(certificate) {
   if (!certificate) return [];
   const { complete, lower_bound: lower, upper_bound: upper, gap_relative: gap, domain } = certificate;
   return [say(complete ? "certificate.complete" : "certificate.incomplete",
@@ -40,7 +44,7 @@ function certificateNote(certificate) {
 }
 
 // Of the counts of all kinds of work those that there are.
-function showWork(work) {
+export function showWork(work) {
   const { skipped = [], ...counts } = work ?? {};
   byId("work-list").replaceChildren(...Object.entries(counts).filter(([, count]) => count !== 0).map(([name, value]) =>
     element("div", {}, ...(name === "seconds" ? fact(say("work.seconds"), duration(value)) : fact(sentence(term(name.replaceAll("_", " "))), value.toLocaleString(language))))));

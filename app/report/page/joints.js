@@ -1,8 +1,11 @@
 // The joints of a sampled four-bar or slider-crank, from which its other linkages follow.
 
+import { less2 } from "./ghosts.js";
+import { Mechanism } from "./mechanism.js";
+
 // A function of the drive: joints a, b, c, and d or the direction in which c slides, and the coupler
 // point p. Nothing where the mechanism is another one.
-function jointsOf(mechanism, { type } = {}) {
+export function jointsOf(mechanism, { type } = {}) {
   const fixed = mechanism.pins.filter((pin) => pin.fixed);
   const [b, c] = [1, 2].map((body) => mechanism.pins.find((pin) => !pin.fixed && pin.body === body));
   const rail = mechanism.bodies[0].rails[0];

@@ -1,15 +1,18 @@
-// The analysis kernel of the program, compiled to WebAssembly: `KERNEL` holds it in base64, empty
-// where the build had no compiler for it. Angles are in radians, from the x axis unless it says so.
+// The analysis kernel of the program, compiled to WebAssembly, which the page holds in base64;
+// empty where the build had no compiler for it. Angles are in radians, from the x axis unless it says so.
+
+import { embedded } from "./embedded.js";
+import { RADIANS } from "./sampling.js";
 
 const CLASSES = ["crank-rocker", "double-crank", "rocker-crank", "double-rocker", "triple-rocker"];
 const DEFECTS = ["circuit", "branch", "order"];
 const SEQUENCES = { any: 0, one_sense: 1, timed: 2 };
 
-class Kernel {
-  static get available() { return KERNEL.trim() !== "" && typeof WebAssembly !== "undefined"; }
+export class Kernel {
+  static get available() { return embedded("kernel").trim() !== "" && typeof WebAssembly !== "undefined"; }
 
-  static async load() {
-    const bytes = Uint8Array.from(atob(KERNEL), (c) => c.charCodeAt(0));
+  static async load(base64 = embedded("kernel")) {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     return new this((await WebAssembly.instantiate(bytes)).instance);
   }
 
@@ -37,7 +40,7 @@ class Kernel {
   // besides.
   facts(stations, travel = [], sequence = "any") {
     this.put([...stations, ...travel]);
-    const count = this.calls.four_bar_facts(stations.length, travel.length, SEQUENCES[sequence]);
+    const count = this.calls.four_bar_quantities(stations.length, travel.length, SEQUENCES[sequence]);
     const [mobility, excess, changePoint, rotates, least, greatest, acute, ratio, ...rest] = this.numbers.slice(0, count);
     return { class: CLASSES[mobility], excess, changePoint: changePoint !== 0, rotates: rotates !== 0, least, greatest, acute,
       timeRatio: Number.isNaN(ratio) ? null : ratio, defects: DEFECTS.filter((_, i) => rest[i] !== 0),

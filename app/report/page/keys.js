@@ -1,15 +1,18 @@
 // Single keys that the page answers to, and the dialog that lists them all.
 
+import { element } from "./dom.js";
+import { remember, remembered, say } from "./words.js";
+
 const SHORTCUTS = [];
 
 // `keys`: as KeyboardEvent names them; `shown`: as the dialog writes them; `words`: key of the text
 // that says what they do; without `act` another part of the page answers them.
-function shortcut(keys, shown, words, act = null) { SHORTCUTS.push({ keys, shown, words, act }); }
+export function shortcut(keys, shown, words, act = null) { SHORTCUTS.push({ keys, shown, words, act }); }
 
 // Fields in which a key is text, or chooses by itself.
-const TAKES_KEYS = "input:not([type=range]):not([type=radio]):not([type=checkbox]), select, textarea, [contenteditable]";
+export const TAKES_KEYS = "input:not([type=range]):not([type=radio]):not([type=checkbox]), select, textarea, [contenteditable]";
 
-class Help {
+export class Help {
   constructor() {
     this.off = remembered("keys") === "off";
     const open = element("button", { type: "button", class: "link", id: "help", "aria-haspopup": "dialog" }, say("keys.title"));

@@ -1,8 +1,10 @@
 // What a screen reader is told of the picture, once it rests.
 
+import { element } from "./dom.js";
+
 const REST = 600;
 
-class Live {
+export class Live {
   constructor() {
     this.region = element("p", { class: "unseen", id: "live", role: "status", "aria-live": "polite" });
     document.body.append(this.region);

@@ -1,7 +1,10 @@
 // A mechanism in motion. Where each body stands at each sample of the drive was computed by the
 // analysis kernel; between samples positions and angles are interpolated.
 
-class Mechanism {
+import { interpolate, locate, RADIANS } from "./sampling.js";
+import { boxOf } from "./view.js";
+
+export class Mechanism {
   constructor({ drive, bodies, output, pins, points }, { from, to, round }) {
     Object.assign(this, { samples: drive, bodies, output, pins, points, round });
     [this.from, this.to] = [Math.min(from, to), Math.max(from, to)];

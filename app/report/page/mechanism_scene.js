@@ -1,14 +1,23 @@
 // The picture of a mechanism. `build` draws what stands still and every body in its own axes;
 // `move` places the bodies.
 
+import { set, svg } from "./dom.js";
+import { MOST_MARKS } from "./extras.js";
+import { Mechanism } from "./mechanism.js";
+import { Picture } from "./picture.js";
+import { quantile, RADIANS } from "./sampling.js";
+import { arrowPath, barPath, blockPath, groundSign, guideSign, pathThrough, pathWithGaps, round } from "./shapes.js";
+import { pathRates } from "./vectors.js";
+import { say, term } from "./words.js";
+
 const BLOCK = { length: 28, height: 16 };
-const ARROWS = { velocity: say("arrows.velocity"), acceleration: say("arrows.acceleration"), reactions: say("arrows.reactions") };
+export const ARROWS = { velocity: say("arrows.velocity"), acceleration: say("arrows.acceleration"), reactions: say("arrows.reactions") };
 const MANY_NAMES = 24;
 
 // What a mechanism without a table of values has to draw of one.
-const NO_TABLE = { columns: [], normals: [], centrodes: [], vectorsOf: () => [] };
+export const NO_TABLE = { columns: [], normals: [], centrodes: [], vectorsOf: () => [] };
 
-class MechanismScene extends Picture {
+export class MechanismScene extends Picture {
   // `table`: of an analysis; its vectors can be shown as arrows.
   // `unit`: what a radian, of a slider a unit of length, is in the drive's coordinate.
   constructor(frame, mechanism, onDrag, table = NO_TABLE, unit = 1 / RADIANS) {

@@ -1,6 +1,12 @@
 // The frame of a moving drawing: its view of the plane, its scale, and what can be dragged.
 
-class Picture {
+import { set, svg } from "./dom.js";
+import { number } from "./format.js";
+import { round } from "./shapes.js";
+import { boxOf, diagonal, View } from "./view.js";
+import { say } from "./words.js";
+
+export class Picture {
   // `onDrag` is called with the drive coordinate that a handle is dragged to.
   constructor(frame, label, onDrag) {
     this.frame = frame;

@@ -1,7 +1,7 @@
 // The clock that moves the drive: round and round, or to and fro where it cannot turn fully. `pace`
 // is how far it moves in a second, in degrees or length.
 
-class Player {
+export class Player {
   constructor(onStep) {
     Object.assign(this, { onStep, playing: false, speed: 1, pace: 60, sense: 1, last: null });
   }

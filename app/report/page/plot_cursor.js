@@ -1,6 +1,10 @@
 // The cursor that all plots share while one of them is pointed at: a line, and the values there.
 
-class PlotCursor {
+import { element } from "./dom.js";
+import { number } from "./format.js";
+import { interpolate, locate } from "./sampling.js";
+
+export class PlotCursor {
   constructor({ plot, sheet }) {
     Object.assign(this, { plot, sheet, line: element("div", { class: "hover-line", hidden: "" }), text: element("div", { class: "hover-text" }) });
     this.line.append(this.text);

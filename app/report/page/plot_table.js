@@ -1,5 +1,9 @@
 // A plot as a table of numbers, for who cannot see it or wants to read it off.
 
+import { element } from "./dom.js";
+import { number } from "./format.js";
+import { say } from "./words.js";
+
 const MOST_TABLE_ROWS = 37;
 
 function plotTable(sheet) {
@@ -12,7 +16,7 @@ function plotTable(sheet) {
 }
 
 // The button that puts a table in the place of the plot in `box`, and back.
-function tableButton(sheet, box) {
+export function tableButton(sheet, box) {
   const button = element("button", { type: "button", class: "link as-table", "aria-pressed": "false" }, say("plot.as_table"));
   let table = null;
   button.addEventListener("click", () => {

@@ -1,9 +1,11 @@
 // Sampled values: between the samples, and at a scale that reads well.
 
-const RADIANS = Math.PI / 180;
+import { engineeringExponent, powerOfTen } from "./format.js";
+
+export const RADIANS = Math.PI / 180;
 
 // The index i and share t with value = list[i] + t·(list[i + 1] − list[i]), list increasing.
-function locate(list, value) {
+export function locate(list, value) {
   let low = 0;
   let high = list.length - 1;
   while (high - low > 1) {
@@ -16,14 +18,14 @@ function locate(list, value) {
 }
 
 // The value at a place that `locate` gives; null beside a gap.
-function interpolate(list, [i, t]) {
+export function interpolate(list, [i, t]) {
   if (t === 0 || i + 1 >= list.length) return list[i];
   if (t === 1) return list[i + 1];
   return list[i] === null || list[i + 1] === null ? null : list[i] + t * (list[i + 1] - list[i]);
 }
 
 // The value of `to` where `from` (monotonic) has `value`, by interpolation; null outside.
-function lookUp(value, from, to) {
+export function lookUp(value, from, to) {
   const rising = from.at(-1) >= from[0];
   const list = rising ? from : [...from].reverse();
   const margin = 1e-9 * (list.at(-1) - list[0]);
@@ -32,7 +34,7 @@ function lookUp(value, from, to) {
 }
 
 // A title's unit with the power of ten taken out of the values.
-function scaled(values, unit) {
+export function scaled(values, unit) {
   const size = Math.max(...values.filter((v) => v !== null).map(Math.abs), 0);
   const exponent = engineeringExponent(size);
   return { values: values.map((v) => (v === null ? null : v / 10 ** exponent)), size,
@@ -40,13 +42,13 @@ function scaled(values, unit) {
 }
 
 // The size that all but a share of `values` stay below.
-function quantile(values, share) {
+export function quantile(values, share) {
   const sizes = values.filter((v) => v !== null).map(Math.abs).sort((a, b) => a - b);
   return sizes.length ? sizes[Math.min(sizes.length - 1, Math.floor(share * sizes.length))] : 0;
 }
 
 // The least and the greatest of `values`, gaps left out.
-function extremes(values) {
+export function extremes(values) {
   let [least, greatest] = [Infinity, -Infinity];
   for (const v of values) if (v !== null) { least = Math.min(least, v); greatest = Math.max(greatest, v); }
   return least <= greatest ? [least, greatest] : [null, null];

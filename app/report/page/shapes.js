@@ -1,10 +1,13 @@
 // The signs of a mechanism's drawing, in pixels.
 
-const round = (x) => Math.round(x * 100) / 100;
-const pathThrough = (points) => points.map((p, i) => `${i ? "L" : "M"}${round(p[0])} ${round(p[1])}`).join("");
+import { element, svg } from "./dom.js";
+import { RADIANS } from "./sampling.js";
+
+export const round = (x) => Math.round(x * 100) / 100;
+export const pathThrough = (points) => points.map((p, i) => `${i ? "L" : "M"}${round(p[0])} ${round(p[1])}`).join("");
 
 // A bar with round ends about p and q.
-function barPath(p, q, radius) {
+export function barPath(p, q, radius) {
   const [x, y] = [q[0] - p[0], q[1] - p[1]];
   const length = Math.hypot(x, y) || 1;
   const [nx, ny] = [(-y / length) * radius, (x / length) * radius];
@@ -14,7 +17,7 @@ function barPath(p, q, radius) {
 }
 
 // A fixed pivot: the bearing on hatched ground.
-function groundSign([x, y]) {
+export function groundSign([x, y]) {
   const hatches = [-12, -6, 0, 6, 12].map((dx) => `M${dx} 18l-5 6`).join("");
   return svg("g", { transform: `translate(${round(x)} ${round(y)})` },
     svg("path", { class: "ground", d: "M0 0L-10 18H10Z" }),
@@ -22,7 +25,7 @@ function groundSign([x, y]) {
 }
 
 // The sector of `radius` pixels about p from one angle to another, in degrees of the plane.
-function sectorPath(p, radius, from, to) {
+export function sectorPath(p, radius, from, to) {
   const tip = (deg) => [p[0] + radius * Math.cos(deg * RADIANS), p[1] - radius * Math.sin(deg * RADIANS)];
   const [a, b] = [tip(from), tip(to)];
   const large = Math.abs(to - from) > 180 ? 1 : 0;
@@ -32,19 +35,19 @@ function sectorPath(p, radius, from, to) {
 const LEGEND_SIGNS = { line: "M1 6H21", dashed: "M1 6H6M10 6H14M18 6H21", dot: "M11 2a4 4 0 1 0 .01 0" };
 
 // An entry of a legend; `kind` names its colour.
-function legendItem(kind, sign, text) {
+export function legendItem(kind, sign, text) {
   return element("span", {}, svg("svg", { viewBox: "0 0 22 12", "aria-hidden": "true" },
     svg("path", { d: LEGEND_SIGNS[sign], style: `stroke:var(--${kind});stroke-width:2;fill:none` })), text);
 }
 
 // A block about the origin, along the first axis.
-function blockPath(length, height) {
+export function blockPath(length, height) {
   const [a, b, r] = [length / 2, height / 2, 2.5];
   return `M${-a + r} ${-b}H${a - r}A${r} ${r} 0 0 1 ${a} ${-b + r}V${b - r}A${r} ${r} 0 0 1 ${a - r} ${b}H${-a + r}A${r} ${r} 0 0 1 ${-a} ${b - r}V${-b + r}A${r} ${r} 0 0 1 ${-a + r} ${-b}Z`;
 }
 
 // The hatched face of a fixed guide from p to q, `away` pixels beside it, on its lower side.
-function guideSign(p, q, away, overhang) {
+export function guideSign(p, q, away, overhang) {
   const length = Math.hypot(q[0] - p[0], q[1] - p[1]);
   const [x, y] = length > 0 ? [(q[0] - p[0]) / length, (q[1] - p[1]) / length] : [1, 0];
   const side = x > 0 || (x === 0 && y < 0) ? 1 : -1;
@@ -58,7 +61,7 @@ function guideSign(p, q, away, overhang) {
 }
 
 // An arrow from p by the vector v, with a head no longer than itself.
-function arrowPath(p, v) {
+export function arrowPath(p, v) {
   const length = Math.hypot(v[0], v[1]);
   if (!(length > 0.5)) return "";
   const [x, y] = [v[0] / length, v[1] / length];
@@ -69,7 +72,7 @@ function arrowPath(p, v) {
 }
 
 // A line through points of which some are missing.
-function pathWithGaps(points) {
+export function pathWithGaps(points) {
   let text = "";
   let pen = "M";
   for (const p of points) {

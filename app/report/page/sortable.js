@@ -1,5 +1,9 @@
 // Tables sorted by any of their columns: up, down, and as they were.
 
+import { element } from "./dom.js";
+import { SUPERSCRIPTS } from "./format.js";
+import { language } from "./words.js";
+
 const collator = new Intl.Collator(language, { numeric: true });
 const SUPERSCRIPT_DIGITS = Object.fromEntries(Object.entries(SUPERSCRIPTS).map(([digit, sign]) => [sign, digit]));
 
@@ -75,7 +79,7 @@ class Sortable {
 }
 
 // Every table of the page that is not paged.
-function makeSortable() {
+export function makeSortable() {
   for (const table of document.querySelectorAll("table")) {
     if (table.tHead && !table.closest("#rows, #columns") && !table.classList.contains("of-plot")) new Sortable(table, { byBody: table.classList.contains("designs") });
   }

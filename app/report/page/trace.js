@@ -1,8 +1,14 @@
 // The way that points leave behind while they move.
 
+import { set, svg } from "./dom.js";
+import { MOST_MARKS } from "./extras.js";
+import { Picture } from "./picture.js";
+import { legendItem, pathWithGaps } from "./shapes.js";
+import { say } from "./words.js";
+
 const TRACE_LENGTH = 720;
 
-class Trace {
+export class Trace {
   constructor() {
     Object.assign(this, { name: "trace", words: "extras.trace", key: "t", ways: [], root: svg("g", { class: "trace" }) });
   }

@@ -1,10 +1,15 @@
 // Velocities and accelerations of points as arrows, for a drive that moves by one unit (a radian, a
 // length) in a second and evenly.
 
+import { set, svg } from "./dom.js";
+import { locate, quantile } from "./sampling.js";
+import { arrowPath, legendItem } from "./shapes.js";
+import { say } from "./words.js";
+
 // Angular velocities and accelerations of coupler and rocker of a four-bar, the crank turning at
 // 1 rad/s: the loop equation B − A + C − B = D − A + C − D, derived once and twice, its components
 // across the coupler and across the rocker.
-function fourBarRates({ a, b, c, d, p }) {
+export function fourBarRates({ a, b, c, d, p }) {
   const less = (u, v) => [u[0] - v[0], u[1] - v[1]];
   const cross = (u, v) => u[0] * v[1] - u[1] * v[0];
   const [crank, coupler, rocker] = [less(b, a), less(c, b), less(c, d)];
@@ -34,7 +39,7 @@ function samplesRates(path, drives, k, round) {
 }
 
 // The same anywhere, between samples; `unit`: what one unit of the drive is in its coordinate.
-function pathRates(path, drives, drive, round, unit) {
+export function pathRates(path, drives, drive, round, unit) {
   const [k, t] = locate(drives, drive);
   const [p, q] = [samplesRates(path, drives, k, round), samplesRates(path, drives, k + 1, round)];
   if (!p || !q) return null;
@@ -43,7 +48,7 @@ function pathRates(path, drives, drive, round, unit) {
 }
 
 // One kind of arrows, drawn so that nearly the longest takes a fair part of the picture.
-class Vectors {
+export class Vectors {
   constructor(quantity, key) {
     Object.assign(this, { quantity, key, name: quantity, words: `extras.${quantity}`, root: svg("g", { class: `arrow ${quantity}` }) });
   }

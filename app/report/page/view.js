@@ -1,6 +1,6 @@
 // From the plane of the mechanism to the picture: which part is framed, and how large.
 
-function boxOf(points) {
+export function boxOf(points) {
   const box = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
   for (const point of points) {
     if (!point) continue;
@@ -10,12 +10,12 @@ function boxOf(points) {
   return box;
 }
 
-const diagonal = (box) => Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
+export const diagonal = (box) => Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
 
 // Pixels kept free at the foot of the picture for its scale.
-const SCALE_ROOM = 22;
+export const SCALE_ROOM = 22;
 
-class View {
+export class View {
   constructor(box, width, height, margin = Math.min(56, Math.max(50, 0.1 * Math.min(width, height) + 8))) {
     const [w, h] = [box.x1 - box.x0, box.y1 - box.y0];
     const room = height - SCALE_ROOM;

@@ -1,19 +1,21 @@
-// The texts of the page in the reader's language. `WORDS` holds those of every language; the build
-// puts it before the scripts, from the files of page/words.
+// The texts of the page in the reader's language, of those of the files of page/words.
 
-const LANGUAGES = Object.keys(WORDS);
+import { embedded } from "./embedded.js";
+
+export const WORDS = JSON.parse(embedded("words"));
+export const LANGUAGES = Object.keys(WORDS);
 
 // What the reader chose on this or another report; empty where nothing was chosen or can be kept.
-const remembered = (name) => { try { return localStorage.getItem(`cognate-${name}`) ?? ""; } catch { return ""; } };
-const remember = (name, value) => { try { localStorage.setItem(`cognate-${name}`, value); } catch { /* for this page alone */ } };
+export const remembered = (name) => { try { return localStorage.getItem(`cognate-${name}`) ?? ""; } catch { return ""; } };
+export const remember = (name, value) => { try { localStorage.setItem(`cognate-${name}`, value); } catch { /* for this page alone */ } };
 
 // By the end of the address (#zh), the reader's choice, or the languages of the browser.
-const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
+export const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
   .find((tag) => LANGUAGES.includes(tag));
 
 // The text named `key`. {name} stands for a value of that name; of "one|many" the part that suits
 // `values.n` is taken.
-function say(key, values = {}) {
+export function say(key, values = {}) {
   const text = WORDS[language].words[key];
   if (text === undefined) throw new Error(`no words for ${key}`);
   const parts = text.split("|");
@@ -22,11 +24,11 @@ function say(key, values = {}) {
 }
 
 // A word or a name that the result holds in English, such as the class of a linkage.
-const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
+export const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
 
 // A sentence that the result holds in English, translated where it has the form of one that is known;
 // {0}, {1}, … stand for its numbers, names and parts that are sentences of their own.
-function sentenceOf(text) {
+export function sentenceOf(text) {
   for (const { form, forms } of SENTENCES) {
     const found = form.exec(text);
     if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => sentenceOf(found[Number(i) + 1]));

@@ -1,11 +1,15 @@
 // How a picture is brought nearer, moved, and shown large: by buttons, keys, the wheel with Ctrl, and
 // fingers.
 
+import { element, svg } from "./dom.js";
+import { shortcut } from "./keys.js";
+import { say } from "./words.js";
+
 const NEARER = 1.4;
 const ZOOMS = [0.2, 1e5];
 const ZOOM_ICONS = { nearer: "M5 12H19M12 5V19", farther: "M5 12H19", all: "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", large: "M14 4H20V10M10 20H4V14M20 4L13 11M4 20L11 13" };
 
-class Zoom {
+export class Zoom {
   // `scene()` is the picture in the frame now, `redraw` builds it anew.
   constructor(stage, frame, scene, redraw) {
     Object.assign(this, { stage, frame, scene, redraw, fingers: new Map() });

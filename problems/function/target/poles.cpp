@@ -16,9 +16,9 @@ constexpr std::size_t kLastSteps = 8;
 const double kGrowth = std::pow(2, 0.25);
 
 /// Follows |y| from a maximum among samples.
-class Climb {
+class Ascent {
  public:
-  Climb(const std::function<double(double)>& y, const Range& domain, double x)
+  Ascent(const std::function<double(double)>& y, const Range& domain, double x)
       : y_(y), domain_(domain), x_(x), size_(size(x)) {}
 
   double x() const { return x_; }
@@ -86,7 +86,7 @@ std::optional<double> find_pole(const std::function<double(double)>& y, const Ra
     const bool from_left = i == 0 || sizes[k] >= sizes[k - 1];
     const bool from_right = i == intervals || sizes[k] >= sizes[k + 1];
     if (!from_left || !from_right) continue;
-    Climb climb(y, domain, x_at(i));
+    Ascent climb(y, domain, x_at(i));
     if (climb.grows_without_bound(step)) return climb.x();
   }
   return std::nullopt;

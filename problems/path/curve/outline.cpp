@@ -63,15 +63,15 @@ tl::expected<ClosedCurve, std::string> closed_polyline(const std::vector<Vec2d>&
       std::ranges::all_of(kept, [&](const Vec2d& p) { return p == kept.front() || p == kept[1]; });
   if (kept.size() < 3 || two_alone) {
     return tl::unexpected<std::string>(
-        "has fewer than 3 different points; a closed curve with an extent is wanted");
+        "has fewer than 3 different points; expected a closed curve with an extent");
   }
   const double size = extent(kept), farthest = greatest_coordinate(kept);
   if (!is_positive_magnitude(size) || size < kLeastExtent * farthest) {
-    return tl::unexpected(
-        fmt::format("is {} wide at a distance of up to {} from the origin; a width of at least "
-                    "1e-9 of that and "
-                    "from 1e-100 to 1e100 is wanted",
-                    size, farthest));
+    return tl::unexpected(fmt::format(
+        "is {} wide at a distance of up to {} from the origin; expected a width of at least "
+        "1e-9 of that and "
+        "from 1e-100 to 1e100",
+        size, farthest));
   }
   return ClosedCurve(std::move(kept));
 }
@@ -82,8 +82,8 @@ tl::expected<ClosedCurve, PathDataFault> closed_outline(std::string_view path_da
   if (subpaths->size() != 1) {
     return tl::unexpected(PathDataFault{
         0, subpaths->empty()
-               ? "draws nothing; one closed curve is wanted"
-               : fmt::format("draws {} curves; one closed curve is wanted", subpaths->size())});
+               ? "draws nothing; expected one closed curve"
+               : fmt::format("draws {} curves; expected one closed curve", subpaths->size())});
   }
   const Subpath& path = subpaths->front();
   std::vector<Vec2d> vertices = chords(path);
@@ -91,7 +91,7 @@ tl::expected<ClosedCurve, PathDataFault> closed_outline(std::string_view path_da
   const bool meets = gap <= kMeet * extent(vertices);
   if (!path.closed && !meets) {
     return tl::unexpected(PathDataFault{
-        path_data.size(), fmt::format("ends {} from its beginning; a closed curve is wanted, ended "
+        path_data.size(), fmt::format("ends {} from its beginning; expected a closed curve, ended "
                                       "by Z",
                                       gap)});
   }

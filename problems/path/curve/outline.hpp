@@ -12,7 +12,7 @@
 namespace cognate::problems::reading {
 
 /// The polyline through `vertices`, closed; what repeats its neighbour counts once. Else what is
-/// wrong and what is wanted: fewer than three different vertices, or so little extent beside the
+/// wrong and what is requested: fewer than three different vertices, or so little extent beside the
 /// distance from the origin that digits are lost.
 tl::expected<ClosedCurve, std::string> closed_polyline(const std::vector<Vec2d>& vertices);
 

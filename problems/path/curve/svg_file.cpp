@@ -82,7 +82,7 @@ tl::expected<pugi::xml_node, std::string> chosen(const Paths& paths,
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
     return tl::unexpected(
-        all.empty() ? "has no <path>; one that is drawn in it is wanted"
+        all.empty() ? "has no <path>; expected one that is drawn in it"
                     : fmt::format("has no such <path> among {}; {}", all.size(), ids_of(all)));
   }
   return tl::unexpected(fmt::format("has {} paths{}; svg_id = \"...\" chooses by id, and {}",
@@ -96,7 +96,7 @@ tl::expected<std::string, std::string> path_data_of(const std::filesystem::path&
   std::error_code error;
   // What is no regular file might never end.
   if (!std::filesystem::is_regular_file(file, error)) {
-    return tl::unexpected<std::string>("is no file; an SVG file beside the problem file is wanted");
+    return tl::unexpected<std::string>("is no file; expected an SVG file beside the problem file");
   }
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > kMostBytes) {
@@ -105,7 +105,7 @@ tl::expected<std::string, std::string> path_data_of(const std::filesystem::path&
   pugi::xml_document document;
   const pugi::xml_parse_result read = document.load_file(file.c_str());
   if (!read) {
-    return tl::unexpected(fmt::format("is no XML at byte {} ({}); an SVG file is wanted",
+    return tl::unexpected(fmt::format("is no XML at byte {} ({}); expected an SVG file",
                                       read.offset, read.description()));
   }
   Paths paths;
@@ -114,8 +114,8 @@ tl::expected<std::string, std::string> path_data_of(const std::filesystem::path&
       [](const pugi::xml_node& path) -> tl::expected<std::string, std::string> {
         if (is_transformed(path)) {
           return tl::unexpected<std::string>(
-              "has a transform on this path or around it, which is not applied; a path without any "
-              "is wanted (drawing programs apply them when shapes are ungrouped or made paths)");
+              "has a transform on this path or around it, which is not applied; expected a path "
+              "without any (drawing programs apply them when shapes are ungrouped or made paths)");
         }
         return std::string(path.attribute("d").value());
       });

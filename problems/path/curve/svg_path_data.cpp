@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/toml/number_rules.hpp"
 
@@ -42,7 +43,7 @@ PathSegment arc(const Vec2d& from, const Vec2d& to, Vec2d radii, double axis, bo
                 bool positive) {
   radii = {std::abs(radii.x), std::abs(radii.y)};
   if (radii.x < kLeastMagnitude || radii.y < kLeastMagnitude || from == to) return line(from, to);
-  const Vec2d turn{std::cos(axis), std::sin(axis)};
+  const Vec2d turn = unit_vector(axis);
   const Vec2d half = conj(turn) * (0.5 * (from - to));
   Vec2d unit{half.x / radii.x,
              half.y / radii.y};  // half the chord where the arc is of a unit circle
@@ -125,7 +126,7 @@ class Reader {
     const auto read = std::from_chars(first, text_.data() + text_.size(), value);
     next_ += static_cast<std::size_t>(read.ptr - first);
     if (read.ec != std::errc() || std::abs(value) > kGreatestMagnitude) {
-      fail(begin, "has a number beyond bounds; 0 or a number of magnitude up to 1e100 is wanted");
+      fail(begin, "has a number beyond bounds; expected 0 or a number of magnitude up to 1e100");
     }
     return value;
   }
@@ -157,7 +158,7 @@ class Reader {
                                      kCommands));
     }
     if (subpaths_.empty() && upper != 'M') {
-      return fail(next_, "does not begin with a move; M or m is wanted first");
+      return fail(next_, "does not begin with a move; expected M or m first");
     }
     ++next_;
     if (upper == 'Z') return close();

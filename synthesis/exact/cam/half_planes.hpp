@@ -23,7 +23,7 @@ struct NearestPoint {
 
 /// The point of the intersection that is nearest to `centre`; nothing where two of the half planes
 /// have no point in common. (Three may be in conflict with each other and no two of them: the
-/// caller finds that the point given keeps to all or does not.)
+/// caller finds that the point given satisfies all or does not.)
 ///
 /// The problem is of the type of linear programmes with combinatorial dimension two (Sharir & Welzl
 /// 1992): its value is the greatest that any two of the half planes have alone, so that no test of

@@ -11,28 +11,28 @@ namespace cognate::synthesis {
 namespace {
 
 using cam::FollowerMotion;
-using cam::Stretch;
+using cam::MotionPart;
 
 /// One side of one limit: across ≤ tan[α] along for `sign` +1, −across ≤ tan[α] along for −1.
 struct LimitSide {
   PressureLimit limit;
-  Stretch stretch;
+  MotionPart stretch;
   double sign;
   double tangent;
 };
 
 std::vector<LimitSide> sides_of(const PressureLimits& limits) {
   std::vector<LimitSide> sides;
-  const auto add = [&](PressureLimit limit, Stretch stretch, const std::optional<double>& most,
+  const auto add = [&](PressureLimit limit, MotionPart stretch, const std::optional<double>& most,
                        std::initializer_list<double> signs) {
     if (!most) return;
     for (const double sign : signs) sides.push_back({limit, stretch, sign, std::tan(*most)});
   };
-  add(PressureLimit::whole, Stretch::whole, limits.whole, {1, -1});
-  add(PressureLimit::rise, Stretch::rises, limits.rise, {1, -1});
-  add(PressureLimit::fall, Stretch::falls, limits.fall, {1, -1});
-  add(PressureLimit::rise_working, Stretch::rises, limits.rise_working, {1});
-  add(PressureLimit::fall_working, Stretch::falls, limits.fall_working, {-1});
+  add(PressureLimit::whole, MotionPart::whole, limits.whole, {1, -1});
+  add(PressureLimit::rise, MotionPart::rises, limits.rise, {1, -1});
+  add(PressureLimit::fall, MotionPart::falls, limits.fall, {1, -1});
+  add(PressureLimit::rise_working, MotionPart::rises, limits.rise_working, {1});
+  add(PressureLimit::fall_working, MotionPart::falls, limits.fall_working, {-1});
   return sides;
 }
 

@@ -16,8 +16,8 @@
 namespace cognate::synthesis {
 namespace {
 
-/// A coefficient below this share of the largest makes a link infinite: what cannot be told from
-/// zero by rounding times condition, or no length anybody could mean.
+/// A coefficient below this share of the largest makes a link infinite: what cannot be
+/// distinguished from zero by rounding times condition, or no length anybody could mean.
 double infinite_ratio(double condition) {
   return std::clamp(16 * std::numeric_limits<double>::epsilon() * condition, 1e-12, 1e-8);
 }
@@ -33,7 +33,7 @@ struct Row {
   double constant = 0;
   Vec2d difference;
 };
-using Rows = Few<Row, kMostConditions>;
+using Rows = InPlaceVector<Row, kMostConditions>;
 
 Rows rows_of(std::span<const PrecisionPoint> points) {
   Rows rows;
@@ -66,7 +66,7 @@ class Equations {
 
   Linearised<N> operator()(const Unknowns<N>& x) const {
     const auto [phi, psi] = start_of(x);
-    const Vec2d e1{std::cos(phi), std::sin(phi)}, e3{std::cos(psi), std::sin(psi)};
+    const Vec2d e1 = unit_vector(phi), e3 = unit_vector(psi);
     Linearised<N> result;
     for (int i = 0; i < N; ++i) {
       const Row& row = rows_[static_cast<std::size_t>(i)];

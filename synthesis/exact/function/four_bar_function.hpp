@@ -16,8 +16,8 @@
 #include <span>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "synthesis/exact/few.hpp"
 #include "synthesis/exact/function/precision_point.hpp"
+#include "synthesis/exact/in_place_vector.hpp"
 
 namespace cognate::synthesis {
 
@@ -53,7 +53,7 @@ struct FourBarFunction {
 /// All solutions, or word that there are infinitely many.
 struct FourBarFunctions {
   bool dependent = false;  ///< the conditions are dependent to within rounding
-  Few<FourBarFunction, 3> solutions;
+  InPlaceVector<FourBarFunction, 3> solutions;
 };
 
 /// The four-bars through `points`, whose condition count must be three and the number of start

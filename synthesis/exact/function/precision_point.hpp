@@ -15,11 +15,11 @@ namespace cognate::synthesis {
 inline constexpr std::size_t kMostConditions = 5;
 
 /// One position that is met, and how closely: with multiplicity k the output and its first k − 1
-/// derivatives by the input are those wanted, as if k precision points had run together there
+/// derivatives by the input are the desired ones, as if k precision points had run together there
 /// (infinitesimally close positions). Angles in radians, counted from the start.
 struct PrecisionPoint {
   double input = 0;
-  /// The output wanted and its derivatives by the input, `multiplicity` of them.
+  /// The desired output and its derivatives by the input, `multiplicity` of them.
   std::array<double, kMostConditions> output{};
   std::size_t multiplicity = 1;
 };

@@ -26,7 +26,7 @@ struct SliderRow {
   Vec2d su, u;
   double constant = 0;
 };
-using SliderRows = Few<SliderRow, kMostConditions>;
+using SliderRows = InPlaceVector<SliderRow, kMostConditions>;
 
 /// The share of a unit vector of the null space by which it may miss h = 0 and R = 0 and still be
 /// a Scotch yoke's, and by which other roots differ from it: that root is double, so rounding
@@ -93,7 +93,7 @@ class SliderEquations {
 
   Linearised<N> operator()(const Unknowns<N>& x) const {
     const auto [phi, origin] = start_of(x);
-    const Vec2d e{std::cos(phi), std::sin(phi)};
+    const Vec2d e = unit_vector(phi);
     const double r = x[0], w = x[1], c = x[2];
     Linearised<N> result;
     for (int i = 0; i < N; ++i) {
@@ -238,7 +238,7 @@ Vector nearest_yoke(const Vector& u, const Vector& v, const std::array<int, Coun
 /// them it is left out, and `yoke` is its vector.
 template <class Vector>
 struct PlaneRoots {
-  Few<Vector, 3> roots;
+  InPlaceVector<Vector, 3> roots;
   std::optional<Vector> yoke;
 };
 
@@ -278,8 +278,8 @@ SliderCrankFunctions with_both_given(const Setting& setting) {
   return result;
 }
 
-/// Unknown besides the lengths: the start displacement p/h. Columns s², s, s cos θ, cos θ, sin θ, 1
-/// with coefficients h, 2p, −2r, −2q, −2w, c; q·h = p·r.
+/// Unknown in addition to the lengths: the start displacement p/h. Columns s², s, s cos θ, cos θ,
+/// sin θ, 1 with coefficients h, 2p, −2r, −2q, −2w, c; q·h = p·r.
 SliderCrankFunctions with_input_given(const Setting& setting) {
   const Vec2d e = unit_vector(*setting.start.input);
   Eigen::Matrix<double, 4, 6> m;
@@ -314,8 +314,8 @@ SliderCrankFunctions with_input_given(const Setting& setting) {
   return result;
 }
 
-/// Unknown besides the lengths: the start angle. Columns S², −2Su, −2u, 1 with coefficients h, R, Q
-/// and c; Re(Q conj R) = 0.
+/// Unknown in addition to the lengths: the start angle. Columns S², −2Su, −2u, 1 with coefficients
+/// h, R, Q and c; Re(Q conj R) = 0.
 SliderCrankFunctions with_output_given(const Setting& setting) {
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {

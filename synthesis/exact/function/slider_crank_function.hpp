@@ -19,8 +19,8 @@
 
 #include <span>
 
-#include "synthesis/exact/few.hpp"
 #include "synthesis/exact/function/precision_point.hpp"
+#include "synthesis/exact/in_place_vector.hpp"
 
 namespace cognate::synthesis {
 
@@ -49,7 +49,7 @@ struct SliderCrankFunction {
 /// All solutions, or word that there are infinitely many.
 struct SliderCrankFunctions {
   bool dependent = false;  ///< the conditions are dependent to within rounding
-  Few<SliderCrankFunction, 3> solutions;
+  InPlaceVector<SliderCrankFunction, 3> solutions;
 };
 
 /// The slider-cranks through `points`, whose outputs are displacements along the slide (derivatives

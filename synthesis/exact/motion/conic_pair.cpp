@@ -98,7 +98,7 @@ struct Split {
   Matrix3d other;
 };
 
-Split best_split(const Matrix3d& a, const Matrix3d& b, const Few<Vec2d, 3>& degenerate) {
+Split best_split(const Matrix3d& a, const Matrix3d& b, const InPlaceVector<Vec2d, 3>& degenerate) {
   Split best;
   bool first = true;
   for (const Vec2d& at : degenerate) {
@@ -124,7 +124,7 @@ ConicIntersection intersect(const Matrix3d& first, const Matrix3d& second) {
   }
   b /= b.norm();
   const std::array<double, 4> determinant = pencil_determinant(a, b);
-  Few<Vec2d, 3> degenerate = real_roots(determinant);
+  InPlaceVector<Vec2d, 3> degenerate = real_roots(determinant);
   const bool all_degenerate =
       std::ranges::all_of(determinant, [](double c) { return std::abs(c) <= kZero; });
   if (all_degenerate) {

@@ -140,7 +140,7 @@ void CubicPencil::find_arcs() {
 
   const SignsOfQuartic signs = signs_of(discriminant_);
   nodes_.assign(signs.touches.begin(), signs.touches.end());
-  const Few<double, 4>& angles = signs.changes;
+  const InPlaceVector<double, 4>& angles = signs.changes;
   if (angles.empty()) find_sheets();
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const bool last = k + 1 == angles.size();

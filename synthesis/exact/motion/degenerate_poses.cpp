@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 
@@ -52,7 +53,7 @@ Gap widest_gap(std::vector<double> angles, double period) {
 }
 
 /// From a link that carries the body without turning it to its equal: 1.5 times as long, so that
-/// frame and crank differ. Where the link keeps to less than half a turn all its positions are on
+/// frame and crank differ. Where the link turns less than half a turn all its positions are on
 /// one side of the frame, and as far from it as they can be; else no position is along the frame.
 Vec2d to_second_link(std::span<const Pose> poses, const Vec2d& link) {
   constexpr double kLonger = 1.5;
@@ -64,7 +65,7 @@ Vec2d to_second_link(std::span<const Pose> poses, const Vec2d& link) {
   const Gap of_turn = widest_gap(angles, kTurn);
   const double direction = of_turn.width > kPi ? of_turn.middle + kRightAngle
                                                : widest_gap(std::move(angles), kPi).middle;
-  return kLonger * norm(link) * Vec2d{std::cos(direction), std::sin(direction)};
+  return kLonger * norm(link) * unit_vector(direction);
 }
 
 DyadSolutions translation(std::span<const Pose> poses) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate::synthesis {
 namespace {
 
@@ -30,7 +32,7 @@ double change(const GuidingDyad& dyad, const Pose& first, const Pose& pose) {
     case DyadKind::rp:
       break;
   }
-  const Vec2d line = Vec2d{std::cos(first.angle), std::sin(first.angle)} * dyad.direction;
+  const Vec2d line = unit_vector(first.angle) * dyad.direction;
   return cross(line, seen_way(to, dyad.fixed));
 }
 
@@ -100,7 +102,7 @@ std::string_view sentence(GuidanceStatus status) {
     case GuidanceStatus::not_finite:
       break;
   }
-  return "a number of the poses or of what is asked for is not finite";
+  return "a number of the poses or of what is requested is not finite";
 }
 
 }  // namespace cognate::synthesis

@@ -55,7 +55,7 @@ GuidingDyad rp_dyad(std::span<const Pose> poses, const Vec2d& fixed, const Vec2d
 enum class GuidanceStatus {
   found,             ///< these are all the dyads
   none,              ///< no real dyad does it
-  out_of_reach,      ///< a link of the length asked for is too short
+  out_of_reach,      ///< a link of the requested length is too short
   coincident_poses,  ///< two of the poses are one: a condition is missing
   pivot_at_rest,     ///< the pivot given is a pole: it does not move, and any partner will do
   same_line,         ///< the locus of the partner is the very line given: all its points will do

@@ -24,7 +24,7 @@ Assembly side_of(double signed_area) {
 }
 
 Vec2d in_frame(const Pose& pose, const Vec2d& body_direction) {
-  return Vec2d{std::cos(pose.angle), std::sin(pose.angle)} * body_direction;
+  return unit_vector(pose.angle) * body_direction;
 }
 
 /// The body's own axes in axes of origin `at` and first axis `axis` (body axes).

@@ -107,7 +107,7 @@ double bisected(const Quartic& c, double low, double high) {
 
 /// Adds `angle` in ascending order.
 template <std::size_t Most>
-void insert(Few<double, Most>& angles, double angle) {
+void insert(InPlaceVector<double, Most>& angles, double angle) {
   angles.push_back(angle);
   for (std::size_t k = angles.size() - 1; k > 0 && angles[k] < angles[k - 1]; --k) {
     std::swap(angles[k], angles[k - 1]);

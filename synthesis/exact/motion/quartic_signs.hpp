@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "synthesis/exact/few.hpp"
+#include "synthesis/exact/in_place_vector.hpp"
 
 namespace cognate::synthesis {
 
@@ -14,8 +14,8 @@ double binary_form(std::span<const double> c, const Eigen::Vector2d& at);
 
 /// Angles of directions (x, y), in [0, π) and ascending order.
 struct SignsOfQuartic {
-  Few<double, 4> changes;  ///< where the form changes its sign
-  Few<double, 2> touches;  ///< double roots, within rounding, between values of one sign
+  InPlaceVector<double, 4> changes;  ///< where the form changes its sign
+  InPlaceVector<double, 2> touches;  ///< double roots, within rounding, between values of one sign
 };
 
 /// The eigenvalues of the companion matrix tell where to look, bisection finds the changes.

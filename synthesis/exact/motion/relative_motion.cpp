@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "analysis/numbers/angle.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
 
 namespace cognate::synthesis {
@@ -14,7 +15,7 @@ namespace {
 constexpr double kPoleRounding = 64 * std::numeric_limits<double>::epsilon();
 
 Pose crank_pose(const AnglePair& pair, double frame) {
-  const Vec2d output{std::cos(pair.output), std::sin(pair.output)};
+  const Vec2d output = unit_vector(pair.output);
   return {-frame * conj(output), pair.input - pair.output};
 }
 

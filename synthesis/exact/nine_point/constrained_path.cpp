@@ -15,7 +15,7 @@ using namespace constrained;
 
 /// Rounding of the data moves a root of such condition by its own size.
 constexpr double kSingular = 1e15;
-/// Beyond, a linkage is not told from one that misses its points.
+/// Beyond, a linkage is not distinguished from one that misses its points.
 constexpr double kMissed = 1e-9;
 
 Data data_of(const PathSystem& system, std::vector<SideCondition> conditions) {
@@ -59,13 +59,13 @@ PathRoot root_of(const State& state, const Data& data) {
 
 /// All paths, followed; those without a finite end, and those that ended where another did, a
 /// second time with more digits and shorter steps: large pivots, as of short arcs, look like
-/// infinite ones. `stopped` tells whether there was no time for one.
+/// infinite ones. `stopped`: there was no time for one.
 std::vector<TrackedPath> follow_all(const GenericSet& set, const Data& data,
                                     const ConstrainedPathOptions& options,
                                     std::atomic<bool>& stopped) {
   std::vector<TrackedPath> paths(set.states.size());
   std::atomic<int> done{0};
-  const auto run = [&](std::size_t i, const Care& care) {
+  const auto run = [&](std::size_t i, const TrackingTolerances& care) {
     if (stopped || (options.stop && options.stop())) {
       stopped = true;
       return;
@@ -141,13 +141,13 @@ void collect(const std::vector<TrackedPath>& paths, const Data& data, ExactPathS
 
 }  // namespace
 
-bool are_independent(const PathClass& kind, const GivenParts& given) {
+bool are_independent(const PathClass& kind, const FixedParts& given) {
   const int count = 2 * (kind.poses - 1) + kind.points + condition_count(given);
   return count <= kPivotUnknowns && generic_rank(kind, given) == count;
 }
 
 ConstrainedPathSolutions solve_constrained_path(std::span<const PathPose> positions,
-                                                const GivenParts& given,
+                                                const FixedParts& given,
                                                 const ConstrainedPathOptions& options) {
   ConstrainedPathSolutions result;
   ExactPathSolutions& solutions = result.solutions;

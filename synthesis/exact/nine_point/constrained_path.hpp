@@ -2,11 +2,12 @@
 ///
 /// M poses, N further points and g conditions by given parts (given_parts.hpp) with 2(M − 1) + N +
 /// g = 8 have finitely many solutions in general: five points with both pivots given have 36 (A. P.
-/// Morgan & C. W. Wampler, J. Mech. Des. 112, 1990). Dyads are told apart: the first is the crank.
+/// Morgan & C. W. Wampler, J. Mech. Des. 112, 1990). Dyads are distinguished: the first is the
+/// crank.
 ///
 /// The generic problem of each kind is solved by monodromy from one planted solution, its data
 /// random complex numbers: loops are made until three in a row find nothing new, which is evidence,
-/// not proof, that there are no more. Its solutions are followed to the data wanted. A class that
+/// not proof, that there are no more. Its solutions are followed to the desired data. A class that
 /// is met first takes most of its time there; it is kept for the next problem.
 #pragma once
 
@@ -15,12 +16,12 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/exact/nine_point/given_parts.hpp"
+#include "synthesis/exact/nine_point/fixed_parts.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::synthesis {
 
-/// On what a solve runs, and who is told of it.
+/// Resources of a solve, and its progress callback.
 struct ConstrainedPathOptions {
   int threads = 0;                       ///< as many as the machine has for 0
   std::function<bool()> stop;            ///< asked often, from any thread
@@ -38,13 +39,13 @@ struct ConstrainedPathSolutions {
 
 /// Whether positions and given parts, eight conditions at most, are independent of one another: not
 /// where they determine one dyad more than once, as four poses do along with its fixed pivot.
-bool are_independent(const PathClass& kind, const GivenParts& given);
+bool are_independent(const PathClass& kind, const FixedParts& given);
 
 /// Solves for all positions. `wrong_count` where there are too many or too few conditions,
 /// `dependent` where these are not independent of one another. The result does not
 /// depend on the number of threads.
 ConstrainedPathSolutions solve_constrained_path(std::span<const PathPose> positions,
-                                                const GivenParts& given,
+                                                const FixedParts& given,
                                                 const ConstrainedPathOptions& options = {});
 
 }  // namespace cognate::synthesis

@@ -252,7 +252,7 @@ bool settle(StateOf<Real>& state, const DataOf<Real>& data) {
   return last <= kAccepted;
 }
 
-/// Where a path has come to.
+/// Where a path has arrived.
 template <class Real>
 struct Place {
   PathEnd end = PathEnd::lost;
@@ -261,7 +261,7 @@ struct Place {
 
 template <class Real>
 Place<Real> followed(const StateOf<Real>& start, const DataOf<Real>& from, const DataOf<Real>& to,
-                     const Care& care) {
+                     const TrackingTolerances& care) {
   constexpr double kLeastStep = 1e-11, kFar = 1e8, kSecond = 1e-7;
   constexpr double kNearEnd = 1e-3;
   constexpr double kLeastPole = 0.2;  // pivots grow as rest^(−1/k), k small
@@ -342,7 +342,8 @@ bool converge(State& state, const Data& data) {
   return settle(state, data);
 }
 
-TrackedPath follow(const State& start, const Data& from, const Data& to, const Care& care) {
+TrackedPath follow(const State& start, const Data& from, const Data& to,
+                   const TrackingTolerances& care) {
   if (!care.extended) {
     Place<double> path = followed(start, from, to, care);
     return {path.end, std::move(path.state)};

@@ -35,7 +35,7 @@ struct TrackedPath {
 };
 
 /// How carefully a path is followed.
-struct Care {
+struct TrackingTolerances {
   double largest_step = 0.1;
   double first_correction = 3e-4;  ///< of Newton's method, relative, beyond which a step is halved
   bool extended = false;           ///< `long double`, where paths stall in the noise of doubles
@@ -44,7 +44,8 @@ struct Care {
 /// Follows `start`, a solution of `from`, to the data `to` on the segment between them: Runge and
 /// Kutta's method of order four, corrected by Newton's. `infinite`: a pivot grows beyond all
 /// bounds.
-TrackedPath follow(const State& start, const Data& from, const Data& to, const Care& care);
+TrackedPath follow(const State& start, const Data& from, const Data& to,
+                   const TrackingTolerances& care);
 
 /// Newton's method until it stalls; false where it does not converge.
 bool converge(State& state, const Data& data);

@@ -37,7 +37,7 @@ bool is_finite(const Fingerprint& print) {
 
 class Follower {
  public:
-  Follower(const StartSet& set, const PathParameters& data, const TrackMeans& means)
+  Follower(const StartSet& set, const PathParameters& data, const TrackingOptions& means)
       : set_(set),
         means_(means),
         kind_(data.kind),
@@ -52,7 +52,7 @@ class Follower {
     }
     go_on(all, means_);
     for (int chart = 1; chart < charts(); ++chart) repeat(means_);
-    TrackMeans extended = means_;
+    TrackingOptions extended = means_;
     extended.extended = true;
     extended.settings.noise = kExtendedNoise;
     extended.settings.least_step = kExtendedStep;
@@ -70,7 +70,7 @@ class Follower {
   }
 
   /// Goes on along some paths from where they are.
-  void go_on(const std::vector<int>& which, const TrackMeans& means) {
+  void go_on(const std::vector<int>& which, const TrackingOptions& means) {
     PathBundle bundle{kind_.points, {}, {}, std::vector<int>(which.size(), 0), {line_}};
     for (const int path : which) {
       const Outcome& outcome = outcomes_[path];
@@ -124,7 +124,7 @@ class Follower {
 
   /// Follows doubtful paths again with other means: one that is stuck from there in another chart,
   /// one of several with the same end from its start, more carefully.
-  void repeat(const TrackMeans& means) {
+  void repeat(const TrackingOptions& means) {
     if (stopped_) return;
     const std::vector<int> which = doubtful();
     repeated_ = std::max(repeated_, static_cast<int>(which.size()));
@@ -136,7 +136,7 @@ class Follower {
     for (const int path : stuck) change_chart(outcomes_[path]);
     if (!stuck.empty()) go_on(stuck, means);
     for (const int path : same) restart(path);
-    TrackMeans careful = means;
+    TrackingOptions careful = means;
     careful.settings.prediction = kCarefulPrediction;
     if (!same.empty()) go_on(same, careful);
     for (const int path : same) {
@@ -174,7 +174,7 @@ class Follower {
   }
 
   const StartSet& set_;
-  const TrackMeans& means_;
+  const TrackingOptions& means_;
   PathClass kind_;
   ParameterLine line_;
   std::vector<Outcome> outcomes_;
@@ -184,7 +184,8 @@ class Follower {
 
 }  // namespace
 
-FollowedPaths follow(const StartSet& set, const PathParameters& data, const TrackMeans& means) {
+FollowedPaths follow(const StartSet& set, const PathParameters& data,
+                     const TrackingOptions& means) {
   return Follower(set, data, means).run();
 }
 

@@ -23,6 +23,6 @@ inline constexpr double kSameRoot = 1e-8;
 /// has other coordinates and so other singularities, and at last goes on with double-double
 /// numbers. (Tighter tolerances do not help: what fails is precision.) Of paths that end at the
 /// same place one has left its own: they are followed again more carefully.
-FollowedPaths follow(const StartSet& set, const PathParameters& data, const TrackMeans& means);
+FollowedPaths follow(const StartSet& set, const PathParameters& data, const TrackingOptions& means);
 
 }  // namespace cognate::synthesis::nine_point

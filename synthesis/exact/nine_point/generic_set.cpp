@@ -43,7 +43,7 @@ void plant(const PivotUnknowns<Complex>& u, Complex t, Complex& d, Complex& d_ba
   d_bar = -(alpha * d + gamma) / beta;
 }
 
-GenericSet planted(const PathClass& kind, const GivenParts& given, Draw& draw) {
+GenericSet planted(const PathClass& kind, const FixedParts& given, Draw& draw) {
   GenericSet set;
   State state;
   for (Complex& z : state.pivots) z = draw();
@@ -66,7 +66,7 @@ GenericSet planted(const PathClass& kind, const GivenParts& given, Draw& draw) {
 }
 
 /// Data of the same kind, unrelated to it.
-Data other_data(const Data& data, const GivenParts& given, Draw& draw) {
+Data other_data(const Data& data, const FixedParts& given, Draw& draw) {
   Data other = data;
   for (auto* numbers : {&other.d, &other.d_bar, &other.t}) {
     for (Complex& z : *numbers) z = draw();
@@ -80,7 +80,7 @@ Data other_data(const Data& data, const GivenParts& given, Draw& draw) {
 /// Monodromy: a search that goes on from the solutions known.
 class Monodromy {
  public:
-  Monodromy(const PathClass& kind, const GivenParts& given, const GenericSearch& search)
+  Monodromy(const PathClass& kind, const FixedParts& given, const GenericSearch& search)
       : given_(given), search_(search), set_(planted(kind, given, draw_)) {
     if (!converge(set_.states[0], set_.data)) set_.states.clear();
   }
@@ -142,7 +142,7 @@ class Monodromy {
     if (search_.progress) search_.progress(loops / (loops + kHalfDone));
   }
 
-  const GivenParts& given_;
+  const FixedParts& given_;
   const GenericSearch& search_;
   Draw draw_;
   GenericSet set_;
@@ -151,7 +151,7 @@ class Monodromy {
 };
 
 /// What a kind of problem is: poses, points, and a bit for each given part.
-FileKey key_of(const PathClass& kind, const GivenParts& parts) {
+FileKey key_of(const PathClass& kind, const FixedParts& parts) {
   std::uint64_t given = 0;
   for (const bool is_given :
        {parts.pivot_a.has_value(), parts.pivot_d.has_value(), parts.coupler_point.has_value(),
@@ -201,15 +201,15 @@ bool are_same(const State& a, const State& b) {
   return true;
 }
 
-int generic_rank(const PathClass& kind, const GivenParts& given) {
+int generic_rank(const PathClass& kind, const FixedParts& given) {
   Draw draw;
   const GenericSet set = planted(kind, given, draw);
   return rank(set.states[0], set.data);
 }
 
 std::shared_ptr<const GenericSet> read_generic_set(const std::filesystem::path& folder,
-                                                   const PathClass& kind, const GivenParts& given) {
-  const GivenParts parts = without_repetition(given);
+                                                   const PathClass& kind, const FixedParts& given) {
+  const FixedParts parts = without_repetition(given);
   const FileKey key = key_of(kind, parts);
   Draw draw;
   GenericSet set = planted(kind, parts, draw);
@@ -234,11 +234,11 @@ std::shared_ptr<const GenericSet> read_generic_set(const std::filesystem::path& 
   return solved ? std::make_shared<const GenericSet>(std::move(set)) : nullptr;
 }
 
-std::shared_ptr<const GenericSet> generic_set(const PathClass& kind, const GivenParts& given,
+std::shared_ptr<const GenericSet> generic_set(const PathClass& kind, const FixedParts& given,
                                               const GenericSearch& search) {
   static std::mutex guard;
   static std::map<FileKey, std::shared_ptr<const GenericSet>> known;
-  const GivenParts parts = without_repetition(given);
+  const FixedParts parts = without_repetition(given);
   const FileKey key = key_of(kind, parts);
   {
     const std::scoped_lock lock(guard);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "synthesis/exact/nine_point/constrained_tracker.hpp"
-#include "synthesis/exact/nine_point/given_parts.hpp"
+#include "synthesis/exact/nine_point/fixed_parts.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::synthesis::constrained {
@@ -31,16 +31,16 @@ bool are_same(const State& a, const State& b);
 
 /// How many conditions of a kind of problem, eight at most, are independent of one another where
 /// the data are generic.
-int generic_rank(const PathClass& kind, const GivenParts& given);
+int generic_rank(const PathClass& kind, const FixedParts& given);
 
 /// The set for a kind of problem, found once in a process and, with a folder, once on a machine.
 /// Null when stopped.
-std::shared_ptr<const GenericSet> generic_set(const PathClass& kind, const GivenParts& given,
+std::shared_ptr<const GenericSet> generic_set(const PathClass& kind, const FixedParts& given,
                                               const GenericSearch& search);
 
 /// The set that generic_set() has left in a folder; null where there is none that is whole and
 /// solves the generic problem.
 std::shared_ptr<const GenericSet> read_generic_set(const std::filesystem::path& folder,
-                                                   const PathClass& kind, const GivenParts& given);
+                                                   const PathClass& kind, const FixedParts& given);
 
 }  // namespace cognate::synthesis::constrained

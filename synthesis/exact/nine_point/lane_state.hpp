@@ -181,7 +181,7 @@ class LaneState {
     }
   }
 
-  /// One Newton step of the attempt; its relative size is NaN where it cannot be told.
+  /// One Newton step of the attempt; its relative size is NaN where it is unknown.
   void correct(double (&sizes)[kLanes]) {
     Unknowns change;
     equations_.newton(change);

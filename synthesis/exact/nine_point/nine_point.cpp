@@ -15,7 +15,7 @@ using namespace nine_point;
 
 namespace {
 
-PathRoot to_root(const PathSystem& system, const FoundRoot& found) {
+PathRoot to_root(const PathSystem& system, const RealRoot& found) {
   const auto z = [&](int i) { return number(found.numbers[i]); };
   PathRoot root{{z(0), z(1), z(2), z(3)}, {z(4), z(5), z(6), z(7)}, system.t};
   for (std::size_t i = kPivots; i < found.numbers.size(); ++i) {
@@ -38,8 +38,8 @@ ExactPathSolutions solve_exact_path(std::span<const PathPose> positions,
   solutions.system = std::move(made.system);
   if (solutions.status != ExactPathStatus::solved) return solutions;
 
-  StopSign stop(options.stop);
-  TrackMeans means;
+  StopToken stop(options.stop);
+  TrackingOptions means;
   means.threads = options.threads;
   means.set = options.set;
   means.stop = &stop;
@@ -53,8 +53,8 @@ ExactPathSolutions solve_exact_path(std::span<const PathPose> positions,
   const PathParameters data = parameters_of(solutions.system);
   FollowedPaths paths = follow(*set, data, means);
   means.done = nullptr;
-  std::vector<FoundRoot> roots = find_real_roots(paths, data, means);
-  for (const FoundRoot& root : roots) solutions.roots.push_back(to_root(solutions.system, root));
+  std::vector<RealRoot> roots = find_real_roots(paths, data, means);
+  for (const RealRoot& root : roots) solutions.roots.push_back(to_root(solutions.system, root));
   solutions.finite = static_cast<int>(roots.size());
   solutions.at_infinity = paths.at_infinity;
   solutions.singular = paths.singular;

@@ -45,7 +45,7 @@ struct PathClass {
   friend bool operator==(const PathClass&, const PathClass&) = default;
 };
 
-/// The class of a list of positions, whatever their number; a single orientation says nothing
+/// The class of a list of positions, of any number; a single orientation says nothing
 /// and counts as none.
 PathClass class_of(std::span<const PathPose> positions);
 
@@ -98,7 +98,7 @@ struct ExactPathSolutions {
   int repeated = 0;     ///< paths that had to be followed again, in another chart or precision
 };
 
-/// On what a solve runs, and who is told of it.
+/// Resources of a solve, and its progress callback.
 struct ExactPathOptions {
   int threads = 0;                       ///< as many as the machine has for 0
   std::optional<InstructionSet> set;     ///< the widest of the machine if empty

@@ -1,4 +1,4 @@
-/// @file Progress told to a caller by many threads, one at a time.
+/// @file Progress reported to a caller by many threads, one at a time.
 #pragma once
 
 #include <atomic>

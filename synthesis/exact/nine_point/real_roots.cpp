@@ -13,7 +13,7 @@ constexpr double kOwnConjugate = 1e-6;
 constexpr double kConfirmed = 1e-6;
 /// Rounding of the data moves a root of such condition by its own size.
 constexpr double kSingular = 1e15;
-/// Beyond, a linkage is not told from one that misses its points.
+/// Beyond, a linkage is not distinguished from one that misses its points.
 constexpr double kMissed = 1e-9;
 
 /// The conjugate problem has the conjugate roots, with plain and barred unknowns exchanged.
@@ -54,10 +54,10 @@ void make_real(std::span<Pair> root) {
 
 class Closure {
  public:
-  Closure(FollowedPaths& paths, const PathParameters& data, const TrackMeans& means)
+  Closure(FollowedPaths& paths, const PathParameters& data, const TrackingOptions& means)
       : paths_(paths), data_(data), means_(means), size_(unknowns(data.kind.points)) {}
 
-  std::vector<FoundRoot> run() {
+  std::vector<RealRoot> run() {
     quality_ = refine(paths_.roots, data_, means_);
     drop_singular();
     for (std::size_t i = 0; i < quality_.size(); ++i) add_print(i);
@@ -132,8 +132,8 @@ class Closure {
     }
   }
 
-  std::vector<FoundRoot> collect() {
-    std::vector<FoundRoot> all;
+  std::vector<RealRoot> collect() {
+    std::vector<RealRoot> all;
     for (const bool real : {true, false}) {
       for (std::size_t i = 0; i < quality_.size(); ++i) {
         if (real_[i] != real) continue;
@@ -145,7 +145,7 @@ class Closure {
 
   FollowedPaths& paths_;
   const PathParameters& data_;
-  const TrackMeans& means_;
+  const TrackingOptions& means_;
   std::size_t size_;
   std::vector<RootQuality> quality_;
   std::vector<bool> real_;
@@ -154,8 +154,8 @@ class Closure {
 
 }  // namespace
 
-std::vector<FoundRoot> find_real_roots(FollowedPaths& paths, const PathParameters& data,
-                                       const TrackMeans& means) {
+std::vector<RealRoot> find_real_roots(FollowedPaths& paths, const PathParameters& data,
+                                      const TrackingOptions& means) {
   return Closure(paths, data, means).run();
 }
 

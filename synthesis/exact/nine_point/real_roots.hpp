@@ -8,7 +8,7 @@
 
 namespace cognate::synthesis::nine_point {
 
-struct FoundRoot {
+struct RealRoot {
   RootNumbers numbers;
   RootQuality quality;
   bool real = false;
@@ -17,7 +17,7 @@ struct FoundRoot {
 /// Refines the roots of `paths`, adds the conjugates that are missing if paths were lost and if
 /// Newton's method confirms them, and makes those real that are: first in the list. Paths that are
 /// known thereby are no longer counted as lost, those to singular roots no longer as roots.
-std::vector<FoundRoot> find_real_roots(FollowedPaths& paths, const PathParameters& data,
-                                       const TrackMeans& means);
+std::vector<RealRoot> find_real_roots(FollowedPaths& paths, const PathParameters& data,
+                                      const TrackingOptions& means);
 
 }  // namespace cognate::synthesis::nine_point

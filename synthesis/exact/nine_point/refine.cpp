@@ -63,7 +63,7 @@ double position_error(std::span<const Pair> root, const PathParameters& data,
 }
 
 std::vector<RootQuality> measure(std::span<const Pair> roots, const PathParameters& data,
-                                 const TrackMeans& means) {
+                                 const TrackingOptions& means) {
   const std::size_t size = unknowns(data.kind.points);
   const Inspection seen = inspect(roots, data.kind.points, parameter_line(data, data), true, means);
   std::vector<RootQuality> quality(seen.conditions.size());
@@ -74,7 +74,7 @@ std::vector<RootQuality> measure(std::span<const Pair> roots, const PathParamete
 }
 
 std::vector<RootQuality> refine(std::span<Pair> roots, const PathParameters& data,
-                                const TrackMeans& means) {
+                                const TrackingOptions& means) {
   const int points = data.kind.points;
   const std::size_t size = unknowns(points), count = roots.size() / size;
   const ParameterLine line = parameter_line(data, data);

@@ -18,11 +18,11 @@ struct RootQuality {
 
 /// Refines roots in place, those that are badly conditioned by residuals of 32 digits.
 std::vector<RootQuality> refine(std::span<Pair> roots, const PathParameters& data,
-                                const TrackMeans& means);
+                                const TrackingOptions& means);
 
 /// The same of roots as they are.
 std::vector<RootQuality> measure(std::span<const Pair> roots, const PathParameters& data,
-                                 const TrackMeans& means);
+                                 const TrackingOptions& means);
 
 /// The largest position_miss() of a root; not a number where one is none. `values` are those of f
 /// and g, two for each position.

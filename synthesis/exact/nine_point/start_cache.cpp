@@ -49,13 +49,13 @@ StartSet empty_set(const PathClass& kind) {
   return set;
 }
 
-InstructionSet set_of(const TrackMeans& means) {
+InstructionSet set_of(const TrackingOptions& means) {
   const auto here = instruction_sets();
   const bool has = means.set && std::find(here.begin(), here.end(), *means.set) != here.end();
   return has ? *means.set : here.back();
 }
 
-std::shared_ptr<const StartSet> find(const PathClass& kind, const TrackMeans& means) {
+std::shared_ptr<const StartSet> find(const PathClass& kind, const TrackingOptions& means) {
   std::shared_ptr<const StartSet> best;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     auto found = find_start_set(kind, means, nullptr, seed);
@@ -70,7 +70,7 @@ std::shared_ptr<const StartSet> find(const PathClass& kind, const TrackMeans& me
 }  // namespace
 
 std::filesystem::path start_file(const std::filesystem::path& folder, const PathClass& kind,
-                                 const TrackMeans& means) {
+                                 const TrackingOptions& means) {
   return folder / ("path-start-" + std::to_string(kind.poses) + "-" + std::to_string(kind.points) +
                    "-" + name(set_of(means)));
 }
@@ -94,7 +94,7 @@ bool write_start_set(const std::filesystem::path& file, const StartSet& set) {
 
 std::shared_ptr<const StartSet> start_set(const PathClass& kind,
                                           const std::filesystem::path& folder,
-                                          const TrackMeans& means) {
+                                          const TrackingOptions& means) {
   static std::mutex guard;
   static std::map<std::tuple<int, InstructionSet>, std::shared_ptr<const StartSet>> kept;
   const std::tuple key(kind.poses, set_of(means));

@@ -13,12 +13,12 @@ namespace cognate::synthesis::nine_point {
 /// when stopped. A folder that cannot be written to and a file that is damaged are passed over.
 std::shared_ptr<const StartSet> start_set(const PathClass& kind,
                                           const std::filesystem::path& folder,
-                                          const TrackMeans& means);
+                                          const TrackingOptions& means);
 
 /// The file of a start set in its folder. Sets differ in their last digits from one instruction set
 /// to another, so that each has its own.
 std::filesystem::path start_file(const std::filesystem::path& folder, const PathClass& kind,
-                                 const TrackMeans& means);
+                                 const TrackingOptions& means);
 
 /// Reads a file that write_start_set() has written; empty if there is none that is whole.
 std::optional<StartSet> read_start_set(const std::filesystem::path& file, const PathClass& kind);

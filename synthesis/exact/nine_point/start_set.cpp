@@ -141,7 +141,7 @@ struct Loop {
 
 class Monodromy {
  public:
-  Monodromy(StartSet seed, const TrackMeans& means, MonodromyCounts& counts)
+  Monodromy(StartSet seed, const TrackingOptions& means, MonodromyCounts& counts)
       : set_(std::move(seed)), means_(means), counts_(counts) {
     index_.add(fingerprint(set_.data.kind, set_.root(0)));
   }
@@ -191,7 +191,7 @@ class Monodromy {
   }
 
   StartSet set_;
-  const TrackMeans& means_;
+  const TrackingOptions& means_;
   MonodromyCounts& counts_;
   FingerprintIndex index_;
   std::vector<Loop> loops_;
@@ -208,7 +208,7 @@ int known_count(const PathClass& kind) {
   return in_family ? kCounts[kind.poses - 1] : 0;
 }
 
-std::optional<StartSet> find_start_set(const PathClass& kind, const TrackMeans& means,
+std::optional<StartSet> find_start_set(const PathClass& kind, const TrackingOptions& means,
                                        MonodromyCounts* counts, unsigned seed) {
   RandomNumbers random(seed);
   MonodromyCounts own;

@@ -37,9 +37,9 @@ struct MonodromyCounts {
 /// 2019): a random four-bar is a solution of the problem of its own positions. If the data go to
 /// the same positions in another order, a solution goes to another one; such loops are repeated
 /// with all that are new, until none is missing or nothing new has come for long. The same numbers
-/// come out of every run on a machine, whatever the threads. Empty when stopped, or where the seed
-/// is of no use.
-std::optional<StartSet> find_start_set(const PathClass& kind, const TrackMeans& means,
+/// come out of every run on a machine, for any number of threads. Empty when stopped, or where the
+/// seed is of no use.
+std::optional<StartSet> find_start_set(const PathClass& kind, const TrackingOptions& means,
                                        MonodromyCounts* counts = nullptr, unsigned seed = 1);
 
 }  // namespace cognate::synthesis::nine_point

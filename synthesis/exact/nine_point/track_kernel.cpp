@@ -93,7 +93,7 @@ class Tracker {
       if (on.r <= 0) return polish(lane);
       if (sizes_.greatest[lane] > set.infinite) return end(lane, PathEnd::infinite);
       on.suggested = root_of_order(set.prediction / sizes_.highest[lane]);
-      // The correction tells how good the prediction really was.
+      // The correction shows how good the prediction really was.
       if (on.step > 0) {
         if (sizes_.first[lane] < 0.1 * set.prediction) on.reach *= 1.15;
         if (sizes_.first[lane] > set.prediction) on.reach *= 0.85;

@@ -66,7 +66,7 @@ struct TrackTask {
   int* steps;         ///< of each path
 };
 
-/// Roots to look at, all of the same data: `data` where r = 0. What is null is not wanted.
+/// Roots to look at, all of the same data: `data` where r = 0. What is null is not computed.
 struct InspectTask {
   int points;
   const ParameterLine* data;

@@ -27,8 +27,8 @@ Kernels kernels_of(InstructionSet set) {
   }
 }
 
-/// Those asked for if this machine has them, else the widest.
-Kernels choose_kernels(const TrackMeans& means) {
+/// Those requested if this machine has them, else the widest.
+Kernels choose_kernels(const TrackingOptions& means) {
   const auto here = instruction_sets();
   const bool has = means.set && std::find(here.begin(), here.end(), *means.set) != here.end();
   return kernels_of(has ? *means.set : here.back());
@@ -38,7 +38,7 @@ Kernels choose_kernels(const TrackMeans& means) {
 struct Queue {
   int count;
   std::atomic<int> next{0};
-  const TrackMeans& means;
+  const TrackingOptions& means;
 
   static int take(void* context) {
     Queue& queue = *static_cast<Queue*>(context);
@@ -56,14 +56,14 @@ struct Queue {
 
 }  // namespace
 
-bool StopSign::stopped() {
+bool StopToken::stopped() {
   if (!ask_ || stopped_) return stopped_;
   const std::unique_lock lock(asking_, std::try_to_lock);
   if (lock && !stopped_ && ask_()) stopped_ = true;
   return stopped_;
 }
 
-TrackedPaths track(const PathBundle& bundle, const TrackMeans& means) {
+TrackedPaths track(const PathBundle& bundle, const TrackingOptions& means) {
   const int count = static_cast<int>(bundle.line_of.size());
   TrackedPaths paths;
   paths.ends.resize(bundle.starts.size());
@@ -86,7 +86,7 @@ TrackedPaths track(const PathBundle& bundle, const TrackMeans& means) {
 }
 
 Inspection inspect(std::span<const Pair> roots, int points, const ParameterLine& data,
-                   bool extended, const TrackMeans& means) {
+                   bool extended, const TrackingOptions& means) {
   constexpr int kBlock = 32;  // roots at a time, a multiple of all numbers of lanes
   const int count = static_cast<int>(roots.size()) / unknowns(points);
   Inspection found;

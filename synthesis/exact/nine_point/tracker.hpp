@@ -15,9 +15,9 @@
 namespace cognate::synthesis::nine_point {
 
 /// Ends a computation from outside; shared by its threads.
-class StopSign {
+class StopToken {
  public:
-  explicit StopSign(std::function<bool()> ask) : ask_(std::move(ask)) {}
+  explicit StopToken(std::function<bool()> ask) : ask_(std::move(ask)) {}
   /// Asks, unless another thread is asking; once the answer was true it stays so.
   bool stopped();
 
@@ -28,13 +28,13 @@ class StopSign {
 };
 
 /// With what paths are followed.
-struct TrackMeans {
+struct TrackingOptions {
   int threads = 0;
   std::optional<InstructionSet> set;
   bool extended = false;  ///< double-double numbers instead of an instruction set
   TrackSettings settings;
-  StopSign* stop = nullptr;
-  std::function<void(int)> done;  ///< told the number of paths handed out; from several threads
+  StopToken* stop = nullptr;
+  std::function<void(int)> done;  ///< receives the number of paths handed out; from several threads
 };
 
 /// Paths to follow: `starts` holds unknowns(points) numbers for each.
@@ -59,7 +59,7 @@ struct TrackedPaths {
 };
 
 /// Follows each path by itself, so that the result depends on nothing but the kernel that is used.
-TrackedPaths track(const PathBundle& bundle, const TrackMeans& means);
+TrackedPaths track(const PathBundle& bundle, const TrackingOptions& means);
 
 /// What an inspection of roots finds; InspectTask says what each is.
 struct Inspection {
@@ -70,6 +70,6 @@ struct Inspection {
 /// Newton's corrections and the conditions of roots (unknowns(points) numbers each) of `data`, by
 /// values of the equations in double precision, or in about 32 digits if `extended`.
 Inspection inspect(std::span<const Pair> roots, int points, const ParameterLine& data,
-                   bool extended, const TrackMeans& means);
+                   bool extended, const TrackingOptions& means);
 
 }  // namespace cognate::synthesis::nine_point

@@ -40,7 +40,7 @@ class RockerArc {
   QuickReturnRocker design(const ArcPoint& point, int side) const;
 
   /// As `design`, with residual, condition and transmission angles; empty where the analysis kernel
-  /// does not find the swing and the time ratio wanted. `normal`: of the line, for `line`.
+  /// does not find the desired swing and time ratio. `normal`: of the line, for `line`.
   std::optional<QuickReturnRocker> confirmed(const ArcPoint& point, int side, RockerGiven given,
                                              const Vec2d& normal = {}) const;
 

@@ -62,7 +62,7 @@ double stationary(const RockerArc& arc) {
   return q;
 }
 
-/// A linkage of an arc, and by how much it keeps to link ratio and transmission angles: relative
+/// A linkage of an arc, and by how much it satisfies link ratio and transmission angles: relative
 /// to the ratio's limit, in radians; negative where it does not.
 struct Member {
   double q = 0;
@@ -91,7 +91,7 @@ class PartSearch {
     if (part.to < arc.end()) add(to_);
   }
 
-  /// That keeps to the bounds and satisfies `is_better` than all others that do; else the nearest.
+  /// That satisfies the bounds and satisfies `is_better` than all others that do; else the nearest.
   template <class Better>
   Member best(Better is_better) {
     add_peaks();
@@ -152,7 +152,7 @@ class PartSearch {
     return left.margin > right.margin ? left : right;
   }
 
-  /// The last linkage that keeps to the bounds between one that does and one that does not.
+  /// The last linkage that satisfies the bounds between one that does and one that does not.
   Member border(Member one, Member other) const {
     if (one.margin < 0) std::swap(one, other);
     for (int i = 0; i < kMostSteps; ++i) {

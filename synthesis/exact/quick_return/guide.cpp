@@ -11,7 +11,7 @@
 namespace cognate::synthesis {
 namespace {
 
-/// Whether the analysis kernel finds the swing wanted; fills in what it finds.
+/// Whether the analysis kernel finds the desired swing; fills in what it finds.
 bool confirm(const ReturnAngle& wanted, QuickReturnGuide& design) {
   const GuideBar& bar = design.mechanism;
   const auto found = swing(bar);

@@ -33,7 +33,7 @@
 
 namespace cognate::synthesis {
 
-/// What is wanted: K ≥ 1, the rocker's length > 0, and its swing in (0, π).
+/// What is desired: K ≥ 1, the rocker's length > 0, and its swing in (0, π).
 struct RockerTask {
   double time_ratio = 1;
   double rocker = 0;
@@ -108,9 +108,9 @@ struct RockerBounds {
 /// or at the bound that comes first: the angle falls monotonically on both sides of the root. At
 /// K = 1 it grows with the coupler, towards 90° − φ/2, and no linkage is the best: it is then taken
 /// among those whose link ratio is at most `free_link_ratio`, unless a bound ends the family or
-/// only longer couplers keep to the bounds.
+/// only longer couplers satisfy the bounds.
 ///
-/// Where linkages of an arc have their lengths within `bounds` and none keeps to the ratio and the
+/// Where linkages of an arc have their lengths within `bounds` and none satisfies the ratio and the
 /// transmission angles too, the one that comes nearest to them.
 RockerSolutions best_rockers(const RockerTask& task, const RockerBounds& bounds);
 

@@ -63,10 +63,10 @@ Mechanism<double> as_mechanism(const Shaper& shaper) {
 std::optional<RamMotion> simulate(const Shaper& shaper) {
   constexpr int ram = 5;
   const Mechanism<double> mechanism = as_mechanism(shaper);
-  const Course course = follow(mechanism, 0, kTurn);
-  const auto range = output_range(mechanism, course, travels(mechanism)[ram]);
+  const AssemblyRanges assembly_ranges = follow(mechanism, 0, kTurn);
+  const auto range = output_range(mechanism, assembly_ranges, travels(mechanism)[ram]);
   if (!range) return std::nullopt;
-  const auto ratio = time_ratio(mechanism, course, *range);
+  const auto ratio = time_ratio(mechanism, assembly_ranges, *range);
   if (!ratio) return std::nullopt;
   return RamMotion{range->stroke(), *ratio, in_one_turn(range->greatest.drive),
                    in_one_turn(range->least.drive)};

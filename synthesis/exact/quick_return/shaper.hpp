@@ -3,7 +3,7 @@
 ///
 /// The bar, of length L about C, swings by θ symmetrically about the perpendicular to the ram's
 /// line, so that its end stands equally high at both limits and the stroke is H = 2 L sin(θ/2),
-/// whatever the height of the ram's line and the length of the rod (Li & Xu 2011, example 1-4).
+/// for any height of the ram's line and the length of the rod (Li & Xu 2011, example 1-4).
 /// Between the limits the end of the bar rises by L (1 − cos(θ/2)). The rod, a two-force member,
 /// leans least where the ram's line halves that rise, at L cos²(θ/4) above C.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace cognate::synthesis {
 
-/// What is wanted and given: K > 1 and the stroke, the frame or the crank, and of the connecting
+/// What is desired and given: K > 1 and the stroke, the frame or the crank, and of the connecting
 /// rod its length or the pressure angle, in (0, π/2), that the ram may reach. All lengths positive.
 struct ShaperTask {
   double time_ratio = 2;

@@ -18,7 +18,7 @@
 
 namespace cognate::synthesis {
 
-/// What is wanted: K ≥ 1 and the stroke > 0.
+/// What is desired: K ≥ 1 and the stroke > 0.
 struct SliderTask {
   double time_ratio = 1;
   double stroke = 0;

@@ -9,6 +9,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::synthesis {
@@ -19,7 +20,7 @@ std::optional<CouplerPosition> position(const FourBar& linkage, double crank_ang
   const LinkDirections<double> at = Motion(linkage).directions(from_frame);
   if (!(at.discriminant >= 0)) return std::nullopt;
   const Lengths<double> links = lengths(linkage);
-  const Vec2d crank{std::cos(crank_angle), std::sin(crank_angle)};
+  const Vec2d crank = unit_vector(crank_angle);
   // From the frame's axes; the crank's direction has the rounding of both angles.
   const Vec2d frame = (1 / links.frame) * (linkage.pivot_d - linkage.pivot_a);
   const double size = std::max({links.crank, links.coupler, links.rocker, links.frame});
@@ -31,7 +32,7 @@ std::optional<CouplerPosition> position(const FourBar& linkage, double crank_ang
 std::optional<CouplerPosition> position(const SliderCrank& linkage, double crank_angle) {
   MechanismMotion<0> motion(as_mechanism(linkage));
   if (!motion.move_to(crank_angle)) return std::nullopt;
-  const Vec2d crank{std::cos(crank_angle), std::sin(crank_angle)};
+  const Vec2d crank = unit_vector(crank_angle);
   const double size = std::max({linkage.crank, linkage.coupler, std::abs(linkage.offset)});
   const Vec2d coupler = motion.bodies()[2].direction;
   return CouplerPosition{slider_crank_series<kContactOrder, double>(

@@ -12,7 +12,7 @@
 
 namespace cognate::synthesis {
 
-/// What may guide a coupler. A coupler point that a four-bar has is of no account.
+/// What may guide a coupler. A coupler point of a four-bar is ignored.
 using CouplerLinkage = std::variant<FourBar, SliderCrank>;
 
 /// The coupler's motion about a position of the crank. Vectors are in global directions and in the

@@ -35,7 +35,7 @@ struct StraightPoint {
   double condition = 1;
 };
 
-/// Why no point of the contact asked for exists.
+/// Why no point of the requested contact exists.
 enum class NoStraightPoint {
   none,                ///< there is one
   not_closed,          ///< the linkage cannot be assembled at the position
@@ -44,7 +44,7 @@ enum class NoStraightPoint {
   at_infinity,         ///< Ball's point is at infinity: parallel cranks, the coupler aslant
   at_pole,             ///< Ball's point falls on the pole, where nothing moves
   at_slider,           ///< Ball's point is the slider's pin, which moves straight in any case
-  too_few,             ///< there are points, of less contact than is asked for
+  too_few,             ///< there are points, of less contact than requested
   misses_coupler_line  ///< the inflection circle does not meet the coupler line (no fault)
 };
 
@@ -52,7 +52,7 @@ enum class NoStraightPoint {
 struct StraightPoints {
   NoStraightPoint why = NoStraightPoint::none;
   std::optional<CircleOrLine> inflection;  ///< from B, in global directions; empty if undetermined
-  std::vector<StraightPoint> points;       ///< of at least the contact asked for
+  std::vector<StraightPoint> points;       ///< of at least the requested contact
 };
 
 /// All points of the linkage at `crank_angle` (from the x axis) with contact of at least `contact`

@@ -46,7 +46,7 @@ void solve_target(benchmark::State& state, int poses, InstructionSet set, int th
 }
 
 void find_start(benchmark::State& state, int poses, InstructionSet set, int threads) {
-  nine_point::TrackMeans means;
+  nine_point::TrackingOptions means;
   means.set = set;
   means.threads = threads;
   nine_point::MonodromyCounts counts;

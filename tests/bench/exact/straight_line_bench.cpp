@@ -53,7 +53,7 @@ void straight_length(benchmark::State& state) {
     const Path path =
         path_of(as_mechanism(std::get<FourBar>(linkage)), {2, points[0].coupler_point});
     const auto forward = forward_interval(path, angle, *range_about(linkage, angle));
-    if (forward) benchmark::DoNotOptimize(longest_stretch(path, angle, *forward, 1e-3));
+    if (forward) benchmark::DoNotOptimize(longest_segment(path, angle, *forward, 1e-3));
   }
 }
 BENCHMARK(straight_length)->Unit(benchmark::kMillisecond);

@@ -150,7 +150,7 @@ double by_grid(const GearPairProblem& problem, int steps) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
     const double first = least + (greatest - least) * i / steps;
-    const FoundPair found =
+    const PairDesign found =
         search.at(first, sum - first, *problem.centre_distance, best, SearchDepth::fine);
     if (found.violation == 0) best = std::min(best, found.objective);
   }

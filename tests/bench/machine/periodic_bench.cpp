@@ -126,17 +126,17 @@ double by_turns(double flywheel, int steps, Step&& step) {
 
 double in_time(double flywheel, double tolerance) {
   const Machine machine = machine_of(flywheel);
-  const Terrain terrain = terrain_about(machine, {.speed = 18});
+  const TorqueBreakpoints breakpoints = breakpoints_about(machine, {.speed = 18});
   MachineState state{.omega = 18};
   for (int turn = 0; turn < kMostTurns; ++turn) {
     const double before = state.omega;
     state = {.omega = state.omega};
-    state =
-        run(machine, terrain, state, {.travel = kTurn}, {.relative = tolerance}, 0).states.back();
+    state = run(machine, breakpoints, state, {.travel = kTurn}, {.relative = tolerance}, 0)
+                .states.back();
     if (std::abs(state.omega - before) <= std::max(kRepeats, 0.01 * tolerance) * before) break;
   }
-  const MachineRun last =
-      run(machine, terrain, {.omega = state.omega}, {.travel = kTurn}, {.relative = tolerance}, 24);
+  const MachineRun last = run(machine, breakpoints, {.omega = state.omega}, {.travel = kTurn},
+                              {.relative = tolerance}, 24);
   double worst = 0;
   for (const MachineState& at : last.states) worst = std::max(worst, error(at));
   return worst;

@@ -4,13 +4,12 @@
 import fs from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
+import { angleAt } from "../../../app/report/page/design/linkage.js";
+import { Kernel } from "../../../app/report/page/kernel.js";
+import { Closure } from "../../../app/report/page/study/closure.js";
 
 const [build, cases] = process.argv.slice(2);
-const page = new URL("../../../app/report/page/", import.meta.url).pathname;
-const script = (name) => fs.readFileSync(path.join(page, name), "utf8");
 const base64 = fs.readFileSync(path.join(build, "app/report/kernel.base64"), "utf8");
-const { Kernel, Closure, angleAt } = new Function("KERNEL", `${script("sampling.js")}\n${script("kernel.js")}\n${script("study/closure.js")}\n${script("design/linkage.js")}
-return { Kernel, Closure, angleAt };`)(base64);
 
 // The median of `count` times in microseconds.
 async function microseconds(count, work) {
@@ -25,7 +24,7 @@ async function microseconds(count, work) {
 
 const linkage = { fixed_pivots: [[0, 0], [4, 0.5]], crank: 1, coupler: 3.4, rocker: 2.6, assembly: "open", coupler_point: [1.6, 1.3] };
 const cranks = Array.from({ length: 361 }, (_, i) => (i * Math.PI) / 180);
-const kernel = await Kernel.load();
+const kernel = await Kernel.load(base64);
 
 function byScript() {
   const closure = new Closure(linkage);
@@ -44,8 +43,8 @@ const row = (name, text) => console.log(`${name.padEnd(58)} ${text}`);
 const module_ = Buffer.from(base64, "base64");
 row("kernel, bytes of WebAssembly (gzipped)", `${module_.length} (${gzipSync(module_).length})`);
 row("kernel, bytes in the page", `${base64.length}`);
-row("closure script, bytes", `${script("study/closure.js").length}`);
-row("loading the kernel when Edit is pressed, µs", (await microseconds(51, () => Kernel.load())).toFixed(0));
+row("closure script, bytes", `${fs.statSync(new URL("../../../app/report/page/study/closure.js", import.meta.url)).size}`);
+row("loading the kernel when Edit is pressed, µs", (await microseconds(51, () => Kernel.load(base64))).toFixed(0));
 row("361 positions with transmission angles: kernel, µs", (await microseconds(2001, byKernel)).toFixed(1));
 row("361 positions with transmission angles: script, µs", (await microseconds(2001, byScript)).toFixed(1));
 row("class, transmission, time ratio, defects: kernel, µs", (await microseconds(2001, () => { kernel.take(linkage); return kernel.facts(cranks.slice(0, 10), [], "one_sense"); })).toFixed(1));

@@ -20,7 +20,7 @@ constexpr double kMet = 1e-3;  ///< greatest error; the curves are some 10 long
 
 CurveRoom curve_of(const FourBar& linkage, std::size_t steps) {
   CurveRoom curve;
-  sample_circuit(linkage, {linkage.assembly, 1}, TurnTable(steps), curve);
+  sample_circuit(linkage, {linkage.assembly, 1}, CycleTable(steps), curve);
   return curve;
 }
 

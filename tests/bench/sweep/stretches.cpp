@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "analysis/coupler_curve/closed_stretch.hpp"
+#include "analysis/coupler_curve/closed_segment.hpp"
 #include "analysis/linkage/mobility.hpp"
 
 namespace cognate::bench {
@@ -35,13 +35,13 @@ std::vector<FourBar> linkages() {
   return drawn;
 }
 
-double longest_of_all_pairs(const FourBar& linkage, const TurnTable& table, double relative) {
+double longest_of_all_pairs(const FourBar& linkage, const CycleTable& table, double relative) {
   static CurveRoom curve;
-  static SampledStretches stretches;
+  static SampledSegments segments;
   sample_circuit(linkage, {}, table, curve);
   std::vector<Vec2d> points;
   for (std::size_t i = 0; i < kDense; ++i) points.push_back({curve.x[i], curve.y[i]});
-  return stretches.longest(points, true, relative).length;
+  return segments.longest(points, true, relative).length;
 }
 
 double microseconds_since(std::clock_t begin) {
@@ -49,8 +49,8 @@ double microseconds_since(std::clock_t begin) {
 }
 
 void print_row(const std::vector<FourBar>& all, double relative) {
-  const TurnTable few(samples_for_stretches(relative)), dense(kDense);
-  ClosedStretchFinder finder;
+  const CycleTable few(samples_for_segments(relative)), dense(kDense);
+  ClosedSegmentFinder finder;
   CurveRoom curve;
   std::vector<double> found, off;
   const std::clock_t begin = std::clock();
@@ -66,7 +66,7 @@ void print_row(const std::vector<FourBar>& all, double relative) {
   const double pairs = microseconds_since(again);
   std::ranges::sort(off);
   fmt::print("| {} % | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} | {:.0f} |\n", 100 * relative,
-             samples_for_stretches(relative), off.front(), off[off.size() / 2], off.back(),
+             samples_for_segments(relative), off.front(), off[off.size() / 2], off.back(),
              own / kCurves, pairs / own);
 }
 

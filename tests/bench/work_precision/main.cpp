@@ -45,7 +45,7 @@ struct Improvement {
 };
 
 /// One solver with one strategy on one problem, for each seed its improvements.
-struct Course {
+struct AssemblyRanges {
   std::string solver, starts;
   std::vector<std::vector<Improvement>> seeds;
 
@@ -62,16 +62,16 @@ double spent(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void note(std::vector<Improvement>& course, double seconds, double error) {
-  if (std::isfinite(error) && (course.empty() || error < course.back().error)) {
-    course.push_back({seconds, error});
+void note(std::vector<Improvement>& assembly_ranges, double seconds, double error) {
+  if (std::isfinite(error) && (assembly_ranges.empty() || error < assembly_ranges.back().error)) {
+    assembly_ranges.push_back({seconds, error});
   }
 }
 
 std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend, Starts how,
                               std::uint64_t seed, double seconds) {
   constexpr int kIterations = 1000;
-  std::vector<Improvement> course;
+  std::vector<Improvement> assembly_ranges;
   std::mt19937_64 random(seed);
   const auto begin = Clock::now();
   const Draw draw = contest.begin(how);
@@ -84,50 +84,53 @@ std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend
                                  .max_iterations = kIterations,
                                  .time_limit = seconds - spent(begin),
                                  .seed = seed});
-    note(course, spent(begin), attempt->error(solution.x));
+    note(assembly_ranges, spent(begin), attempt->error(solution.x));
   }
-  return course;
+  return assembly_ranges;
 }
 
 std::vector<Improvement> race_of_auto(const Contest& contest, std::uint64_t seed, double seconds) {
-  std::vector<Improvement> course;
+  std::vector<Improvement> assembly_ranges;
   double last = 0;
   for (int starts = 1; last < 0.5 * seconds; starts *= 2) {
     const auto begin = Clock::now();
     const double error = contest.solve(starts, {.seed = seed, .threads = 1});
     last = spent(begin);
-    note(course, last, error);
+    note(assembly_ranges, last, error);
   }
-  return course;
+  return assembly_ranges;
 }
 
-std::vector<Course> run(const Contest& contest, const Settings& settings) {
-  std::vector<Course> courses;
+std::vector<AssemblyRanges> run(const Contest& contest, const Settings& settings) {
+  std::vector<AssemblyRanges> all_assembly_ranges;
   for (const auto& [name, solver] : problems::names<SolverChoice>()) {
     for (const auto how : {Starts::screened, Starts::random}) {
       const bool automatic = solver == SolverChoice::automatic;
       if (automatic && how == Starts::random) continue;
-      Course course{std::string(name), how == Starts::random ? "random" : "screened", {}};
+      AssemblyRanges assembly_ranges{
+          std::string(name), how == Starts::random ? "random" : "screened", {}};
       for (int seed = 1; seed <= settings.seeds; ++seed) {
-        course.seeds.push_back(
+        assembly_ranges.seeds.push_back(
             automatic ? race_of_auto(contest, seed, settings.seconds)
                       : race(contest, problems::backend_of(solver), how, seed, settings.seconds));
       }
-      if (std::isfinite(course.least())) courses.push_back(std::move(course));
+      if (std::isfinite(assembly_ranges.least()))
+        all_assembly_ranges.push_back(std::move(assembly_ranges));
     }
   }
-  return courses;
+  return all_assembly_ranges;
 }
 
 /// Errors as excess over the least known, in the unit where that is 0.
-void make_relative(const Contest& contest, std::vector<Course>& courses) {
+void make_relative(const Contest& contest, std::vector<AssemblyRanges>& all_assembly_ranges) {
   double best = contest.best_known.value_or(kNone);
   if (!contest.best_known) {
-    for (const Course& course : courses) best = std::min(best, course.least());
+    for (const AssemblyRanges& assembly_ranges : all_assembly_ranges)
+      best = std::min(best, assembly_ranges.least());
   }
   const double unit = best > 0 ? best : contest.unit;
-  for (Course& course : courses) {
-    for (auto& seed : course.seeds) {
+  for (AssemblyRanges& assembly_ranges : all_assembly_ranges) {
+    for (auto& seed : assembly_ranges.seeds) {
       for (Improvement& improvement : seed) improvement.error = (improvement.error - best) / unit;
     }
   }
@@ -138,17 +141,18 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void print_row(const Contest& contest, const Course& course) {
+void print_row(const Contest& contest, const AssemblyRanges& assembly_ranges) {
   std::vector<double> times, ends;
-  for (const auto& seed : course.seeds) {
+  for (const auto& seed : assembly_ranges.seeds) {
     const auto reached =
         std::ranges::find_if(seed, [](const Improvement& at) { return at.error <= kReached; });
     times.push_back(reached == seed.end() ? kNone : reached->seconds);
     ends.push_back(seed.empty() ? kNone : std::max(seed.back().error, 0.0));
   }
   const double time = median(times);
-  fmt::print("| {} | {} | {} | {} | {:.1e} |\n", contest.name, course.solver, course.starts,
-             std::isfinite(time) ? fmt::format("{:.3f}", time) : "–", median(ends));
+  fmt::print("| {} | {} | {} | {} | {:.1e} |\n", contest.name, assembly_ranges.solver,
+             assembly_ranges.starts, std::isfinite(time) ? fmt::format("{:.3f}", time) : "–",
+             median(ends));
 }
 
 std::vector<Contest> contests(const Settings& settings) {
@@ -158,7 +162,7 @@ std::vector<Contest> contests(const Settings& settings) {
            std::ranges::find(settings.problems, name) != settings.problems.end();
   };
   for (const Record& record : read_records()) {
-    // Variants and the many functions of one kind only where they are asked for.
+    // Variants and the many functions of one kind only where they are requested.
     const bool is_one_of_many =
         record.name.find('(') != record.name.npos || record.source == "classical";
     if (!wanted(record.name) || (is_one_of_many && settings.problems.empty())) continue;
@@ -173,7 +177,7 @@ std::vector<Contest> contests(const Settings& settings) {
   }
   const std::filesystem::path logarithm =
       std::filesystem::path(COGNATE_LIBRARY_DIR) / "function/log10-refined.toml";
-  const auto problem = problems::read_problem(logarithm);
+  const auto problem = problems::read_task(logarithm);
   for (const bool minimax : {false, true}) {
     if (!problem) break;
     auto function = std::get<problems::FunctionProblem>(*problem);
@@ -191,14 +195,15 @@ int run_all(const Settings& settings) {
   fmt::print("| problem | solver | starts | s to {} | excess at the end |\n|---|---|---|---|---|\n",
              kReached);
   for (const Contest& contest : contests(settings)) {
-    std::vector<Course> courses = run(contest, settings);
-    make_relative(contest, courses);
-    for (const Course& course : courses) {
-      print_row(contest, course);
-      for (std::size_t seed = 0; seed < course.seeds.size(); ++seed) {
-        for (const Improvement& at : course.seeds[seed]) {
+    std::vector<AssemblyRanges> all_assembly_ranges = run(contest, settings);
+    make_relative(contest, all_assembly_ranges);
+    for (const AssemblyRanges& assembly_ranges : all_assembly_ranges) {
+      print_row(contest, assembly_ranges);
+      for (std::size_t seed = 0; seed < assembly_ranges.seeds.size(); ++seed) {
+        for (const Improvement& at : assembly_ranges.seeds[seed]) {
           csv << fmt::format("{},\"{}\",{},{},{},{:.6f},{:.6e}\n", contest.name, contest.kind,
-                             course.solver, course.starts, seed + 1, at.seconds, at.error);
+                             assembly_ranges.solver, assembly_ranges.starts, seed + 1, at.seconds,
+                             at.error);
         }
       }
     }

@@ -40,7 +40,7 @@ int RangeTally::all_compared() const {
 
 RangeJudge::RangeJudge(std::string file, RangeTally& tally)
     : file_(std::move(file)), tally_(tally) {
-  auto problem = problems::parse_analysis(file_);
+  auto problem = problems::parse_task<problems::AnalysisProblem>(file_);
   if (!problem) {
     count("file", false, problem.error().front().message);
     return;
@@ -50,9 +50,9 @@ RangeJudge::RangeJudge(std::string file, RangeTally& tally)
 }
 
 template <class T>
-std::optional<T> RangeJudge::fact(const std::string& name) const {
-  const auto found = std::ranges::find(result_.facts, name, &problems::Fact::name);
-  if (found == result_.facts.end()) return std::nullopt;
+std::optional<T> RangeJudge::quantity(const std::string& name) const {
+  const auto found = std::ranges::find(result_.quantities, name, &problems::Quantity::name);
+  if (found == result_.quantities.end()) return std::nullopt;
   return std::get<T>(found->value);
 }
 
@@ -64,7 +64,7 @@ void RangeJudge::count(const std::string& name, bool agrees, const std::string& 
 }
 
 void RangeJudge::number(const std::string& name, std::optional<double> truth, double tolerance) {
-  const auto said = fact<double>(name);
+  const auto said = quantity<double>(name);
   const auto text = [](std::optional<double> x) { return x ? fmt::format("{:.15g}", *x) : "none"; };
   const bool agrees =
       said.has_value() == truth.has_value() && (!said || std::abs(*said - *truth) <= tolerance);
@@ -72,18 +72,18 @@ void RangeJudge::number(const std::string& name, std::optional<double> truth, do
 }
 
 void RangeJudge::number_within(const std::string& name, double truth, double tolerance, int sense) {
-  const auto said = fact<double>(name);
+  const auto said = quantity<double>(name);
   count(name, said && sense * (*said - truth) >= -tolerance,
         fmt::format("not up to {:.15g}", truth));
 }
 
 void RangeJudge::text(const std::string& name, const std::string& truth) {
-  const auto said = fact<std::string>(name).value_or("");
+  const auto said = quantity<std::string>(name).value_or("");
   count(name, said == truth, fmt::format("\"{}\" for \"{}\"", said, truth));
 }
 
 void RangeJudge::flag(const std::string& name, bool truth) {
-  const auto said = fact<bool>(name);
+  const auto said = quantity<bool>(name);
   count(name, said == truth,
         fmt::format("{} for {}", said ? (*said ? "true" : "false") : "none", truth));
 }

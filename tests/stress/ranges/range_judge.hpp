@@ -34,7 +34,7 @@ class RangeJudge {
 
  private:
   template <class T>
-  std::optional<T> fact(const std::string& name) const;
+  std::optional<T> quantity(const std::string& name) const;
   std::vector<double> places(const std::vector<std::string>& kinds) const;  ///< degrees
   void count(const std::string& name, bool agrees, const std::string& why);
 

@@ -113,10 +113,10 @@ void compare(CamProblem problem, std::mt19937_64& random, double stroke) {
     for (const double t : {0.11, 0.37, 0.5, 0.83}) {
       const auto m = motion_at(piece, t);
       if (is_flat(problem.follower)) {
-        const double found = value_of(cam::Quantity::face_radius, cam.system, m);
+        const double found = value_of(cam::CamQuantity::face_radius, cam.system, m);
         EXPECT_NEAR(found, double(radius(curve, t)), 1e-11 * 100);
       } else {
-        const double found = value_of(cam::Quantity::pitch_curvature, cam.system, m);
+        const double found = value_of(cam::CamQuantity::pitch_curvature, cam.system, m);
         EXPECT_NEAR(found, double(curvature(curve, t)), 1e-13);
       }
     }

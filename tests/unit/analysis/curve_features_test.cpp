@@ -42,7 +42,7 @@ FourBar random_linkage(std::mt19937_64& random) {
           test::random_point(random)};
 }
 
-/// Whether no feature hangs on the last digits: no link turns by the skin of its teeth.
+/// Whether no feature depends on the last digits: no link turns by the skin of its teeth.
 bool is_plain(const FourBar& m) {
   const auto links = lengths(m);
   return can_assemble(links) && std::abs(grashof_excess(links)) > 0.02 && links.frame > 0.2 &&

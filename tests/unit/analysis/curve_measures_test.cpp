@@ -20,7 +20,7 @@ namespace {
 
 CurveRoom curve_of(const FourBar& linkage, const CircuitChoice& circuit, std::size_t count) {
   CurveRoom curve;
-  sample_circuit(linkage, circuit, TurnTable(count), curve);
+  sample_circuit(linkage, circuit, CycleTable(count), curve);
   return curve;
 }
 
@@ -291,7 +291,7 @@ TEST(FourierDescriptors, AreTheCoefficientsOfAnEllipseByItsArcLength) {
     arc[k + 1] = arc[k] + norm(at(static_cast<double>(k + 1)) - at(static_cast<double>(k)));
   }
   CurveRoom curve;
-  const TurnTable table(count);
+  const CycleTable table(count);
   for (std::size_t i = 0; i < count; ++i) {
     curve.x.push_back(2 * table.cos[i]);
     curve.y.push_back(table.sin[i]);

@@ -1,4 +1,4 @@
-/// Defects told from link lengths, held against linkages that are moved step by step.
+/// Defects distinguished by link lengths, held against linkages that are moved step by step.
 #include "analysis/linkage/defects.hpp"
 
 #include <gtest/gtest.h>

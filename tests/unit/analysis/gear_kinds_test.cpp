@@ -58,9 +58,9 @@ TEST(HelicalGear, TransverseSectionOfTheRack) {
     const double normal_thickness = 4 * (kRightAngle + 0.4 * std::tan(alpha));
     EXPECT_NEAR(tooth_thickness(section, reference_radius(section)),
                 normal_thickness / std::cos(beta), 1e-13);
-    HelicalGear thinned = g;
-    thinned.normal.thinning = 0.1;
-    EXPECT_NEAR(tooth_thickness(transverse(thinned), reference_radius(section)),
+    HelicalGear coarsened = g;
+    coarsened.normal.coarsening = 0.1;
+    EXPECT_NEAR(tooth_thickness(transverse(coarsened), reference_radius(section)),
                 (normal_thickness - 0.1) / std::cos(beta), 1e-13);
   }
 }

@@ -17,7 +17,7 @@ using Polygon = std::vector<Vec2d>;
 
 std::vector<SpurPair> pairs() {
   const SpurGear pinion{.teeth = 18, .profile_shift = 0.3};
-  const SpurGear wheel{.teeth = 31, .thinning = 0.02};
+  const SpurGear wheel{.teeth = 31, .coarsening = 0.02};
   return {
       {{SpurGear{.teeth = 20, .module = 5}, SpurGear{.teeth = 40, .module = 5}}, 150},
       {{SpurGear{.teeth = 20, .module = 5}, SpurGear{.teeth = 40, .module = 5}}, 152},

@@ -22,7 +22,7 @@ std::vector<SpurGear> gears() {
       {.teeth = 5},
       {.teeth = 16, .profile_shift = -0.3},
       {.teeth = 60, .profile_shift = 1.1},
-      {.teeth = 24, .module = 3, .thinning = 0.2},
+      {.teeth = 24, .module = 3, .coarsening = 0.2},
       {.teeth = 24, .rack = {14.5 * kDegree, 1, 0.157}},
       {.teeth = 30, .profile_shift = 0.2, .rack = {25 * kDegree, 1, 0.15}, .tip_reduction = 0.1},
       {.teeth = 12, .profile_shift = 0.9},
@@ -42,7 +42,7 @@ double half_angle(const SpurGear& g, double radius) {
   const double alpha = g.rack.pressure_angle;
   const double there = std::acos(0.5 * g.module * g.teeth * std::cos(alpha) / radius);
   const double at_reference =
-      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) / g.teeth;
+      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.coarsening / g.module) / g.teeth;
   return at_reference + std::tan(alpha) - alpha - std::tan(there) + there;
 }
 
@@ -75,7 +75,7 @@ TEST(GearOutline, TheRackTouchesEveryPointOfRandomGears) {
                      .profile_shift = -0.5 + 1.5 * share(random),
                      .rack = {(14 + 8 * share(random)) * kDegree, 0.7 + 0.4 * share(random),
                               0.05 + 0.2 * share(random)},
-                     .thinning = 0.05 * share(random)};
+                     .coarsening = 0.05 * share(random)};
     if (tooth_fault(g) != gear::ToothFault::none) continue;
     expect_cut_by_rack(g, 0.02);
     undercut += is_undercut(g) ? 1 : 0;

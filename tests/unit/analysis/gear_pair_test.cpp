@@ -35,7 +35,7 @@ Vec2d flank_point(const SpurGear& g, double radius) {
   const double alpha = g.rack.pressure_angle;
   const double there = std::acos(0.5 * g.module * g.teeth * std::cos(alpha) / radius);
   const double angle =
-      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.thinning / g.module) / g.teeth +
+      (0.5 * kPi + 2 * g.profile_shift * std::tan(alpha) - g.coarsening / g.module) / g.teeth +
       std::tan(alpha) - alpha - std::tan(there) + there;
   return {-radius * std::sin(angle), radius * std::cos(angle)};
 }
@@ -154,8 +154,8 @@ TEST(SpurPair, SlidingIsThatOfTheTouchingPoints) {
 
 TEST(SpurPair, BacklashIsWhatTheTeethLeaveOfThePitch) {
   for (SpurPair pair : pairs()) {
-    pair.gears[0].thinning = 0.03;
-    pair.gears[1].thinning = 0.01;
+    pair.gears[0].coarsening = 0.03;
+    pair.gears[1].coarsening = 0.01;
     const PairGeometry result = geometry(pair);
     const auto& [pinion, wheel] = result.gears;
     const double pitch = kTurn * pinion.working_radius / pair.gears[0].teeth;
@@ -186,7 +186,7 @@ TEST(SpurPair, CentreDistanceAndShiftsAreInverse) {
       g.teeth = std::floor(8 + 60 * share(random));
       g.module = 2.5;
       g.profile_shift = -0.4 + share(random);
-      g.thinning = 0.1 * share(random);
+      g.coarsening = 0.1 * share(random);
     }
     const double shifts = pair.gears[0].profile_shift + pair.gears[1].profile_shift;
     const double play = i % 2 == 0 ? 0 : share(random);

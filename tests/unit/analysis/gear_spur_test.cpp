@@ -97,7 +97,7 @@ TEST(SpurGear, FormCircleOfAnUndercutGearRisesAsTheShiftFalls) {
 TEST(SpurGear, ThicknessIsThatOfTheOutline) {
   int tested = 0;
   for (const double shift : {-0.4, 0.0, 0.6}) {
-    const SpurGear g{.teeth = 23, .module = 2, .profile_shift = shift, .thinning = 0.1};
+    const SpurGear g{.teeth = 23, .module = 2, .profile_shift = shift, .coarsening = 0.1};
     EXPECT_NEAR(tooth_thickness(g, reference_radius(g)),
                 kPi + 4 * shift * std::tan(20 * kDegree) - 0.1, 1e-13);
     for (const gear::OutlinePoint& point : tooth_half(g, 0.01)) {

@@ -58,7 +58,7 @@ TEST(NarrowestStrip, OfFewPoints) {
 TEST(Straightness, OfACircle) {
   for (const double radius : {1e-9, 1.0, 1e9}) {
     const Path path = circle(radius, {3 * radius, -radius});
-    const Stretch half = measure(path, 0.2, 1.4);
+    const StraightSegment half = measure(path, 0.2, 1.4);
     EXPECT_NEAR(half.length, 2 * radius * std::sin(0.6), 1e-12 * radius);
     EXPECT_NEAR(half.deviation, 0.5 * radius * (1 - std::cos(0.6)), 1e-12 * radius);
     const CrankRange forward = forward_interval(path, 0.8, {-20, 20}).value();
@@ -67,9 +67,9 @@ TEST(Straightness, OfACircle) {
     for (const double relative : {1e-3, 1e-2}) {
       // (1 − cos α)/2 = relative·2 sin α, and 1 − cos α for the tangent.
       const double alpha = 2 * std::atan(4 * relative), beta = 2 * std::atan(2 * relative);
-      const Stretch best = longest_stretch(path, 0.8, forward, relative);
+      const StraightSegment best = longest_segment(path, 0.8, forward, relative);
       EXPECT_NEAR(best.length, 2 * radius * std::sin(alpha), 1e-9 * radius);
-      const Stretch tangent = longest_tangent_stretch(path, 0.8, forward, relative);
+      const StraightSegment tangent = longest_tangent_segment(path, 0.8, forward, relative);
       EXPECT_NEAR(tangent.length, 2 * radius * std::sin(beta), 1e-9 * radius);
     }
   }
@@ -77,10 +77,10 @@ TEST(Straightness, OfACircle) {
 
 TEST(Straightness, ASpeedThatIsConstantDoesNotVary) {
   const Path line = [](double q) { return PathPoint{{3 * q, 4 * q}, {3, 4}}; };
-  const Stretch stretch = measure(line, 1, 2);
-  EXPECT_NEAR(stretch.length, 5, 1e-14);
-  EXPECT_NEAR(stretch.deviation, 0, 1e-14);
-  EXPECT_NEAR(speed_variation(line, stretch).value(), 0, 1e-14);
+  const StraightSegment segment = measure(line, 1, 2);
+  EXPECT_NEAR(segment.length, 5, 1e-14);
+  EXPECT_NEAR(segment.deviation, 0, 1e-14);
+  EXPECT_NEAR(speed_variation(line, segment).value(), 0, 1e-14);
   const Path faster = [](double q) { return PathPoint{{q * q, 0}, {2 * q, 0}}; };
   EXPECT_NEAR(speed_variation(faster, measure(faster, 1, 3)).value(), 1, 1e-12);
 }
@@ -96,9 +96,9 @@ TEST(Straightness, EndsWhereTheMotionDoes) {
   ASSERT_TRUE(forward);
   EXPECT_GE(forward->from, ranges[0].from);
   EXPECT_LE(forward->to, ranges[0].to);
-  const Stretch stretch = longest_stretch(path, middle, *forward, 0.05);
-  EXPECT_GT(stretch.length, 0);
-  EXPECT_TRUE(std::isfinite(stretch.deviation));
+  const StraightSegment segment = longest_segment(path, middle, *forward, 0.05);
+  EXPECT_GT(segment.length, 0);
+  EXPECT_TRUE(std::isfinite(segment.deviation));
   EXPECT_FALSE(forward_interval(path, ranges[0].to + 1, ranges[0]));
 }
 

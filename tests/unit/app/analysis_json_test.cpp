@@ -7,8 +7,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/result_json.hpp"
-#include "app/kinds/evaluation/json.hpp"
-#include "app/kinds/evaluation/table.hpp"
+#include "app/kinds/kinds.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
 namespace cognate::app {
@@ -39,10 +38,10 @@ AnalysisResult planted() {
   result.closed_rows = 2;
   result.landmarks = {{"limit position", "rocker", kPi / 4, kPi / 3},
                       {"dead point", "C", kPi, kNaN}};
-  result.facts = {{"class", std::string("crank-rocker")},
-                  {"crank_turns_fully", true},
-                  {"transmission_angle_deg.min", 40.0},
-                  {"reaction_max_N.B.2_on_coupler", 7.5}};
+  result.quantities = {{"class", std::string("crank-rocker")},
+                       {"crank_turns_fully", true},
+                       {"transmission_angle_deg.min", 40.0},
+                       {"reaction_max_N.B.2_on_coupler", 7.5}};
   result.work.positions = 3;
   result.notes = {"a note"};
   return result;
@@ -117,7 +116,7 @@ TEST(AnalysisJson, SaysWhatTheFileAsks) {
 
 TEST(AnalysisJson, RefusesFactsThatAreNotFinite) {
   auto result = planted();
-  result.facts.push_back({"closure_residual", std::numeric_limits<double>::infinity()});
+  result.quantities.push_back({"closure_residual", std::numeric_limits<double>::infinity()});
   const auto document = result_document(four_bar_problem(), result, 1);
   ASSERT_FALSE(document.has_value());
   EXPECT_NE(document.error().find("closure_residual"), std::string::npos) << document.error();
@@ -132,15 +131,15 @@ std::string without_parts(const std::string& name) {
 
 TEST(AnalysisJson, EveryFactIsInTheCatalogue) {
   std::set<std::string> listed;
-  for (const auto& metric : analysis_metrics())
+  for (const auto& metric : Kind<problems::AnalysisProblem>::metric_lists().front().metrics)
     listed.insert(without_parts(std::string(metric.key)));
   auto turning = four_bar_problem();
   turning.output.reactions = true;
   turning.output.torque = true;
   auto sliding = problems::analysis_of(problems::named(SliderCrank{.crank = 1, .coupler = 3}), 8);
   for (const auto& problem : {turning, sliding}) {
-    for (const auto& fact : problems::analyse(problem, {}).facts) {
-      const std::string name = without_parts(fact.name);
+    for (const auto& quantity : problems::analyse(problem, {}).quantities) {
+      const std::string name = without_parts(quantity.name);
       if (name.ends_with("_at_deg") && name.starts_with("torque")) continue;  // told with its value
       EXPECT_TRUE(listed.contains(name)) << name;
     }
@@ -148,7 +147,8 @@ TEST(AnalysisJson, EveryFactIsInTheCatalogue) {
 }
 
 TEST(AnalysisTable, ShowsFactsLandmarksAndNotes) {
-  const std::string text = analysis_table(four_bar_problem(), planted(), {});
+  const std::string text =
+      Kind<problems::AnalysisProblem>::table(four_bar_problem(), planted(), {});
   for (const char* part :
        {"Planted: analysis of four-bar, crank 0 deg to 360 deg in 2 steps",
         "solved: the mechanism can be assembled at 2 of 3 positions", "crank_turns_fully", "yes",

@@ -11,13 +11,14 @@
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "app/drawing/convex_hull.hpp"
+#include "app/drawing/mechanism_poses.hpp"
+#include "app/drawing/mechanism_shapes.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/report/analysis_report_data.hpp"
 #include "app/report/column_vectors.hpp"
-#include "app/report/convex_hull.hpp"
 #include "app/report/drawn_rows.hpp"
 #include "app/report/mechanism_json.hpp"
-#include "app/report/mechanism_poses.hpp"
-#include "app/report/mechanism_shapes.hpp"
 #include "app/report/report.hpp"
 
 namespace cognate::app {

@@ -26,7 +26,7 @@ using namespace std::string_literals;
 
 CurveRoom curve_of(const FourBar& linkage, std::size_t steps) {
   CurveRoom curve;
-  sample_circuit(linkage, {linkage.assembly, 1}, TurnTable(steps), curve);
+  sample_circuit(linkage, {linkage.assembly, 1}, CycleTable(steps), curve);
   return curve;
 }
 
@@ -66,6 +66,7 @@ PathProblem problem_of(std::vector<Vec2d> target, const Vec2d& factor, const Vec
   PathProblem problem;
   problem.curve = TargetCurve{ClosedCurve(target), "", CurvePlace::given};
   problem.points = problem.curve->curve.equally_spaced(40);
+  problem.constraints.full_turn = true;
   return problem;
 }
 
@@ -104,7 +105,7 @@ TEST(AtlasStarts, ASearchOfNothingElseEndsAtThePlantedCurve) {
   problems::Run run{.threads = 1};
   run.known = atlas_starts(problem, curves, 5);
   const Result result = solve(problem, run);
-  ASSERT_FALSE(result.designs.empty());
+  ASSERT_FALSE(result.designs.empty()) << (result.notes.empty() ? "" : result.notes[0]);
   EXPECT_LT(result.designs.front().error.max, 1e-3);
 }
 
@@ -185,7 +186,7 @@ TEST(AtlasFile, IsNamedInFilesOfClosedCurvesAlone) {
     const auto file = folder / "problem.toml";
     std::ofstream(file) << "kind = \"path-generation\"\n[target]\n" + target +
                                "\n[bounds]\nlength = [0.2, 20]\n[solve]\natlas = \"a.db\"\n";
-    const auto read = read_problem(file);
+    const auto read = read_task(file);
     return read ? "" : read.error().front().message;
   };
   EXPECT_NE(fault_of("points = [[0, 0], [1, 0], [1, 1]]").find("given without a closed curve"),

@@ -5,8 +5,7 @@
 
 #include "app/documents/result_json.hpp"
 #include "app/export/result_cam.hpp"
-#include "app/kinds/cam/json.hpp"
-#include "app/kinds/cam/table.hpp"
+#include "app/kinds/kinds.hpp"
 #include "tests/support/cam_problems.hpp"
 
 namespace cognate::app {
@@ -162,7 +161,7 @@ TEST(CamJson, RefusesNumbersThatAreNotFinite) {
 
 TEST(CamTable, SaysWhatIsFoundAndWhatIsMissed) {
   const auto problem = planted_problem();
-  const std::string text = cam_table(problem, planted_result(problem), {});
+  const std::string text = Kind<problems::CamProblem>::table(problem, planted_result(problem), {});
   for (const char* part :
        {"infeasible: no design satisfies every constraint", "42.25", "29.5 at 51", "1 missed",
         "design 1 violates no_undercut: -1.25; allowed: 0",

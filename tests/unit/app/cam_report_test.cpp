@@ -7,8 +7,8 @@
 
 #include "analysis/cam/contact.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/report/cam_report_data.hpp"
-#include "app/report/report.hpp"
 #include "tests/browser/sample_cams.hpp"
 
 namespace cognate::app {
@@ -233,7 +233,7 @@ TEST(CamReport, IsAPageThatHoldsTextAsText) {
   const std::string page = report_html(document, cam.problem, cam.result);
   EXPECT_EQ(page.find("</script><b>"), std::string::npos);
   EXPECT_EQ(page.find("@DATA@"), std::string::npos);
-  EXPECT_NE(page.find("Hold the cam still"), std::string::npos);
+  EXPECT_NE(page.find("Kinematic inversion"), std::string::npos);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "app/drawing/drive_span.hpp"
 #include "app/report/drawn_findings.hpp"
-#include "app/report/drive_span.hpp"
 #include "app/report/guided_body.hpp"
 #include "tests/support/planted_result.hpp"
 

@@ -1,5 +1,3 @@
-#include "app/documents/problem_json.hpp"
-
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -9,9 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "app/documents/json_values.hpp"
-#include "app/kinds/evaluation/problem_json.hpp"
-#include "app/kinds/machine/json.hpp"
+#include "app/kinds/kinds.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::app {
@@ -76,49 +72,17 @@ std::string toml_of_analysis(const json& tables) {
   return file;
 }
 
-void expect_reads_back(const problems::AnalysisProblem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_analysis(toml_of_analysis(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of_analysis(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-}
-
-void expect_reads_back(const problems::MachineProblem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_machine(toml_of_analysis(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of_analysis(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-}
-
-void expect_reads_back(const problems::CamProblem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_cam(toml_of(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-}
-
-void expect_reads_back(const problems::GearProblem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_gear(toml_of(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-}
-
-void expect_reads_back(const problems::GearPairProblem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_gear_pair(toml_of(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-}
-
 /// What is written of a problem is itself a problem file, and reading it gives the same again:
 /// nothing is lost, no default changes the meaning.
-void expect_reads_back(const problems::Problem& problem) {
-  const json written = to_json(problem);
-  const auto again = problems::parse_problem(toml_of(written));
-  ASSERT_TRUE(again.has_value()) << messages(again.error()) << toml_of(written);
-  EXPECT_EQ(json(to_json(*again)), written);
-  EXPECT_EQ(again->index(), problem.index());
+template <class Problem>
+void expect_reads_back(const Problem& problem) {
+  const json written = Kind<Problem>::to_json(problem);
+  const bool in_tables = std::is_same_v<Problem, problems::AnalysisProblem> ||
+                         std::is_same_v<Problem, problems::MachineProblem>;
+  const auto file = in_tables ? toml_of_analysis(written) : toml_of(written);
+  const auto again = problems::parse_task<Problem>(file);
+  ASSERT_TRUE(again.has_value()) << messages(again.error()) << file;
+  EXPECT_EQ(json(Kind<Problem>::to_json(*again)), written);
 }
 
 TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
@@ -146,7 +110,7 @@ TEST(ProblemJson, GearPairsReadBack) {
         "profile_shift = [0.1, -0.9]\n[rack]\npressure_angle_deg = 25\nclearance = 0.2\ntip_radius "
         "= 0.3\n"
         "[target]\nratio = 3.6\nratio_tolerance = 0.1\nobjective = \"size\""}) {
-    const auto problem = problems::parse_gear_pair(opening + rest);
+    const auto problem = problems::parse_task<problems::GearPairProblem>(opening + rest);
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());
     expect_reads_back(*problem);
   }
@@ -254,10 +218,11 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     follower.type = "translating-knife"
     bounds.offset = [0, inf]
     constraints.pressure_angle_deg_max = 20)"}) {
-    const auto problem = problems::parse_cam(text);
+    const auto problem = problems::parse_task<problems::CamProblem>(text);
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());
     expect_reads_back(*problem);
-    const auto again = problems::parse_cam(toml_of(to_json(*problem)));
+    const auto again = problems::parse_task<problems::CamProblem>(
+        toml_of(Kind<problems::CamProblem>::to_json(*problem)));
     ASSERT_TRUE(again.has_value());
     for (std::size_t i = 0; i < std::size(problem->lengths); ++i) {
       EXPECT_EQ(problem->lengths[i].given, again->lengths[i].given);
@@ -285,7 +250,7 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
 
 // Axes, points and names that no file of the library uses.
 TEST(ProblemJson, AnAnalysisWithEveryKindOfDyadReadsBack) {
-  const auto problem = problems::parse_analysis(R"(
+  const auto problem = problems::parse_task<problems::AnalysisProblem>(R"(
     kind = "analysis"
     pivot = [{name = "D", at = [6, 1]}, {name = "G", at = [0.1, -4]}]
     gravity = [0.1, -9.81]
@@ -340,7 +305,7 @@ TEST(ProblemJson, AnAnalysisWithEveryKindOfDyadReadsBack) {
 }
 
 TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
-  const auto problem = problems::parse_problem(R"(
+  const auto problem = problems::parse_task<problems::PathProblem>(R"(
     kind = "path-generation"
     title = "All keys"
     [target]
@@ -372,7 +337,7 @@ TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
     tolerance = 1e-10
   )");
   ASSERT_TRUE(problem.has_value()) << messages(problem.error());
-  const json written = to_json(*problem);
+  const json written = Kind<problems::PathProblem>::to_json(*problem);
   const json target = {{"points", {{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}}},
                        {"timing", "prescribed"},
                        {"crank_deg", {10.0, 50.5, 123.4}},
@@ -397,7 +362,7 @@ TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
 
 // Limits, speeds, turns and tables that no file of the library has.
 TEST(ProblemJson, AMachineWithEverythingReadsBack) {
-  const auto problem = problems::parse_machine(R"(
+  const auto problem = problems::parse_task<problems::MachineProblem>(R"(
     kind = "machine"
     title = "all"
     gravity = [0.1, -9.8]
@@ -443,7 +408,7 @@ TEST(ProblemJson, AMachineWithEverythingReadsBack) {
     tolerance = 1e-7
 )");
   ASSERT_TRUE(problem.has_value()) << messages(problem.error());
-  const json written = to_json(*problem);
+  const json written = Kind<problems::MachineProblem>::to_json(*problem);
   EXPECT_EQ(written["flywheel"]["inertia"], 3.3);
   EXPECT_EQ(written["equivalent"]["inertia"][2][0], 393.3);
   EXPECT_EQ(written["load"][0]["interpolation"], "smooth");

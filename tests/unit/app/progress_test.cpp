@@ -11,27 +11,28 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const auto kBegin = Pace::Clock::time_point{} + 1h;
+const auto kBegin = RateEstimate::Clock::time_point{} + 1h;
 
-TEST(Pace, IsThatOfTheLastSeconds) {
-  Pace pace(kBegin, 0);
-  for (int i = 1; i <= 60; ++i) pace.mark(kBegin + i * 1s, i < 30 ? 2.0 * i : 58 + 5.0 * (i - 29));
-  EXPECT_NEAR(pace.rate(kBegin + 60s).value(), 5, 1e-12);
+TEST(RateEstimate, IsThatOfTheLastSeconds) {
+  RateEstimate rate_estimate(kBegin, 0);
+  for (int i = 1; i <= 60; ++i)
+    rate_estimate.mark(kBegin + i * 1s, i < 30 ? 2.0 * i : 58 + 5.0 * (i - 29));
+  EXPECT_NEAR(rate_estimate.rate(kBegin + 60s).value(), 5, 1e-12);
 }
 
-TEST(Pace, SinksWhileNothingHappens) {
-  Pace pace(kBegin, 0.25);
-  EXPECT_FALSE(pace.rate(kBegin + 10s));  // nothing has been done
-  pace.mark(kBegin + 100ms, 0.5);
-  EXPECT_FALSE(pace.rate(kBegin + 100ms));  // nothing has been seen
-  EXPECT_NEAR(pace.rate(kBegin + 1s).value(), 0.25, 1e-12);
-  EXPECT_NEAR(pace.rate(kBegin + 5s).value(), 0.05, 1e-12);
+TEST(RateEstimate, SinksWhileNothingHappens) {
+  RateEstimate rate_estimate(kBegin, 0.25);
+  EXPECT_FALSE(rate_estimate.rate(kBegin + 10s));  // nothing has been done
+  rate_estimate.mark(kBegin + 100ms, 0.5);
+  EXPECT_FALSE(rate_estimate.rate(kBegin + 100ms));  // nothing has been seen
+  EXPECT_NEAR(rate_estimate.rate(kBegin + 1s).value(), 0.25, 1e-12);
+  EXPECT_NEAR(rate_estimate.rate(kBegin + 5s).value(), 0.05, 1e-12);
 }
 
-TEST(Pace, ForgetsNoPartOfManyMarks) {
-  Pace pace(kBegin, 0);
-  for (int i = 1; i <= 100'000; ++i) pace.mark(kBegin + i * 100us, i);
-  EXPECT_NEAR(pace.rate(kBegin + 10s).value(), 10'000, 1e-6);
+TEST(RateEstimate, ForgetsNoPartOfManyMarks) {
+  RateEstimate rate_estimate(kBegin, 0);
+  for (int i = 1; i <= 100'000; ++i) rate_estimate.mark(kBegin + i * 100us, i);
+  EXPECT_NEAR(rate_estimate.rate(kBegin + 10s).value(), 10'000, 1e-6);
 }
 
 TEST(ProgressWords, TellTimeLeftAndRate) {

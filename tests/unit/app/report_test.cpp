@@ -1,5 +1,4 @@
 // The report's data: sampled motion, structural error, and how text is embedded.
-#include "app/report/report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +8,9 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/result_json.hpp"
-#include "app/report/design_motion.hpp"
+#include "app/drawing/design_motion.hpp"
+#include "app/kinds/kinds.hpp"
 #include "app/report/function_trace.hpp"
-#include "app/report/report_data.hpp"
 
 namespace cognate::app {
 namespace {
@@ -112,7 +111,7 @@ TEST(ReportData, HoldsAClosedTargetAndWhereItCame) {
         .pivot_d = {4, 0}, .crank = 1, .coupler = 3, .rocker = 3.5, .coupler_point = Vec2d{1, 1}});
   }
   result.designs[1].placement = problems::CurvePlacement{3, kPi / 6, {5, 7}};
-  const auto data = report_data(problem, result);
+  const auto data = Kind<problems::PathProblem>::report_data(problem, result);
   const auto& drawn = data["target"]["curve"];
   ASSERT_EQ(drawn.size(), 1000u);  // in even steps around the whole
   EXPECT_NEAR(drawn[500][0].get<double>(), -2, 1e-4);

@@ -11,6 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/json_values.hpp"
+#include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
 namespace cognate::app {
@@ -23,7 +24,8 @@ using problems::planted_result;
 using problems::Range;
 
 /// The document of `result` as a stranger reads it: from its text.
-json read_back(const problems::Problem& problem, const problems::Result& result) {
+template <class Problem>
+json read_back(const Problem& problem, const problems::Result& result) {
   const auto document = result_document(problem, result, 7);
   EXPECT_TRUE(document.has_value()) << (document ? "" : document.error());
   return document ? json::parse(write_json(*document)) : json();
@@ -146,8 +148,8 @@ TEST(ResultJson, NestsFactsAndLeavesOutThoseWithoutANumber) {
       {"defects", json::array()},
       {"precision_residual", 2e-16}};
   EXPECT_EQ(document["designs"][1]["metrics"], expected);
-  const json facts = {{"complex_solutions", 1442.0}, {"real", {{"triplets", 21.0}}}};
-  EXPECT_EQ(document["facts"], facts);
+  const json quantities = {{"complex_solutions", 1442.0}, {"real", {{"triplets", 21.0}}}};
+  EXPECT_EQ(document["facts"], quantities);
 }
 
 TEST(ResultJson, BreaksCurvesAndEmptiesCellsWhereThereIsNoNumber) {

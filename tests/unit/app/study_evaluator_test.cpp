@@ -109,7 +109,7 @@ TEST(StudyEvaluator, TransmissionAnglesFollowTheLawOfCosines) {
 }
 
 // What a filter on varied keys lets pass is what the numbers say; the rest is not evaluated, but
-// kept where all rows are wanted.
+// kept where all rows are requested.
 TEST(StudyEvaluator, FiltersOnVariedKeysDecideFirst) {
   const std::string rest = "[filter]\n\"mechanism.coupler\" = [2, 3]\ntime_ratio = { max = 1.5 }\n";
   const Study some = study_of(kFourBars + "[output]\nmetrics = [\"time_ratio\"]\n" + rest);
@@ -233,7 +233,7 @@ metrics = ["error.max_deg", "mechanism.coupler", "mechanism.fixed_pivots[1][0]",
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::vector<double> values(1);
     points.fill(static_cast<std::int64_t>(i), values);
-    const auto problem = problems::parse_problem(design_text(study, values));
+    const auto problem = problems::parse_task(design_text(study, values));
     ASSERT_TRUE(problem);
     const auto result = solve(std::get<problems::FunctionProblem>(*problem), {.threads = 2});
     ASSERT_FALSE(result.designs.empty());
@@ -245,7 +245,7 @@ metrics = ["error.max_deg", "mechanism.coupler", "mechanism.fixed_pivots[1][0]",
   }
 }
 
-// Of forces only what is asked for is computed: the reactions of a study are those of the analysis.
+// Of forces only what is requested is computed: the reactions of a study are those of the analysis.
 TEST(StudyEvaluator, ForcesAreComputedWhereTheyAreAskedFor) {
   const Study study = study_of(R"(base = "analysis/slider-crank-forces.toml"
 [[vary]]
@@ -255,13 +255,15 @@ values = [1, 2]
 metrics = ["torque_N_m.max", "torque_N_m.max_at_deg"]
 )");
   const auto rows = rows_of(study, all_of(study));
-  const auto base = problems::parse_analysis(design_text(study, std::vector{2.0}));
+  const auto base =
+      problems::parse_task<problems::AnalysisProblem>(design_text(study, std::vector{2.0}));
   ASSERT_TRUE(base);
   const auto result = problems::analyse(*base, {.threads = 1});
-  const auto fact = std::ranges::find(result.facts, "torque_N_m.max", &problems::Fact::name);
-  ASSERT_NE(fact, result.facts.end());
+  const auto quantity =
+      std::ranges::find(result.quantities, "torque_N_m.max", &problems::Quantity::name);
+  ASSERT_NE(quantity, result.quantities.end());
   // With the reactions the torque follows from these, without them from virtual work.
-  const double torque = std::get<double>(fact->value);
+  const double torque = std::get<double>(quantity->value);
   EXPECT_NEAR(number(rows[1].at("torque_N_m.max")) / torque, 1, 1e-12);
 }
 
@@ -288,12 +290,12 @@ TEST(StudyMetrics, ReactionsAreNamedByTheirJoints) {
   const auto& problem = std::get<problems::AnalysisProblem>(*task);
   const auto names = study_metrics(*task).names;
   int reactions = 0;
-  for (const auto& fact : problems::analyse(problem, {.threads = 1}).facts) {
-    const auto found = std::ranges::find(names, fact.name, &problems::MetricName::name);
-    EXPECT_NE(found, names.end()) << fact.name;
+  for (const auto& quantity : problems::analyse(problem, {.threads = 1}).quantities) {
+    const auto found = std::ranges::find(names, quantity.name, &problems::MetricName::name);
+    EXPECT_NE(found, names.end()) << quantity.name;
     if (found == names.end()) continue;
-    EXPECT_EQ(found->word, !std::holds_alternative<double>(fact.value)) << fact.name;
-    reactions += fact.name.starts_with("reaction_max_N.") ? 1 : 0;
+    EXPECT_EQ(found->word, !std::holds_alternative<double>(quantity.value)) << quantity.name;
+    reactions += quantity.name.starts_with("reaction_max_N.") ? 1 : 0;
   }
   EXPECT_GE(reactions, 4);
 }

@@ -1,5 +1,3 @@
-#include "app/console/table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -9,6 +7,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
+#include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
 namespace cognate::app {
@@ -24,6 +23,12 @@ using testing::AssertionSuccess;
 [[nodiscard]] AssertionResult contains(const std::string& text, const std::string& part) {
   if (text.find(part) != std::string::npos) return AssertionSuccess();
   return AssertionFailure() << '\'' << part << "' is not in:\n" << text;
+}
+
+template <class Problem>
+std::string design_table(const Problem& problem, const problems::Result& result,
+                         const Screen& screen) {
+  return Kind<Problem>::table(problem, result, screen);
 }
 
 TEST(WrittenValue, NeverPrintsInfOrNan) {
@@ -119,7 +124,7 @@ TEST(Table, SaysWhatIsProved) {
   auto result = planted_result();
   result.certificate = {0.5, 0.625, 0.2, true, 12345, "all there are"};
   const std::string proved = design_table(planted_path(), result, {});
-  EXPECT_TRUE(contains(proved, "certified: sum of squares 0.625 is within 0.2 of the least"));
+  EXPECT_TRUE(contains(proved, "certified: sum of squares 0.625 is within 0.2 of the minimum"));
   EXPECT_TRUE(contains(proved, "among all there are (12345 boxes)"));
   result.certificate->complete = false;
   const std::string open = design_table(planted_path(), result, {});

@@ -1,5 +1,5 @@
 // The table of an analysis against closed forms and published numbers, and what becomes of it where
-// the mechanism does not close, is not asked for, or the run is ended.
+// the mechanism does not close, is not requested, or the run is ended.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,9 +43,9 @@ bool bitwise_equal(const AnalysisResult& a, const AnalysisResult& b) {
 }
 
 template <class Value>
-Value fact(const AnalysisResult& result, const std::string& name) {
-  const auto found = std::ranges::find(result.facts, name, &Fact::name);
-  if (found == result.facts.end()) {
+Value quantity(const AnalysisResult& result, const std::string& name) {
+  const auto found = std::ranges::find(result.quantities, name, &Quantity::name);
+  if (found == result.quantities.end()) {
     ADD_FAILURE() << "no fact " << name;
     return {};
   }
@@ -292,7 +292,7 @@ TEST(Analyse, ReactionsActOnTheBodyTheyName) {
     EXPECT_NEAR(at("torque_N_m"), cross(b - Vec2d{1, 2}, force), 1e-12);
     EXPECT_NEAR(at("D_on_rocker_Fx_N"), -force.x, 1e-12);
   }
-  EXPECT_LT(fact<double>(result, "power_residual"), 1e-14);
+  EXPECT_LT(quantity<double>(result, "power_residual"), 1e-14);
 }
 
 // A slider on the x axis pushed by P along it: the guide bears P tan α across, α the pressure
@@ -313,7 +313,8 @@ TEST(Analyse, GuidesBearTheirNormalForce) {
   for (std::size_t row = 0; row <= 36; ++row) {
     EXPECT_NEAR(values(alone, "torque_N_m")[row], values(result, "torque_N_m")[row], 1e-12);
   }
-  EXPECT_NEAR(fact<double>(alone, "torque_N_m.max"), fact<double>(result, "torque_N_m.max"), 1e-12);
+  EXPECT_NEAR(quantity<double>(alone, "torque_N_m.max"), quantity<double>(result, "torque_N_m.max"),
+              1e-12);
 }
 
 TEST(Analyse, ClosesToRounding) {
@@ -323,7 +324,7 @@ TEST(Analyse, ClosesToRounding) {
         named(EllipticTrammel{.length = 2, .direction = {0.6, 0.8}})}) {
     const auto result = analyse(analysis_of(mechanism, 90));
     EXPECT_EQ(result.closed_rows, 91);
-    EXPECT_LT(fact<double>(result, "closure_residual"), 4e-15);
+    EXPECT_LT(quantity<double>(result, "closure_residual"), 4e-15);
   }
 }
 

@@ -12,8 +12,8 @@ namespace cognate {
 namespace {
 
 using cam::Cam;
+using cam::CamQuantity;
 using cam::MotionLaw;
-using cam::Quantity;
 using problems::CamDimension;
 using problems::CamObjective;
 using problems::CamProblem;
@@ -56,7 +56,7 @@ struct Limit {
 };
 
 std::vector<Limit> limits_of(const Cam& cam) {
-  const auto quantity = [&cam](Quantity q) {
+  const auto quantity = [&cam](CamQuantity q) {
     return [&cam, q](const cam::ProfilePoint&, const cam::FollowerMotion<double>& m) {
       return value_of(q, cam.system, m);
     };
@@ -80,14 +80,14 @@ std::vector<Limit> limits_of(const Cam& cam) {
        [](const auto& p, const auto&) { return -norm(p.at); }, -1},
       {"profile_radius_max", [](C& c, double v) { c.profile_radius_max = v; }, radius},
       {"contact_force_max", [](C& c, double v) { c.contact_force_max = v; },
-       quantity(Quantity::contact_force)},
+       quantity(CamQuantity::contact_force)},
       {"torque_max", [](C& c, double v) { c.torque_max = v; },
        [&cam](const auto&, const auto& m) {
-         return std::abs(value_of(Quantity::torque, cam.system, m));
+         return std::abs(value_of(CamQuantity::torque, cam.system, m));
        }},
       {"contact_stress_max", [](C& c, double v) { c.contact_stress_max = v; },
        [&cam](const auto&, const auto& m) {
-         return std::sqrt(value_of(Quantity::squared_stress, cam.system, m));
+         return std::sqrt(value_of(CamQuantity::squared_stress, cam.system, m));
        }}};
 }
 
@@ -167,8 +167,8 @@ TEST(CamConstraints, ObjectivesAreLeastInAScan) {
     const auto value = [&](const Cam& cam) {
       return greatest(cam, [&](const auto&, const auto& m) {
         return objective == CamObjective::pressure_angle
-                   ? std::abs(value_of(Quantity::pressure_angle, cam.system, m))
-                   : value_of(Quantity::contact_force, cam.system, m);
+                   ? std::abs(value_of(CamQuantity::pressure_angle, cam.system, m))
+                   : value_of(CamQuantity::contact_force, cam.system, m);
       });
     };
     const double found = value(solve(problem, {.threads = 1}).designs.at(0).cam);
@@ -214,7 +214,7 @@ TEST(CamConstraints, FreeRollersLeaveTheProfileRound) {
                     segment(MotionLaw::dwell, 280)};
   const Cam cam = solve(problem, {.threads = 1}).designs.at(0).cam;
   const double sharpest = greatest(cam, [&cam](const auto&, const auto& m) {
-    return value_of(Quantity::pitch_curvature, cam.system, m);
+    return value_of(CamQuantity::pitch_curvature, cam.system, m);
   });
   ASSERT_LT(0.8 / sharpest, 0.4 * 30);
   EXPECT_NEAR(cam.system.follower.dimensions.roller_radius, 0.8 / sharpest, 1e-6);

@@ -4,14 +4,14 @@
 #include "analysis/cam/profile.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/cam/extremes.hpp"
-#include "problems/cam/facts.hpp"
+#include "problems/cam/quantities.hpp"
 #include "tests/support/cam_problems.hpp"
 
 namespace cognate {
 namespace {
 
 using cam::Cam;
-using cam::Quantity;
+using cam::CamQuantity;
 using problems::CamDimension;
 using problems::CamProblem;
 
@@ -69,15 +69,15 @@ TEST(CamForces, BalanceFollowerAndCam) {
       const double angle = degree * kDegree;
       const auto m = cam.programme.at(angle);
       const Touch contact = touch(cam, angle, -d.roller_radius);
-      const double force = value_of(Quantity::contact_force, cam.system, m);
+      const double force = value_of(CamQuantity::contact_force, cam.system, m);
       const Vec2d push = force * contact.normal;
-      const double demand = value_of(Quantity::demand, cam.system, m);
+      const double demand = value_of(CamQuantity::demand, cam.system, m);
       const double side = sign_of(problem.side);
       const double along = is_oscillating(problem.follower)
                                ? -side * cross(contact.at - Vec2d{0, d.centre_distance}, push)
                                : push.y;
       EXPECT_NEAR(along, demand, 1e-12 * (std::abs(force) + std::abs(demand))) << degree;
-      EXPECT_NEAR(cross(contact.at, push), value_of(Quantity::torque, cam.system, m),
+      EXPECT_NEAR(cross(contact.at, push), value_of(CamQuantity::torque, cam.system, m),
                   1e-12 * std::abs(force))
           << degree;
     }
@@ -123,7 +123,7 @@ TEST(CamForces, RollersRollWithoutSliding) {
           std::atan2(cross(before.normal, after.normal), dot(before.normal, after.normal));
       const auto m = cam.programme.at(angle);
       if (is_oscillating(problem.follower)) wander += side * m.velocity * 2 * kStep;
-      const double turned = value_of(Quantity::roller_speed, cam.system, m) * 2 * kStep;
+      const double turned = value_of(CamQuantity::roller_speed, cam.system, m) * 2 * kStep;
       EXPECT_NEAR(std::abs(turned - wander) * radius, way, 1e-6 * way) << degree;
     }
   }
@@ -137,15 +137,16 @@ TEST(CamForces, StressIsThatOfHertz) {
     const auto& d = cam.system.follower.dimensions;
     for (int degree = 3; degree < 360; degree += 31) {
       const auto m = cam.programme.at(degree * kDegree);
-      const double force = value_of(Quantity::contact_force, cam.system, m);
-      const double radius = is_flat(problem.follower)
-                                ? value_of(Quantity::face_radius, cam.system, m)
-                                : 1 / (1 / d.roller_radius +
-                                       1 / (1 / value_of(Quantity::pitch_curvature, cam.system, m) -
-                                            d.roller_radius));
+      const double force = value_of(CamQuantity::contact_force, cam.system, m);
+      const double radius =
+          is_flat(problem.follower)
+              ? value_of(CamQuantity::face_radius, cam.system, m)
+              : 1 / (1 / d.roller_radius +
+                     1 / (1 / value_of(CamQuantity::pitch_curvature, cam.system, m) -
+                          d.roller_radius));
       // p = √(F' E* / (π R)), Johnson, Contact Mechanics, equation 4.45.
       const double pressure = std::sqrt(force / 0.01 / (kPi * radius * 8e-12));
-      EXPECT_NEAR(std::sqrt(value_of(Quantity::squared_stress, cam.system, m)), pressure,
+      EXPECT_NEAR(std::sqrt(value_of(CamQuantity::squared_stress, cam.system, m)), pressure,
                   1e-10 * pressure)
           << degree;
     }

@@ -31,8 +31,8 @@ std::vector<std::uint64_t> bits_of(const problems::CamResult& result) {
     for (const double number : {d.base_radius, d.offset, d.roller_radius}) {
       bits.push_back(std::bit_cast<std::uint64_t>(number));
     }
-    for (const auto& fact : design.metrics) {
-      if (const double* number = std::get_if<double>(&fact.value)) {
+    for (const auto& quantity : design.metrics) {
+      if (const double* number = std::get_if<double>(&quantity.value)) {
         bits.push_back(std::bit_cast<std::uint64_t>(*number));
       }
     }

@@ -74,7 +74,7 @@ TEST(CamSearch, ProofHoldsInItsPositions) {
     ASSERT_FALSE(design.proof->positions.empty());
     for (const auto& position : design.proof->positions) {
       const auto m = design.cam.programme.at(position.angle);
-      const double angle = value_of(cam::Quantity::pressure_angle, design.cam.system, m);
+      const double angle = value_of(cam::CamQuantity::pressure_angle, design.cam.system, m);
       EXPECT_NEAR(std::abs(angle) / kDegree, position.bound, 1e-9) << i;
     }
   }
@@ -96,7 +96,7 @@ TEST(CamSearch, EndsWhereLimitsContradictBounds) {
 
 // From some starts the solver comes to a lesser pressure angle by a motion of more than a turn.
 TEST(CamSearch, FreeAnglesMakeOneTurn) {
-  const auto problem = problems::parse_cam(R"(
+  const auto problem = problems::parse_task<problems::CamProblem>(R"(
     kind = "cam"
     follower = {type = "translating-roller", roller_radius = 6}
     target = {objective = "pressure-angle"}

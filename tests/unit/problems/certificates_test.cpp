@@ -23,7 +23,7 @@ namespace {
 
 template <class Kind>
 Kind of_library(const std::string& name) {
-  const auto read = read_problem(std::filesystem::path(COGNATE_LIBRARY_DIR) / name);
+  const auto read = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / name);
   return std::get<Kind>(read.value());
 }
 

@@ -14,8 +14,8 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/curve_following.hpp"
+#include "problems/path/deviation_between_samples.hpp"
 #include "problems/path/shape_placement.hpp"
-#include "problems/path/straying.hpp"
 #include "problems/read.hpp"
 
 namespace cognate::problems {
@@ -49,7 +49,7 @@ std::string polyline(const FourBar& linkage, const Move& move = {}) {
 }
 
 PathProblem problem_of(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   if (problem) return std::get<PathProblem>(*problem);
   for (const Fault& fault : problem.error()) ADD_FAILURE() << fault.line << ": " << fault.message;
   return {};
@@ -87,8 +87,8 @@ double hausdorff(const FourBar& one, const FourBar& other, const Move& move) {
   return std::max(farthest(a, b), farthest(b, a));
 }
 
-double fact(const std::vector<Fact>& facts, const std::string& name) {
-  for (const Fact& one : facts) {
+double quantity(const std::vector<Quantity>& quantities, const std::string& name) {
+  for (const Quantity& one : quantities) {
     if (one.name == name) return std::get<double>(one.value);
   }
   ADD_FAILURE() << "no " << name;
@@ -105,9 +105,10 @@ TEST(ClosedPath, APlantedCurveIsFoundFromEverySeed) {
       const Design& best = result.designs.front();
       // The sides of the polyline are some 1e-3 long: they cut the curve by 1e-7 or so.
       EXPECT_LT(best.error.max, 2e-6) << planted.crank << " seed " << seed;
-      EXPECT_LT(fact(best.metrics.facts, "curve_deviation_max"), 2e-6);
+      EXPECT_LT(quantity(best.metrics.quantities, "curve_deviation_max"), 2e-6);
       EXPECT_LT(hausdorff(four_bar(best), planted, {}), 0.02);
-      EXPECT_NEAR(fact(result.facts, "target_length"), problem.curve->curve.length(), 1e-12);
+      EXPECT_NEAR(quantity(result.quantities, "target_length"), problem.curve->curve.length(),
+                  1e-12);
     }
   }
 }
@@ -132,12 +133,12 @@ TEST(ClosedPath, AShapeIsFoundFromAllFourLengthsAndItsPlace) {
     EXPECT_EQ(found.pivot_d, planted.pivot_d);
     EXPECT_EQ(found.assembly, planted.assembly);
     EXPECT_NEAR(norm(*found.coupler_point - *planted.coupler_point), 0, 1e-5);
-    EXPECT_NEAR(fact(best.metrics.facts, "target_scale"), 1 / move.scale, 1e-8);
-    EXPECT_NEAR(fact(best.metrics.facts, "target_turn_deg"), -move.turn / kDegree, 1e-4);
+    EXPECT_NEAR(quantity(best.metrics.quantities, "target_scale"), 1 / move.scale, 1e-8);
+    EXPECT_NEAR(quantity(best.metrics.quantities, "target_turn_deg"), -move.turn / kDegree, 1e-4);
     // p = R(-turn) (q - shift) / 40.
     const Vec2d back = Move{1 / move.scale, -move.turn, {}}(-move.shift);
-    EXPECT_NEAR(fact(best.metrics.facts, "target_shift_x"), back.x, 1e-4);
-    EXPECT_NEAR(fact(best.metrics.facts, "target_shift_y"), back.y, 1e-4);
+    EXPECT_NEAR(quantity(best.metrics.quantities, "target_shift_x"), back.x, 1e-4);
+    EXPECT_NEAR(quantity(best.metrics.quantities, "target_shift_y"), back.y, 1e-4);
   }
 }
 
@@ -157,7 +158,7 @@ TEST(ClosedPath, BoundedLengthsAndTheirPlaceAreMetToTheDigit) {
   EXPECT_NEAR(found.rocker, 150, 1e-3);
   EXPECT_EQ(found.pivot_d, (Vec2d{7, 8}));
   EXPECT_NEAR(frame_angle(found), 30 * kDegree, 1e-9);
-  EXPECT_NEAR(fact(best.metrics.facts, "target_scale"), 1e4, 1);
+  EXPECT_NEAR(quantity(best.metrics.quantities, "target_scale"), 1e4, 1);
   EXPECT_TRUE(all_satisfied(best.constraints));
 }
 
@@ -165,10 +166,10 @@ TEST(ClosedPath, WithoutLimitsAShapeStaysInPlace) {
   const Result result =
       solve(problem_of(polyline(kPlanted[0]) + "place = \"similar\"\n[solve]\nstarts = 50\n"), {});
   ASSERT_EQ(result.status, Status::solved);
-  const auto& facts = result.designs.front().metrics.facts;
-  EXPECT_EQ(fact(facts, "target_scale"), 1);
-  EXPECT_EQ(fact(facts, "target_turn_deg"), 0);
-  EXPECT_EQ(fact(facts, "target_shift_x"), 0);
+  const auto& quantities = result.designs.front().metrics.quantities;
+  EXPECT_EQ(quantity(quantities, "target_scale"), 1);
+  EXPECT_EQ(quantity(quantities, "target_turn_deg"), 0);
+  EXPECT_EQ(quantity(quantities, "target_shift_x"), 0);
 }
 
 TEST(ClosedPath, ThreadsDoNotMatter) {
@@ -223,10 +224,10 @@ TEST(ClosedPath, DesignsWithALoopTooManyDoNotHideTheOthers) {
   ASSERT_EQ(result.status, Status::solved);
   const Design& best = result.designs.front();
   EXPECT_LT(best.error.rms, 0.25);
-  EXPECT_LT(fact(best.metrics.facts, "curve_deviation_max"), 1);
+  EXPECT_LT(quantity(best.metrics.quantities, "curve_deviation_max"), 1);
 }
 
-TEST(PathStraying, TellsLoopsAndOtherOrders) {
+TEST(DeviationBetweenSamples, TellsLoopsAndOtherOrders) {
   const FourBar& planted = kPlanted[0];
   const auto samples = [&](double share) {
     PathProblem problem;
@@ -242,18 +243,19 @@ TEST(PathStraying, TellsLoopsAndOtherOrders) {
     return all;
   };
   PathProblem whole = samples(1), part = samples(0.4);
-  EXPECT_FALSE(PathStraying(whole).strays(planted, angles(1)));
-  EXPECT_FALSE(PathStraying(whole).strays(planted, angles(-1)));  // the order alone is looked at
-  EXPECT_TRUE(PathStraying(part).strays(planted, angles(0.4)));
+  EXPECT_FALSE(DeviationBetweenSamples(whole).strays(planted, angles(1)));
+  EXPECT_FALSE(
+      DeviationBetweenSamples(whole).strays(planted, angles(-1)));  // the order alone is looked at
+  EXPECT_TRUE(DeviationBetweenSamples(part).strays(planted, angles(0.4)));
   std::vector<double> swapped = angles(1);
   std::swap(swapped[3], swapped[20]);
-  EXPECT_TRUE(PathStraying(whole).strays(planted, swapped));
+  EXPECT_TRUE(DeviationBetweenSamples(whole).strays(planted, swapped));
   whole.constraints.no_order_defect = part.constraints.no_extra_loop = false;
-  EXPECT_FALSE(PathStraying(whole).strays(planted, swapped));
-  EXPECT_FALSE(PathStraying(part).strays(planted, angles(0.4)));
+  EXPECT_FALSE(DeviationBetweenSamples(whole).strays(planted, swapped));
+  EXPECT_FALSE(DeviationBetweenSamples(part).strays(planted, angles(0.4)));
   part.constraints.no_extra_loop = true;
   part.constraints.full_turn = false;  // no closed curve
-  EXPECT_FALSE(PathStraying(part).strays(planted, angles(0.4)));
+  EXPECT_FALSE(DeviationBetweenSamples(part).strays(planted, angles(0.4)));
 }
 
 /// The least turn into a range of directions, against a fine grid of turns.
@@ -291,7 +293,7 @@ TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
     double rms;
   } drawings[] = {{"bean.toml", 2.5321}, {"drop-of-any-size.toml", 0.42125}};
   for (const auto& known : drawings) {
-    const auto problem = read_problem(folder / known.file);
+    const auto problem = read_task(folder / known.file);
     ASSERT_TRUE(problem) << known.file;
     for (const std::uint64_t seed : {1, 2}) {
       const Result result = solve(std::get<PathProblem>(*problem), {.seed = seed});

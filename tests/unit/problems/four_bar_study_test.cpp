@@ -106,13 +106,13 @@ double tolerance(const std::string& name, double value) {
 }
 
 void expect_equal(const std::string& name, const Cell& cell,
-                  const std::variant<double, std::string, bool>& fact, std::int64_t id) {
-  if (const auto* const truth = std::get_if<bool>(&fact)) {
+                  const std::variant<double, std::string, bool>& quantity, std::int64_t id) {
+  if (const auto* const truth = std::get_if<bool>(&quantity)) {
     EXPECT_EQ(text(cell), *truth ? "true" : "false") << name << " of " << id;
-  } else if (const auto* const word = std::get_if<std::string>(&fact)) {
+  } else if (const auto* const word = std::get_if<std::string>(&quantity)) {
     EXPECT_EQ(text(cell), *word) << name << " of " << id;
   } else {
-    const double expected = std::get<double>(fact);
+    const double expected = std::get<double>(quantity);
     ASSERT_EQ(text(cell), "a number") << name << " of " << id << ", which is " << expected;
     double value = std::get<double>(cell);
     if (name.starts_with("fourier_phase")) {
@@ -148,11 +148,11 @@ std::map<std::string, int> compare(const Study& study, const StudyBlock& block) 
     for (std::size_t k = 0; k < study.metrics.size(); ++k) {
       const std::string& name = study.metrics[k];
       const Cell& cell = block.cells[row * columns + variables + k];
-      const auto fact = std::ranges::find(result.facts, name, &Fact::name);
-      if (!solved || fact == result.facts.end()) {
+      const auto quantity = std::ranges::find(result.quantities, name, &Quantity::name);
+      if (!solved || quantity == result.quantities.end()) {
         EXPECT_EQ(text(cell), "nothing") << name << " of " << id;
       } else {
-        expect_equal(name, cell, fact->value, id);
+        expect_equal(name, cell, quantity->value, id);
         if (name == "class") ++seen[text(cell)];
         if (name == "change_point") ++seen["change point " + text(cell)];
       }

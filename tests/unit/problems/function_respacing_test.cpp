@@ -20,7 +20,7 @@ std::string file(const std::string& lines, const std::string& function = "log10(
 }
 
 Result solved(const std::string& text) {
-  const auto problem = parse_problem(text);
+  const auto problem = parse_task(text);
   EXPECT_TRUE(problem) << (problem ? "" : problem.error()[0].message);
   return problem ? solve(std::get<FunctionProblem>(*problem), {}) : Result{};
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/gear/facts.hpp"
+#include "problems/gear/quantities.hpp"
 #include "problems/gear/result.hpp"
 
 namespace cognate::problems {
@@ -62,8 +62,8 @@ TEST(GearAnalysis, APointedGearIsRefused) {
 
 TEST(GearAnalysis, AGearThatCannotBeMadeHasNoTable) {
   const auto result = analyse(spur(4, 1, -2), {});
-  EXPECT_EQ(result.status, Status::infeasible);
-  EXPECT_TRUE(column(result, "radius").empty());
+  EXPECT_EQ(result.status, Status::invalid);
+  EXPECT_TRUE(result.columns.empty());
 }
 
 // Tables of the base tangent length of standard gears, module 1, α = 20°.
@@ -81,8 +81,8 @@ TEST(GearAnalysis, SpansAreThoseOfTheHandbook) {
   }
 }
 
-bool has(const std::vector<Fact>& facts, const std::string& name) {
-  return std::ranges::find(facts, name, &Fact::name) != facts.end();
+bool has(const std::vector<Quantity>& quantities, const std::string& name) {
+  return std::ranges::find(quantities, name, &Quantity::name) != quantities.end();
 }
 
 TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
@@ -98,10 +98,10 @@ TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
   EXPECT_EQ(span_measurement(narrow.gear).value().teeth, 9);
   narrow.gear.face_width = 5;
   EXPECT_FALSE(span_measurement(narrow.gear));
-  EXPECT_FALSE(has(gear_facts(narrow.gear, ""), "span_measurement"));
+  EXPECT_FALSE(has(gear_quantities(narrow.gear, ""), "span_measurement"));
   // A plane on the pin of a gear of 20 teeth cuts the tips beside it when x = 1.2.
   EXPECT_FALSE(pins_can_be_measured(spur(20, 1, 1.2).gear, 1.728));
-  EXPECT_FALSE(has(gear_facts(spur(20, 1, 1.2).gear, ""), "measurement_over_pins"));
+  EXPECT_FALSE(has(gear_quantities(spur(20, 1, 1.2).gear, ""), "measurement_over_pins"));
   EXPECT_FALSE(pins_can_be_measured(spur(28, 1, 1.5).gear, 1.728));
   EXPECT_TRUE(pins_can_be_measured(spur(20, 1).gear, 1.728));
   // Where a span is told its anvils touch the involute of the table.

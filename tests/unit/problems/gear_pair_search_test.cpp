@@ -117,8 +117,8 @@ GearPairProblem given_pair(int z1, int z2, double module, double centre_distance
   return problem;
 }
 
-double fact(const std::vector<Fact>& facts, const std::string& name) {
-  for (const Fact& each : facts) {
+double quantity(const std::vector<Quantity>& quantities, const std::string& name) {
+  for (const Quantity& each : quantities) {
     if (each.name == name) return std::get<double>(each.value);
   }
   ADD_FAILURE() << "no fact " << name;
@@ -134,11 +134,11 @@ TEST(GearPairSearch, ThatOfTheTextbookCannotDriveContinuously) {
   EXPECT_EQ(result.status, Status::infeasible);
   ASSERT_EQ(result.designs.size(), 1u);
   const auto& metrics = result.designs[0].metrics;
-  EXPECT_NEAR(fact(metrics, "contact_ratio"), 0.7650371785946412, 1e-12);
-  EXPECT_NEAR(fact(metrics, "working_pressure_angle_deg"), 22.88794225358765, 1e-11);
-  EXPECT_NEAR(fact(metrics, "backlash"), 3.9750554756351124, 1e-10);
-  EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), 253.67123369285025, 1e-9);
-  EXPECT_NEAR(fact(metrics, "pinion.tip_clearance"), 6.25, 1e-12);
+  EXPECT_NEAR(quantity(metrics, "contact_ratio"), 0.7650371785946412, 1e-12);
+  EXPECT_NEAR(quantity(metrics, "working_pressure_angle_deg"), 22.88794225358765, 1e-11);
+  EXPECT_NEAR(quantity(metrics, "backlash"), 3.9750554756351124, 1e-10);
+  EXPECT_NEAR(quantity(metrics, "continuous_centre_distance_max"), 253.67123369285025, 1e-9);
+  EXPECT_NEAR(quantity(metrics, "pinion.tip_clearance"), 6.25, 1e-12);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("cannot drive continuously: its contact ratio is 0.765037"),
             std::string::npos);
@@ -148,7 +148,7 @@ TEST(GearPairSearch, ThatOfTheTextbookCannotDriveContinuously) {
 TEST(GearPairSearch, WithoutACentreDistanceHasTheBacklashAskedFor) {
   GearPairProblem problem = given_pair(20, 80, 5, 0);
   problem.centre_distance.reset();
-  EXPECT_NEAR(fact(solve(problem, {}).designs[0].metrics, "centre_distance"), 250, 1e-12);
+  EXPECT_NEAR(quantity(solve(problem, {}).designs[0].metrics, "centre_distance"), 250, 1e-12);
   problem.profile_shift = {0.3, 0.4};
   problem.backlash = 0.2;
   const auto pair = textbook(solve(problem, {}).designs[0]);
@@ -175,8 +175,8 @@ TEST(GearPairSearch, SlidesAlikeAtBothFeetWhereTheCentreDistanceIsGiven) {
   const Textbook found = textbook(result.designs[0]);
   EXPECT_NEAR(found.sliding1(), found.sliding2(), 1e-9);
   EXPECT_NEAR(found.backlash(), 0.1, 1e-10);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "sliding_max"), found.sliding(), 1e-9);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "contact_ratio"), found.contact_ratio(), 1e-12);
+  EXPECT_NEAR(quantity(result.designs[0].metrics, "sliding_max"), found.sliding(), 1e-9);
+  EXPECT_NEAR(quantity(result.designs[0].metrics, "contact_ratio"), found.contact_ratio(), 1e-12);
   EXPECT_TRUE(found.is_sound(problem.constraints));
 }
 
@@ -190,7 +190,7 @@ void visit_grid(const GearPairProblem& problem, int z1, int z2, double m, const 
     Textbook pair{z1, z2, m, x1, 0, 0};
     if (problem.centre_distance) {
       pair.a = *problem.centre_distance;
-      // Backlash falls by the same for each shift: two values tell the one that is wanted.
+      // Backlash falls by the same for each shift: two values tell the one that is requested.
       const double none = pair.backlash();
       pair.x2 = 1;
       pair.x2 = (none - backlash) / (none - pair.backlash());
@@ -273,8 +273,8 @@ TEST(GearPairSearch, NoPairOfAGridIsBetterWithTeethAndModuleFree) {
       }
     }
     EXPECT_GT(count, 100);
-    EXPECT_EQ(fact(result.facts, "combinations"), 2 * 9 * 15);
-    EXPECT_EQ(fact(result.facts, "refused_by_ratio"), outside);
+    EXPECT_EQ(quantity(result.quantities, "combinations"), 2 * 9 * 15);
+    EXPECT_EQ(quantity(result.quantities, "refused_by_ratio"), outside);
   }
 }
 
@@ -355,7 +355,7 @@ TEST(GearPairSearch, HelicalShiftsAreThoseOfTheTransverseSection) {
   const double sum = (inv(working) - inv(at)) * (21 + 53) / (2 * std::tan(kAlpha));
   EXPECT_NEAR(*settled.profile_shift[0] + *settled.profile_shift[1], sum, 1e-10);
   const double overlap = 28 * std::sin(problem.helix) / (kPi * 2.5);
-  EXPECT_NEAR(fact(result.designs[0].metrics, "overlap_ratio"), overlap, 1e-12);
+  EXPECT_NEAR(quantity(result.designs[0].metrics, "overlap_ratio"), overlap, 1e-12);
 }
 
 bool has_note(const GearPairResult& result, const std::string& part) {
@@ -387,17 +387,17 @@ TEST(GearPairSearch, TellsTheDistancesAtWhichAPairDrivesContinuously) {
     for (int i = 0; i <= 1500; ++i) {
       const double distance = closest + 2e-3 * i;
       const auto result = solve(given_pair(teeth, teeth, 2, distance), {});
-      const double ratio = fact(result.designs[0].metrics, "contact_ratio");
+      const double ratio = quantity(result.designs[0].metrics, "contact_ratio");
       if (ratio >= 1) greatest = distance;
     }
     for (const double distance : {closest, closest + 0.3, closest + 3}) {
       const auto result = solve(given_pair(teeth, teeth, 2, distance), {});
       const auto& metrics = result.designs[0].metrics;
-      if (fact(metrics, "contact_ratio") >= 1) continue;
+      if (quantity(metrics, "contact_ratio") >= 1) continue;
       EXPECT_EQ(has_note(result, "at every centre distance"), greatest == 0) << teeth;
       if (greatest == 0) continue;
       ++tested;
-      EXPECT_NEAR(fact(metrics, "continuous_centre_distance_max"), greatest, 3e-3) << teeth;
+      EXPECT_NEAR(quantity(metrics, "continuous_centre_distance_max"), greatest, 3e-3) << teeth;
     }
   }
   EXPECT_GE(tested, 7);
@@ -413,10 +413,10 @@ TEST(GearPairSearch, RefusesTeethWhoseBaseCirclesOverlap) {
     for (int z2 = 40; z2 <= 80; ++z2) overlapping += (z1 + z2) * std::cos(kAlpha) >= 100 ? 1 : 0;
   }
   const auto result = solve(problem, {});
-  EXPECT_GE(fact(result.facts, "refused_by_centre_distance"), overlapping);
+  EXPECT_GE(quantity(result.quantities, "refused_by_centre_distance"), overlapping);
   problem.teeth_bounds = {{{60, 80}, {60, 80}}};
   const auto none = solve(problem, {});
-  EXPECT_EQ(fact(none.facts, "refused_by_centre_distance"), 441);
+  EXPECT_EQ(quantity(none.quantities, "refused_by_centre_distance"), 441);
   ASSERT_EQ(none.designs.size(), 1u);
   EXPECT_EQ(none.designs[0].settled.teeth[0], 60);
   EXPECT_TRUE(has_note(none, "base circles overlap"));
@@ -424,7 +424,7 @@ TEST(GearPairSearch, RefusesTeethWhoseBaseCirclesOverlap) {
   GearPairProblem bounded = free_pair(20, 40, 2);
   bounded.centre_distance_bounds = {0, 10};
   const auto near = solve(bounded, {});
-  EXPECT_EQ(fact(near.facts, "refused_by_centre_distance"), 1);
+  EXPECT_EQ(quantity(near.quantities, "refused_by_centre_distance"), 1);
   ASSERT_EQ(near.designs.size(), 1u);
   EXPECT_EQ(missed(near.designs[0]), std::vector<std::string>{"bounds.centre_distance"});
 }
@@ -438,8 +438,9 @@ TEST(GearPairSearch, TheNearestPairMissesNothingElseNeedlessly) {
   const auto far = solve(ratio, {});
   ASSERT_EQ(far.designs.size(), 1u);
   EXPECT_EQ(missed(far.designs[0]), Names{"target.ratio_tolerance"});
-  EXPECT_EQ(far.notes, Names{"The nearest ratio is 1.5; 7 is wanted, with a relative tolerance of "
-                             "0."});
+  EXPECT_EQ(far.notes,
+            Names{"The nearest ratio is 1.5; 7 was requested, with a relative tolerance of "
+                  "0."});
   GearPairProblem contact = free_pair(20, 40, 2);
   contact.constraints.contact_ratio_min = 3;
   const auto long_path = solve(contact, {});
@@ -463,8 +464,8 @@ TEST(GearPairSearch, ScaledCopiesAreSearchedOnce) {
   const auto result = solve(problem, {});
   ASSERT_EQ(result.designs.size(), 1u);
   EXPECT_EQ(result.designs[0].settled.module, 1);
-  EXPECT_EQ(fact(result.facts, "combinations"), 5);
-  EXPECT_EQ(fact(result.facts, "scaled_copies"), 4);
+  EXPECT_EQ(quantity(result.quantities, "combinations"), 5);
+  EXPECT_EQ(quantity(result.quantities, "scaled_copies"), 4);
   // Bounds that nothing reaches make lengths of them: the ties are then the smaller pair's.
   problem.centre_distance_bounds = {1, 1e6};
   problem.solve.designs = 5;
@@ -484,9 +485,9 @@ TEST(GearPairSearch, OfManyCombinationsNoneThatIsSearchedAloneIsBetter) {
   problem.modules = {2};
   const auto result = solve(problem, {});
   ASSERT_EQ(result.designs.size(), 3u);
-  EXPECT_EQ(fact(result.facts, "combinations_searched_coarsely"), 29 * 91);
-  EXPECT_EQ(fact(result.facts, "combinations_searched"), 100);
-  const double best = fact(result.designs[0].metrics, "sliding_max");
+  EXPECT_EQ(quantity(result.quantities, "combinations_searched_coarsely"), 29 * 91);
+  EXPECT_EQ(quantity(result.quantities, "combinations_searched"), 100);
+  const double best = quantity(result.designs[0].metrics, "sliding_max");
   for (int z1 = 12; z1 <= 40; z1 += 7) {
     for (int z2 = 20; z2 <= 110; z2 += 15) {
       GearPairProblem alone = problem;
@@ -494,7 +495,7 @@ TEST(GearPairSearch, OfManyCombinationsNoneThatIsSearchedAloneIsBetter) {
       const auto single = solve(alone, {});
       if (single.status != Status::solved) continue;
       ++tested;
-      EXPECT_GE(fact(single.designs[0].metrics, "sliding_max"), best - 1e-9) << z1 << ' ' << z2;
+      EXPECT_GE(quantity(single.designs[0].metrics, "sliding_max"), best - 1e-9) << z1 << ' ' << z2;
     }
   }
   EXPECT_GE(tested, 31);
@@ -510,8 +511,8 @@ TEST(GearPairSearch, ARunThatIsCutSaysSoAndHasSeenSomeOfAllSizes) {
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_EQ(cut.designs.size(), 3u);
   EXPECT_TRUE(has_note(cut, " of 2639 combinations had been looked at"));
-  EXPECT_LT(fact(cut.facts, "combinations_searched_coarsely"), 80);
-  EXPECT_EQ(fact(cut.facts, "combinations_searched"), 0);
+  EXPECT_LT(quantity(cut.quantities, "combinations_searched_coarsely"), 80);
+  EXPECT_EQ(quantity(cut.quantities, "combinations_searched"), 0);
   EXPECT_GT(*cut.designs[0].settled.teeth[0], 30);  // those of many teeth slide least
 }
 
@@ -525,7 +526,9 @@ TEST(GearPairSearch, HelicalTipsAndPlayAreMeasuredAcrossTheTeeth) {
   const auto result = solve(problem, {});
   ASSERT_EQ(result.status, Status::solved);
   for (const std::string gear : {"pinion.", "wheel."}) {
-    const auto of = [&](const char* name) { return fact(result.designs[0].metrics, gear + name); };
+    const auto of = [&](const char* name) {
+      return quantity(result.designs[0].metrics, gear + name);
+    };
     // The tip's helix by its lead: an arc of the section is cut at that angle.
     const double slope = kPi * of("tip_diameter") / of("lead");
     const double across = of("tip_thickness") / std::sqrt(1 + slope * slope);
@@ -537,7 +540,7 @@ TEST(GearPairSearch, HelicalTipsAndPlayAreMeasuredAcrossTheTeeth) {
   given.gearing = Gearing::helical;
   given.helix = kPi / 6;
   given.profile_shift = {0.471, 0.648};
-  EXPECT_NEAR(fact(solve(given, {}).designs[0].metrics, "normal_backlash"), 0.0095687, 5e-8);
+  EXPECT_NEAR(quantity(solve(given, {}).designs[0].metrics, "normal_backlash"), 0.0095687, 5e-8);
 }
 
 // The wheel of a worm is, in its middle plane, the gear that kind = "gear" makes of its numbers.

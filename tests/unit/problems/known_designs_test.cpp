@@ -14,7 +14,7 @@ namespace {
 /// Solves, and solves again from the best design alone; the errors must agree.
 template <class AnyProblem>
 void expect_come_back(const std::string& text) {
-  auto parsed = parse_problem(text);
+  auto parsed = parse_task(text);
   ASSERT_TRUE(parsed) << text;
   auto problem = std::get<AnyProblem>(*parsed);
   Run run;
@@ -55,7 +55,7 @@ TEST(KnownDesignsTest, OfPaths) {
 
 /// A design whose crank turns the other way is no start for increments that count clockwise.
 TEST(KnownDesignsTest, KeepToTheSenseAskedFor) {
-  auto parsed = parse_problem(oval(12, true, 1));
+  auto parsed = parse_task(oval(12, true, 1));
   ASSERT_TRUE(parsed);
   auto problem = std::get<PathProblem>(*parsed);
   problem.crank_sense = CrankSense::ccw;

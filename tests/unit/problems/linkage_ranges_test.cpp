@@ -22,9 +22,9 @@ AnalysisResult over_a_turn(const FourBar& linkage) {
 }
 
 template <class T>
-std::optional<T> fact(const AnalysisResult& result, const std::string& name) {
-  const auto found = std::ranges::find(result.facts, name, &Fact::name);
-  if (found == result.facts.end()) return std::nullopt;
+std::optional<T> quantity(const AnalysisResult& result, const std::string& name) {
+  const auto found = std::ranges::find(result.quantities, name, &Quantity::name);
+  if (found == result.quantities.end()) return std::nullopt;
   return std::get<T>(found->value);
 }
 
@@ -34,8 +34,8 @@ FourBar linkage_of(const Lengths<double>& l) {
 
 TEST(LinkageRanges, ADoubleRockerSwingsWithinItsOwnRange) {
   const auto result = over_a_turn(linkage_of({4.5, 1.5, 3, 5}));
-  EXPECT_NEAR(*fact<double>(result, "output_swing_deg"), 37.57, 0.005);
-  EXPECT_NEAR(*fact<double>(result, "circuit_swing_deg"), 60.27, 0.005);
+  EXPECT_NEAR(*quantity<double>(result, "output_swing_deg"), 37.57, 0.005);
+  EXPECT_NEAR(*quantity<double>(result, "circuit_swing_deg"), 60.27, 0.005);
 }
 
 TEST(LinkageRanges, AParallelogramIsADoubleCrank) {
@@ -43,15 +43,16 @@ TEST(LinkageRanges, AParallelogramIsADoubleCrank) {
   for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
     linkage.assembly = assembly;
     const auto result = over_a_turn(linkage);
-    EXPECT_EQ(fact<std::string>(result, "class"), "double-crank");
-    EXPECT_EQ(fact<std::string>(result, "change_point_kind"),
+    EXPECT_EQ(quantity<std::string>(result, "class"), "double-crank");
+    EXPECT_EQ(quantity<std::string>(result, "change_point_kind"),
               assembly == Assembly::open ? "parallelogram" : "antiparallelogram");
-    EXPECT_EQ(fact<bool>(result, "rocker_turns_fully"), true);
+    EXPECT_EQ(quantity<bool>(result, "rocker_turns_fully"), true);
   }
-  EXPECT_EQ(fact<std::string>(over_a_turn(linkage_of({2, 3, 3, 2})), "change_point_kind"), "kite");
-  EXPECT_EQ(fact<std::string>(over_a_turn(linkage_of({3, 3, 3, 3})), "change_point_kind"),
+  EXPECT_EQ(quantity<std::string>(over_a_turn(linkage_of({2, 3, 3, 2})), "change_point_kind"),
+            "kite");
+  EXPECT_EQ(quantity<std::string>(over_a_turn(linkage_of({3, 3, 3, 3})), "change_point_kind"),
             "rhombus");
-  EXPECT_EQ(fact<std::string>(over_a_turn(linkage_of({1, 3, 5, 7})), "change_point_kind"),
+  EXPECT_EQ(quantity<std::string>(over_a_turn(linkage_of({1, 3, 5, 7})), "change_point_kind"),
             "single");
 }
 

@@ -11,7 +11,7 @@
 namespace cognate::problems {
 namespace {
 
-using test::column, test::fact, test::result_of, test::says;
+using test::column, test::quantity, test::result_of, test::says;
 
 TEST(MachineEnds, OfAKiteIsNotHeldWhereItsJointsMeet) {
   const MachineResult result = result_of(R"(
@@ -23,7 +23,7 @@ run = {start_deg = 90, tasks = ["steady", "start"]}
   EXPECT_FALSE(says(result, "vanishes"));
   EXPECT_TRUE(says(result, "the drive does not hold the mechanism at 0°"));
   EXPECT_TRUE(says(result, "further on than 0°"));
-  EXPECT_NEAR(fact(result, "start_turns"), 0.75, 1e-6);
+  EXPECT_NEAR(quantity(result, "start_turns"), 0.75, 1e-6);
 }
 
 TEST(MachineEnds, OfATangentGeneratorEndsWhereThatIsAtInfinity) {
@@ -34,7 +34,7 @@ motor = {line = {stall_torque = 20, no_load_speed = 10}}
 run = {tasks = ["steady", "start"], start_deg = 30}
 )");
   EXPECT_EQ(result.status, Status::infeasible);
-  EXPECT_NEAR(fact(result, "start_turns"), 150.0 / 360, 1e-6);
+  EXPECT_NEAR(quantity(result, "start_turns"), 150.0 / 360, 1e-6);
   EXPECT_TRUE(says(result, "can be assembled from 0° to 180° and from 180° to 360°"));
   EXPECT_TRUE(says(result, "cannot be assembled further on than 180°"));
   EXPECT_EQ(result.notes.size(), 3u);
@@ -79,7 +79,7 @@ tasks = ["start"]
 )";
   EXPECT_TRUE(says(result_of(late), "run.time_max says how long to wait"));
   EXPECT_TRUE(says(result_of(late + "turns_max = 2\n"), "run.time_max says how long to wait"));
-  EXPECT_NEAR(fact(result_of(late + "time_max = 14\n"), "start_end_speed_rad_s"), 8, 0.02);
+  EXPECT_NEAR(quantity(result_of(late + "time_max = 14\n"), "start_end_speed_rad_s"), 8, 0.02);
 }
 
 TEST(MachineEnds, SaysThatATableIsTooCoarseForItsTurns) {
@@ -140,13 +140,13 @@ link = [{name = "coupler", mass = 2, centre = [1, 0.5]}, {name = "rocker", inert
 motor = {torque = "50 - w"}
 run = {start_deg = 30}
 )toml");
-  EXPECT_NEAR(fact(even, "speed_max_rad_s"), 50, 1e-7);
-  EXPECT_GT(fact(even, "fluctuation"), 0) << "by rounding";
-  const auto is_place = [](const Fact& each) { return each.name.ends_with("_at_deg"); };
-  EXPECT_TRUE(std::ranges::none_of(even.facts, is_place));
+  EXPECT_NEAR(quantity(even, "speed_max_rad_s"), 50, 1e-7);
+  EXPECT_GT(quantity(even, "fluctuation"), 0) << "by rounding";
+  const auto is_place = [](const Quantity& each) { return each.name.ends_with("_at_deg"); };
+  EXPECT_TRUE(std::ranges::none_of(even.quantities, is_place));
   const MachineResult uneven =
       result_of("equivalent = {inertia = 1, torque = 'cos(phi)'}\nmotor = {torque = '50 - w'}\n");
-  EXPECT_EQ(std::ranges::count_if(uneven.facts, is_place), 2);
+  EXPECT_EQ(std::ranges::count_if(uneven.quantities, is_place), 2);
 }
 
 TEST(MachineEnds, SaysThatItGoesBackwards) {
@@ -155,7 +155,7 @@ equivalent = {inertia = 1}
 motor = {torque = "-10 - w"}
 run = {tasks = ["steady", "start"], turns_max = 5}
 )");
-  EXPECT_LT(fact(result, "start_turns"), 0);
+  EXPECT_LT(quantity(result, "start_turns"), 0);
   EXPECT_EQ(std::ranges::count_if(result.notes,
                                   [](const std::string& note) {
                                     return note.starts_with("the machine goes backwards");

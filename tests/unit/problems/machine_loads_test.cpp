@@ -210,7 +210,7 @@ struct Slider {
 };
 
 problems::MachineResult result_of(const std::string& crank_inertia, const std::string& rest) {
-  const auto problem = problems::parse_machine(R"(kind = "machine"
+  const auto problem = problems::parse_task<problems::MachineProblem>(R"(kind = "machine"
 [mechanism]
 type = "slider-crank"
 crank = 0.1
@@ -225,13 +225,13 @@ inertia = )" + crank_inertia + "\n" + rest);
   return problem ? problems::run_machine(*problem, {}) : problems::MachineResult{};
 }
 
-const problems::Fact* fact(const problems::MachineResult& result, const std::string& name) {
-  const auto found = std::ranges::find(result.facts, name, &problems::Fact::name);
-  return found == result.facts.end() ? nullptr : &*found;
+const problems::Quantity* quantity(const problems::MachineResult& result, const std::string& name) {
+  const auto found = std::ranges::find(result.quantities, name, &problems::Quantity::name);
+  return found == result.quantities.end() ? nullptr : &*found;
 }
 
 double value(const problems::MachineResult& result, const std::string& name) {
-  const problems::Fact* found = fact(result, name);
+  const problems::Quantity* found = quantity(result, name);
   EXPECT_NE(found, nullptr) << name;
   return found == nullptr ? std::nan("") : std::get<double>(found->value);
 }
@@ -274,7 +274,7 @@ line = {stall_torque = 600, no_load_speed = 20}
   EXPECT_NEAR(2 * (greatest - least) / (greatest + least), 0.1, 2e-6);
   for (const char* name : {"flywheel_inertia_approximate_kg_m2", "greatest_excess_work_J",
                            "fluctuation_without_flywheel"}) {
-    EXPECT_EQ(fact(result, name), nullptr) << name;
+    EXPECT_EQ(quantity(result, name), nullptr) << name;
   }
   const auto short_of_energy = result_of("0.8", file("inertia = 20"));
   EXPECT_EQ(short_of_energy.status, problems::Status::no_solution);

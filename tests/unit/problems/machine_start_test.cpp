@@ -12,7 +12,7 @@
 namespace cognate::problems {
 namespace {
 
-using test::fact, test::result_of;
+using test::quantity, test::result_of;
 
 /// J ω̇ = stall (1 − ω/no_load) + load, from rest: ω = ω_s (1 − e^(−t/τ)), τ = J no_load/stall.
 struct LineStart {
@@ -33,7 +33,7 @@ struct LineStart {
 
 TEST(MachineStart, OfAFastMachineEndsWithinItsFirstTurn) {
   const LineStart fast{0.02, 200, 15, -20};
-  EXPECT_NEAR(fact(result_of(fast.file("")), "start_time_s"), fast.time_to(0.99), 1e-9);
+  EXPECT_NEAR(quantity(result_of(fast.file("")), "start_time_s"), fast.time_to(0.99), 1e-9);
 }
 
 TEST(MachineStart, OfALineEndsAsItsClosedFormDoes) {
@@ -47,16 +47,17 @@ TEST(MachineStart, OfALineEndsAsItsClosedFormDoes) {
     start.load = -start.stall * std::uniform_real_distribution(0.0, 0.9)(random);
     const double to_steady = start.time_to(0.99);
     const MachineResult settled = result_of(start.file(""));
-    EXPECT_NEAR(fact(settled, "start_time_s"), to_steady, 1e-6 * to_steady) << start.file("");
-    EXPECT_NEAR(fact(settled, "start_end_speed_rad_s"), 0.99 * start.settles_at(),
+    EXPECT_NEAR(quantity(settled, "start_time_s"), to_steady, 1e-6 * to_steady) << start.file("");
+    EXPECT_NEAR(quantity(settled, "start_end_speed_rad_s"), 0.99 * start.settles_at(),
                 1e-7 * start.settles_at());
-    within_a_turn += fact(settled, "start_turns") < 1;
+    within_a_turn += quantity(settled, "start_turns") < 1;
     const double share = std::uniform_real_distribution(0.05, 0.95)(random);
     std::ostringstream end;
     end.precision(17);
     end << "speed_end = " << share * start.settles_at() << "\n";
     const double to_speed = start.time_to(share);
-    EXPECT_NEAR(fact(result_of(start.file(end.str())), "start_time_s"), to_speed, 1e-6 * to_speed);
+    EXPECT_NEAR(quantity(result_of(start.file(end.str())), "start_time_s"), to_speed,
+                1e-6 * to_speed);
     ++counted;
   }
   EXPECT_EQ(counted, 200);
@@ -65,9 +66,9 @@ TEST(MachineStart, OfALineEndsAsItsClosedFormDoes) {
 
 TEST(MachineStart, ThatIsSteadyFromTheBeginningTakesNoTime) {
   const LineStart start{0.1, 10, 20, -2};
-  EXPECT_EQ(fact(result_of(start.file("start_speed = 16.01\n")), "start_time_s"), 0);
+  EXPECT_EQ(quantity(result_of(start.file("start_speed = 16.01\n")), "start_time_s"), 0);
   // From above: 25 = 16 + 9, and 9 e^(−t/τ) is 0.16.
-  EXPECT_NEAR(fact(result_of(start.file("start_speed = 25\n")), "start_time_s"),
+  EXPECT_NEAR(quantity(result_of(start.file("start_speed = 25\n")), "start_time_s"),
               0.2 * std::log(9 / 0.16), 1e-7);
 }
 
@@ -136,7 +137,7 @@ TEST(MachineStart, OfAnUnevenMachineEndsWhereItMeetsTheSteadyMotion) {
     UnevenMachine machine{between(0.01, 0.5), 100, between(10, 40), between(0, 30), 0};
     machine.uneven = between(5, 30);
     const double time = time_of_start(machine);
-    EXPECT_NEAR(fact(result_of(machine.file()), "start_time_s"), time, 1e-4 * time)
+    EXPECT_NEAR(quantity(result_of(machine.file()), "start_time_s"), time, 1e-4 * time)
         << machine.file();
     ++counted;
   }

@@ -14,7 +14,7 @@
 namespace cognate::problems {
 namespace {
 
-using test::column, test::fact, test::result_of, test::says;
+using test::column, test::quantity, test::result_of, test::says;
 
 /// A crank-rocker 0.5, 1, 1.2, 1.6, turned in the plane by `turned`, whose rocker bears a spring.
 std::string sprung_rocker(double turned) {
@@ -62,7 +62,7 @@ motor = {line = {stall_torque = 20, no_load_speed = 10}}
 run = {start_deg = 77}
 )");
   ASSERT_EQ(result.status, Status::solved);
-  EXPECT_NEAR(fact(result, "motor_work_J"), kTurn * kPi, 1e-7);
+  EXPECT_NEAR(quantity(result, "motor_work_J"), kTurn * kPi, 1e-7);
 }
 
 TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {

@@ -43,11 +43,11 @@ TEST(MechanismAllocations, NoneAlongACourse) {
   const Mechanism<double> mechanism{Crank<double>{{0, 0}, 1},
                                     {Rrr<double>{{1, {1, 0}}, {0, {3, 0}}, 3, 1}}};
   FollowedMotion<2> motion(mechanism, follow(mechanism, 1, 5));
-  ASSERT_EQ(motion.course().points.size(), 1U);
+  ASSERT_EQ(motion.assembly_ranges().points.size(), 1U);
 
   const std::size_t before = test::allocations();
   EXPECT_TRUE(motion.move_to(2));
-  EXPECT_TRUE(motion.move_to(motion.course().points[0].drive));
+  EXPECT_TRUE(motion.move_to(motion.assembly_ranges().points[0].drive));
   EXPECT_FALSE(motion.move_to(6));
   EXPECT_EQ(test::allocations(), before);
 }

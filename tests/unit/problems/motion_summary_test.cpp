@@ -26,15 +26,15 @@ AnalysisResult over_a_turn(const NamedMechanism& mechanism) {
   return analyse(analysis_of(mechanism, 36));
 }
 
-const Fact* find(const AnalysisResult& result, const std::string& name) {
-  const auto found = std::ranges::find(result.facts, name, &Fact::name);
-  return found == result.facts.end() ? nullptr : &*found;
+const Quantity* find(const AnalysisResult& result, const std::string& name) {
+  const auto found = std::ranges::find(result.quantities, name, &Quantity::name);
+  return found == result.quantities.end() ? nullptr : &*found;
 }
 
 double number(const AnalysisResult& result, const std::string& name) {
-  const Fact* fact = find(result, name);
-  EXPECT_NE(fact, nullptr) << "no fact " << name;
-  return fact ? std::get<double>(fact->value) : std::nan("");
+  const Quantity* quantity = find(result, name);
+  EXPECT_NE(quantity, nullptr) << "no fact " << name;
+  return quantity ? std::get<double>(quantity->value) : std::nan("");
 }
 
 std::vector<Landmark> landmarks(const AnalysisResult& result, const std::string& kind) {
@@ -185,7 +185,7 @@ TEST(MotionSummary, AnUndeterminedPositionIsEmptyAndSaidSo) {
 // Li & Xu 2011, example 2-4, recomputed with 30 digits: the shaper at crank angle 0, without
 // gravity; its stroke is the chord l₃·2 sin(swing/2), of which the load leaves out 5 % at each end.
 TEST(MotionSummary, TheShaperWithALoadWithinItsStroke) {
-  const auto problem = parse_analysis(R"(
+  const auto problem = parse_task<AnalysisProblem>(R"(
 kind = "analysis"
 load = [{on = "E", force = [5880, 0], when = "advance", stroke = [0.05, 0.95]}]
 link = [{name = "CB", mass = 20, centre = [0.3, 0], inertia = 0.12},

@@ -54,6 +54,14 @@ Complex coupler_point(const FourBar& linkage, double from_x_axis) {
          Complex(linkage.coupler_point->x, linkage.coupler_point->y) * (c - b) / linkage.coupler;
 }
 
+/// μ by the law of cosines in the triangle B–C–D; not a number where the linkage does not close.
+double transmission(const FourBar& linkage, double from_x_axis) {
+  const Complex a(linkage.pivot_a.x, linkage.pivot_a.y), d(linkage.pivot_d.x, linkage.pivot_d.y);
+  const double square = std::norm(d - a - std::polar(linkage.crank, from_x_axis));
+  return std::acos((linkage.coupler * linkage.coupler + linkage.rocker * linkage.rocker - square) /
+                   (2 * linkage.coupler * linkage.rocker));
+}
+
 /// Points about the curve, in order along an arc or a turn, disturbed by some share of its size.
 std::vector<Vec2d> points_about(const FourBar& linkage, std::mt19937_64& random, int count) {
   std::vector<Vec2d> points;
@@ -90,12 +98,14 @@ double best_from(const std::vector<std::optional<Vec2d>>& grid, const std::vecto
   return *std::ranges::min_element(cost);
 }
 
-double brute_force(const FourBar& linkage, const std::vector<Vec2d>& points, int sense) {
+double brute_force(const FourBar& linkage, const std::vector<Vec2d>& points, int sense,
+                   const Range& limits = {0, kPi}) {
   std::vector<std::optional<Vec2d>> grid;
   for (int i = 0; i < kGrid; ++i) {
     const Complex at = coupler_point(linkage, kTurn * i / kGrid);
-    grid.push_back(std::isfinite(at.real()) ? std::optional(Vec2d{at.real(), at.imag()})
-                                            : std::nullopt);
+    const double mu = transmission(linkage, kTurn * i / kGrid);
+    const bool is_allowed = limits.min <= mu && mu <= limits.max;
+    grid.push_back(is_allowed ? std::optional(Vec2d{at.real(), at.imag()}) : std::nullopt);
   }
   double least = std::numeric_limits<double>::infinity();
   for (int first = 0; first < kGrid; ++first) {
@@ -138,6 +148,42 @@ TEST(PathOrder, IsNoWorseThanBruteForceAndInOrder) {
   EXPECT_LE(worse, 6);
 }
 
+TEST(PathOrder, KeepsToTheTransmissionAngleWhereTheCrankDoesNotTurnFully) {
+  std::mt19937_64 random(4);
+  int tested = 0, bound = 0, nowhere = 0;
+  while (tested < 200) {
+    const FourBar linkage = random_linkage(random);
+    if (crank_rotates(lengths(linkage))) continue;
+    PathProblem problem;
+    problem.points = points_about(linkage, random, 4 + int(random() % 6));
+    const Range limits{uniform(random, 0.2, 1.2), uniform(random, 1.9, 2.9)};
+    const bool clockwise = random() % 2;
+    PathOrderWorkspace workspace;
+    const auto* places = PathOrder(problem, limits).places(linkage, {}, clockwise, workspace);
+    const double brute = brute_force(linkage, problem.points, clockwise ? -1 : 1, limits);
+    ++tested;
+    if (!places) {
+      EXPECT_FALSE(std::isfinite(brute)) << tested;
+      ++nowhere;
+      continue;
+    }
+    std::vector<double> angles;
+    for (const PlaceInOrder& place : places->of_point) {
+      angles.push_back(place.angle + frame_angle(linkage));
+      const double mu = transmission(linkage, angles.back());
+      EXPECT_TRUE(mu >= limits.min - 1e-8 && mu <= limits.max + 1e-8) << mu;
+      const bool at_limit = mu < limits.min + 1e-6 || mu > limits.max - 1e-6;
+      EXPECT_EQ(at_limit, place.held_by == HeldBy::range_end) << tested;
+      bound += at_limit;
+    }
+    const Defects defects = find_defects(linkage, angles, Sequence::one_sense);
+    EXPECT_FALSE(defects.order || defects.circuit);
+    if (std::isfinite(brute)) EXPECT_LE(places->cost, 1.05 * brute + 2e-3) << tested;
+  }
+  EXPECT_GT(bound, 200);
+  EXPECT_GT(nowhere, 2);
+}
+
 TEST(PathOrder, InAnyOrderEachPointLiesAtTheNearestPlace) {
   std::mt19937_64 random(2);
   int tested = 0;
@@ -176,6 +222,7 @@ TEST(PathOrder, TheModelsGradientIsThatOfTheLeastSumInOrder) {
     PathProblem problem;
     problem.points = points_about(linkage, random, 9);
     std::vector<double> angles(9, 0.0);
+    if (trial % 3 == 0) problem.constraints.transmission_angle = Range{0.4, 2.7};
     if (trial % 2) {
       problem.timing = Timing::mixed;
       problem.crank_reference = trial % 4 == 1 ? CrankReference::first : CrankReference::global;

@@ -6,7 +6,7 @@
 #include "analysis/cam/profile.hpp"
 #include "analysis/cam/turn_extremes.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/cam/facts.hpp"
+#include "problems/cam/quantities.hpp"
 #include "problems/linkage/verify.hpp"
 #include "tests/support/cam_problems.hpp"
 
@@ -92,7 +92,7 @@ TEST(SecondContact, ConjugateCamsShareTheDemand) {
   ASSERT_TRUE(design.second);
   for (int degree = 0; degree < 360; degree += 13) {
     const auto demanded = [&](const Cam& cam) {
-      return value_of(cam::Quantity::demand, cam.system, cam.programme.at(degree * kDegree));
+      return value_of(cam::CamQuantity::demand, cam.system, cam.programme.at(degree * kDegree));
     };
     const double first = demanded(design.cam);
     EXPECT_NEAR(demanded(*design.second), -first, 1e-12 * 300) << degree;
@@ -155,9 +155,10 @@ TEST(SecondContact, OuterWallOfAGroove) {
   problem.motion = {segment(MotionLaw::cycloidal, 60, 25), segment(MotionLaw::cycloidal, 60, -25),
                     segment(MotionLaw::dwell, 240)};
   auto design = solve(problem, {.threads = 1}).designs.at(0);
-  const double hollow = -1 / cam::turn_extremes(design.cam.programme, cam::Stretch::whole,
-                                                design.cam.system, cam::Quantity::pitch_curvature)
-                                 ->least.value;
+  const double hollow =
+      -1 / cam::turn_extremes(design.cam.programme, cam::MotionPart::whole, design.cam.system,
+                              cam::CamQuantity::pitch_curvature)
+               ->least.value;
   for (const double share : {0.98, 1.02}) {
     problem.length(CamDimension::roller_radius).given = share * hollow;
     problem.constraints.curvature_radius_min = 0.0;

@@ -21,7 +21,7 @@ namespace cognate::problems {
 namespace {
 
 StraightLineProblem problem_of(const std::string& text) {
-  const auto problem = parse_problem("kind = \"straight-line\"\n" + text);
+  const auto problem = parse_task("kind = \"straight-line\"\n" + text);
   EXPECT_TRUE(problem.has_value()) << (problem ? "" : problem.error()[0].message);
   return problem ? std::get<StraightLineProblem>(*problem) : StraightLineProblem{};
 }
@@ -32,32 +32,32 @@ Result solve_text(const std::string& text, int threads = 0) {
   return solve(problem_of(text), run);
 }
 
-double fact(const Design& design, const std::string& name) {
-  for (const Fact& f : design.metrics.facts) {
+double quantity(const Design& design, const std::string& name) {
+  for (const Quantity& f : design.metrics.quantities) {
     if (f.name == name) return std::get<double>(f.value);
   }
   ADD_FAILURE() << "no fact " << name;
   return NAN;
 }
 
-LineStretch a_stretch(MechanismType type) {
-  LineStretch stretch;
-  stretch.type = type;
-  stretch.dimensions = {{0.7, 1.9, type == MechanismType::four_bar ? 1.7 : 0.2, 1.6}, {2.2, 0.6}};
-  stretch.centre = 2.7;
-  stretch.reach = 0.8;
-  stretch.line = 3.0;
-  stretch.height = 0.4;
-  stretch.length = 1.1;
-  stretch.pivot_a = {0.2, -0.1};
-  stretch.frame_angle = 0.3;
-  return stretch;
+LinkageSegment a_segment(MechanismType type) {
+  LinkageSegment segment;
+  segment.type = type;
+  segment.dimensions = {{0.7, 1.9, type == MechanismType::four_bar ? 1.7 : 0.2, 1.6}, {2.2, 0.6}};
+  segment.centre = 2.7;
+  segment.reach = 0.8;
+  segment.line = 3.0;
+  segment.height = 0.4;
+  segment.length = 1.1;
+  segment.pivot_a = {0.2, -0.1};
+  segment.frame_angle = 0.3;
+  return segment;
 }
 
 /// Central differences of residuals and constraints.
 void expect_exact_derivatives(const StraightLineProblem& problem) {
-  const StretchModel model(problem, a_stretch(problem.type), stretch_nodes(8));
-  const std::vector<double> x = model.variables_of(a_stretch(problem.type));
+  const SegmentModel model(problem, a_segment(problem.type), segment_nodes(8));
+  const std::vector<double> x = model.variables_of(a_segment(problem.type));
   const auto rows = [&](const std::vector<double>& at) {
     std::vector<double> all(model.residual_count()), limits(model.constraint_count());
     EXPECT_TRUE(model.residuals(at, all, {}, {}));
@@ -85,7 +85,7 @@ void expect_exact_derivatives(const StraightLineProblem& problem) {
   }
 }
 
-TEST(StretchModel, HasExactDerivatives) {
+TEST(SegmentModel, HasExactDerivatives) {
   expect_exact_derivatives(problem_of("[target]\nlength = 1\n"));
   expect_exact_derivatives(problem_of("[target]\ndeviation_relative = 0.01\ndirection_deg = 20\n"));
   expect_exact_derivatives(
@@ -97,15 +97,15 @@ TEST(StretchModel, HasExactDerivatives) {
       "[mechanism]\ntype = \"slider-crank\"\n[constraints]\nclass = \"crank-rocker\"\n"));
 }
 
-TEST(StretchStarts, AreStretchesOfTheirOwnCurves) {
+TEST(SegmentStarts, AreStretchesOfTheirOwnCurves) {
   const StraightLineProblem problem = problem_of("[target]\nlength = 1\n");
-  StretchStarts starts(problem);
+  SegmentStarts starts(problem);
   int found = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
     const auto start = starts.draw(3, i);
     if (!start) continue;
     ++found;
-    LineStretch fitted = start->stretch;
+    LinkageSegment fitted = start->segment;
     EXPECT_LT(largest_dimension(fitted), 2 + 1e-9) << i;
     EXPECT_NEAR(fitted.length, 1, 1e-12);
     const auto deviation = fit_line(fitted);
@@ -127,7 +127,7 @@ TEST(StraightLineSearch, IsTheSameForAnyNumberOfThreads) {
   ASSERT_EQ(one.designs.size(), three.designs.size());
   for (std::size_t i = 0; i < one.designs.size(); ++i) {
     EXPECT_EQ(four_bar(one.designs[i]).crank, four_bar(three.designs[i]).crank);
-    EXPECT_EQ(fact(one.designs[i], "deviation"), fact(three.designs[i], "deviation"));
+    EXPECT_EQ(quantity(one.designs[i], "deviation"), quantity(three.designs[i], "deviation"));
   }
 }
 
@@ -139,12 +139,12 @@ TEST(StraightLineSearch, KnowsNeitherScaleNorDirection) {
   const Result large = solve_text("[target]\nlength = 1000\ndirection_deg = 35\n" + rest);
   ASSERT_EQ(own.status, Status::solved);
   ASSERT_EQ(large.status, Status::solved);
-  EXPECT_NEAR(
-      fact(large.designs[0], "deviation_relative") / fact(own.designs[0], "deviation_relative"), 1,
-      1e-4);
-  const double off = fact(large.designs[0], "direction_deg") - 35;
+  EXPECT_NEAR(quantity(large.designs[0], "deviation_relative") /
+                  quantity(own.designs[0], "deviation_relative"),
+              1, 1e-4);
+  const double off = quantity(large.designs[0], "direction_deg") - 35;
   EXPECT_NEAR(std::remainder(off, 180), 0, 1e-5);
-  EXPECT_NEAR(fact(large.designs[0], "straight_length"), 1000, 1e-3);
+  EXPECT_NEAR(quantity(large.designs[0], "straight_length"), 1000, 1e-3);
 }
 
 /// Of Hoeken's point, the deviation over a length of 1 in the middle of his stretch.
@@ -173,7 +173,7 @@ TEST(StraightLineSearch, FindsAPlantedPoint) {
   EXPECT_NEAR(norm(found.pivot_d - found.pivot_a), 2, 1e-12);
   const double classical =
       hoekens_deviation({{0, 0}, {2, 0}, 1, 2.5, 2.5, Assembly::open, Vec2d{5, 0}});
-  EXPECT_LE(fact(result.designs[0], "deviation_relative"), classical);
+  EXPECT_LE(quantity(result.designs[0], "deviation_relative"), classical);
 }
 
 TEST(StraightLineSearch, KeepsToItsConstraints) {
@@ -191,9 +191,9 @@ TEST(StraightLineSearch, KeepsToItsConstraints) {
   EXPECT_EQ(four_bar(best).pivot_a, (Vec2d{3, 4}));
   EXPECT_EQ(best.metrics.mobility, MobilityClass::crank_rocker);
   EXPECT_GT(best.metrics.transmission_acute_min, 35 * kPi / 180 - 1e-6);
-  EXPECT_LE(fact(best, "speed_variation"), 0.1 * (1 + 1e-6));
-  EXPECT_LE(fact(best, "size_over_length"), 2 * (1 + 1e-6));
-  const double range = fact(best, "crank_to_deg") - fact(best, "crank_from_deg");
+  EXPECT_LE(quantity(best, "speed_variation"), 0.1 * (1 + 1e-6));
+  EXPECT_LE(quantity(best, "size_over_length"), 2 * (1 + 1e-6));
+  const double range = quantity(best, "crank_to_deg") - quantity(best, "crank_from_deg");
   EXPECT_GT(range, 80 - 1e-4);
   EXPECT_LT(range, 180 + 1e-4);
 }
@@ -226,7 +226,7 @@ TEST(StraightLineSearch, KeepsTheSpeedBetweenNodes) {
       "[target]\nlength = 1\n[constraints]\nclass = \"crank-rocker\"\n"
       "crank_range_deg = [90, 180]\nsize_over_length_max = 1.5\nspeed_variation_max = 0.1\n");
   ASSERT_EQ(result.status, Status::solved);
-  EXPECT_LE(fact(result.designs[0], "speed_variation"), 0.1 * (1 + 1e-6));
+  EXPECT_LE(quantity(result.designs[0], "speed_variation"), 0.1 * (1 + 1e-6));
 }
 
 /// A smaller linkage is never straighter.
@@ -237,7 +237,7 @@ TEST(StraightLineSearch, FindsInAWiderRangeWhatANarrowerOneHolds) {
         "target.length = 1\nconstraints = {class = \"crank-rocker\", size_over_length_max = 1.5, "
         "crank_range_deg = " +
         range + "}");
-    return result.designs.empty() ? NAN : fact(result.designs[0], "deviation_relative");
+    return result.designs.empty() ? NAN : quantity(result.designs[0], "deviation_relative");
   };
   EXPECT_LE(deviation("[90, 180]"), 1.001 * deviation("[90, 110]"));
 }

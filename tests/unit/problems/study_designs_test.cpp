@@ -175,7 +175,7 @@ TEST(DesignText, ReadsBackAsTheSameDoubles) {
     std::vector<double> values = {7};
     while (values.size() < 8) values.push_back(around(random));
     if (i % 3 == 0) values[4] = 21;
-    const auto read = parse_analysis(design_text(study, values));
+    const auto read = parse_task<AnalysisProblem>(design_text(study, values));
     ASSERT_TRUE(read) << design_text(study, values) << read.error()[0].message;
     const FourBar& linkage = *read->mechanism.four_bar;
     EXPECT_EQ(read->drive.steps, 7);
@@ -232,10 +232,10 @@ TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
   study->folder = "/nowhere";
   const auto task = StudyBase(*study).with(std::vector{40.0});
   ASSERT_TRUE(task) << task.error()[0].message;
-  const auto& held = std::get<PathProblem>(std::get<Problem>(*task));
+  const auto& held = std::get<PathProblem>(*task);
   const auto direct = read_task(library / "bean.toml");
   ASSERT_TRUE(direct);
-  const auto& drawn = std::get<PathProblem>(std::get<Problem>(*direct));
+  const auto& drawn = std::get<PathProblem>(*direct);
   EXPECT_EQ(held.curve->curve.length(), drawn.curve->curve.length());
   EXPECT_EQ(held.points.size(), 40U);
 }

@@ -20,7 +20,7 @@ std::array<double, 4> form_of(double a, double b, double c) {
           s[0] * t[1] * t[2] + t[0] * s[1] * t[2] + t[0] * t[1] * s[2], t[0] * t[1] * t[2]};
 }
 
-double nearest(const Few<Vec2d, 3>& roots, double angle) {
+double nearest(const InPlaceVector<Vec2d, 3>& roots, double angle) {
   double least = 1;
   for (const Vec2d& root : roots) {
     least = std::min(least, std::abs(root.x * std::sin(angle) - root.y * std::cos(angle)));

@@ -118,7 +118,7 @@ struct Start {
   Real input = 0;
   std::optional<Real> output;
 };
-std::optional<Start> start_of(const WantedFunction& function, const ProportionBox& box,
+std::optional<Start> start_of(const DesiredFunction& function, const ProportionBox& box,
                               const Point& at) {
   if (!function.start) {
     return Start{
@@ -135,7 +135,7 @@ std::optional<Start> start_of(const WantedFunction& function, const ProportionBo
   return Start{dead->crank_angle, dead->rocker_angle};
 }
 
-std::optional<double> error_at(const WantedFunction& function, const ProportionBox& box,
+std::optional<double> error_at(const DesiredFunction& function, const ProportionBox& box,
                                const Point& at) {
   const Links links = links_at(box, at);
   const auto start = start_of(function, box, at);
@@ -160,9 +160,9 @@ ProportionLimits no_limits() {
 }
 
 /// A function that a linkage of the box generates, more or less.
-std::optional<WantedFunction> function_near(Random& random, const ProportionBox& box,
-                                            std::optional<LimitOfOutput> start) {
-  WantedFunction function;
+std::optional<DesiredFunction> function_near(Random& random, const ProportionBox& box,
+                                             std::optional<LimitOfOutput> start) {
+  DesiredFunction function;
   function.start = start;
   function.lengths.greatest.fill(kInfinity);
   const Point at = random.in(box);

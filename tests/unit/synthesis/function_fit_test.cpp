@@ -20,7 +20,7 @@ using synthesis::FunctionFitOptions;
 using synthesis::FunctionFitState;
 
 FunctionProblem parsed(const std::string& more) {
-  return std::get<FunctionProblem>(*parse_problem(
+  return std::get<FunctionProblem>(*parse_task(
       "kind = \"function-generation\"\n[target]\nfunction = \"sqrt(x)\"\ndomain = [1, 10]\n"
       "input_range_deg = 90\noutput_range_deg = 90\nsamples = 31\n[mechanism]\nframe = 1\n" +
       more));

@@ -1,6 +1,4 @@
 // Given parts as equations, and what they and poses leave of a solution's residual.
-#include "synthesis/exact/nine_point/given_parts.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,6 +11,7 @@
 
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 #include "synthesis/exact/nine_point/constrained_tracker.hpp"
+#include "synthesis/exact/nine_point/fixed_parts.hpp"
 #include "synthesis/exact/nine_point/generic_set.hpp"
 #include "tests/support/planted_path.hpp"
 
@@ -47,14 +46,14 @@ bool are_equal(const SideCondition& a, const SideCondition& b) {
 }
 
 /// Certificates of reality are true only if conjugation carries solutions into solutions exactly.
-TEST(GivenParts, OfTheRealPlaneAreClosedUnderConjugation) {
+TEST(FixedParts, OfTheRealPlaneAreClosedUnderConjugation) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> any(-3, 3);
   for (int i = 0; i < 100; ++i) {
     PathSystem system;
     system.origin = {any(random), any(random)};
     system.scale = std::abs(any(random));
-    const GivenParts parts{.pivot_a = Vec2d{any(random), any(random)},
+    const FixedParts parts{.pivot_a = Vec2d{any(random), any(random)},
                            .coupler_point = Vec2d{any(random), any(random)},
                            .frame_angle = any(random),
                            .crank = 0.7,
@@ -130,7 +129,7 @@ TEST(GenericSet, IsKeptInAFolder) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("cognate-generic-" + std::to_string(getpid()));
   const PathClass kind{2, 1};
-  const GivenParts given{.pivot_a = Vec2d{}, .pivot_d = Vec2d{}, .crank = 1};
+  const FixedParts given{.pivot_a = Vec2d{}, .pivot_d = Vec2d{}, .crank = 1};
   EXPECT_FALSE(constrained::read_generic_set(folder, kind, given));
   const auto set = constrained::generic_set(kind, given, {.cache = folder});
   ASSERT_TRUE(set);

@@ -113,7 +113,7 @@ TEST(NinePointEquations, CorrectionsAndConditionsAreThoseOfTheDenseSystem) {
     for (int i = 0; i < count * size; ++i) roots.push_back(pair(random.number() + 1.5));
     for (const InstructionSet set : instruction_sets()) {
       for (const bool extended : {false, true}) {
-        TrackMeans means;
+        TrackingOptions means;
         means.set = set;
         const Inspection seen =
             inspect(roots, kind.points, parameter_line(data, data), extended, means);

@@ -1,4 +1,5 @@
-/// Start sets: complete, exact, the same whatever the threads, and kept in files that cannot harm.
+/// Start sets: complete, exact, the same for any number of threads, and kept in files that cannot
+/// harm.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -19,8 +20,8 @@ bool same_bits(const std::vector<Pair>& a, const std::vector<Pair>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pair)) == 0;
 }
 
-TrackMeans means_of(int threads, std::optional<InstructionSet> set = {}) {
-  TrackMeans means;
+TrackingOptions means_of(int threads, std::optional<InstructionSet> set = {}) {
+  TrackingOptions means;
   means.threads = threads;
   means.set = set;
   return means;
@@ -69,8 +70,8 @@ TEST(NinePointStart, IsFoundByEveryInstructionSet) {
 TEST(NinePointStart, StopsWhenAsked) {
   int asked = 0;
   const std::function<bool()> ask = [&] { return ++asked > 20; };
-  StopSign stop(ask);
-  TrackMeans means = means_of(2);
+  StopToken stop(ask);
+  TrackingOptions means = means_of(2);
   means.stop = &stop;
   EXPECT_FALSE(find_start_set({3, 4}, means));
   EXPECT_LT(asked, 40);
@@ -154,8 +155,8 @@ TEST_F(StartFile, IsNoConditionForASet) {
 }
 
 TEST_F(StartFile, IsWrittenAndThenRead) {
-  // Classes and sets that no other test of this process has asked for, so that memory has none.
-  const TrackMeans means = means_of(1, InstructionSet::scalar);
+  // Classes and sets that no other test of this process has requested, so that memory has none.
+  const TrackingOptions means = means_of(1, InstructionSet::scalar);
   const auto file = start_file(folder_, kKind, means);
   ASSERT_TRUE(start_set(kKind, folder_, means));
   ASSERT_TRUE(std::filesystem::exists(file));

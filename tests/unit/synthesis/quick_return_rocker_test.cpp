@@ -52,7 +52,7 @@ TEST(QuickReturnRocker, PublishedExample) {
       has(rockers_with_frame(book, 277), {77.1188168514126, 217.08285220138112, 290, 277}, 1e-15));
 }
 
-/// What is wanted of a linkage, as it moves: the rocker's swing by sampling its angle.
+/// What is requested of a linkage, as it moves: the rocker's swing by sampling its angle.
 double sampled_swing(const FourBar& linkage) {
   const Motion motion(linkage);
   const double about = motion.at(0)->rocker_angle;
@@ -212,7 +212,7 @@ TEST(QuickReturnRocker, KeepsToBoundsWhereItTransmitsBest) {
          design.transmission.max <= bounds.transmission_max + 1e-9;
 }
 
-/// The best of an arc that keeps to the bounds, among linkages by their cranks.
+/// The best of an arc that satisfies the bounds, among linkages by their cranks.
 double best_by_crank(const RockerTask& task, PivotArc arc, const RockerBounds& bounds) {
   constexpr int kCranks = 700;
   const auto limits = arc_limits(task, arc);

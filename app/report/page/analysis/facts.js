@@ -1,6 +1,14 @@
 // What holds for the motion as a whole, and the values at the present position.
 
-function showFacts(facts, drive, mechanism) {
+import { breakable, byId, element, fact } from "../dom.js";
+import { factName, factRows } from "../fact_text.js";
+import { degrees, number, sentence } from "../format.js";
+import { RADIANS } from "../sampling.js";
+import { say, term } from "../words.js";
+import { landmarkColour } from "./sheets.js";
+import { partName, unitText } from "./table.js";
+
+export function showFacts(facts, drive, mechanism) {
   const unit = drive.kind === "slider" ? "" : "°";
   const range = say("range.to", { from: `${number(drive.from, 6)}${unit}`, to: `${number(drive.to, 6)}${unit}` });
   const speed = drive.kind === "slider" ? `${number(drive.speed, 5)} ${say("unit.speed")}` : `${number(drive.speed * RADIANS, 5)} rad/s`;
@@ -11,7 +19,7 @@ function showFacts(facts, drive, mechanism) {
 }
 
 // A row for each landmark; its button goes there.
-function showLandmarks(landmarks, mechanism, driveText, goTo) {
+export function showLandmarks(landmarks, mechanism, driveText, goTo) {
   byId("landmarks").hidden = landmarks.length === 0;
   const output = mechanism.bodies[mechanism.output];
   const turns = Array.isArray(output?.deg);
@@ -28,7 +36,7 @@ function showLandmarks(landmarks, mechanism, driveText, goTo) {
 }
 
 // The columns of the parts chosen, with their values where the mechanism stands.
-class Values {
+export class Values {
   constructor(table) {
     this.table = table;
     const head = ["column", "of", "now", "least", "greatest", "unit"];

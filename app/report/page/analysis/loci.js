@@ -1,8 +1,17 @@
 // Hodographs: the curves that the tips of vectors draw, seen from their foot, with equal axes.
 
+import { keySign } from "../curves.js";
+import { byId, element, set, svg } from "../dom.js";
+import { engineeringExponent, number, powerOfTen } from "../format.js";
+import { quantile } from "../sampling.js";
+import { arrowPath, pathWithGaps, round } from "../shapes.js";
+import { boxOf, SCALE_ROOM, View } from "../view.js";
+import { say } from "../words.js";
+import { partName, unitText } from "./table.js";
+
 const LOCUS_TITLES = { velocity: say("loci.velocity"), acceleration: say("loci.acceleration"), reactions: say("loci.reactions") };
 
-function lociSheets(table, parts, colours) {
+export function lociSheets(table, parts, colours) {
   const sheets = Object.entries(LOCUS_TITLES).map(([quantity, title]) => ({ title, quantity,
     vectors: table.vectorsOf(quantity).filter((v) => v.at && parts.has(v.x.of)) }));
   sheets.push({ title: say("loci.shaking"), quantity: "reactions", vectors: table.vectorsOf("reactions").filter((v) => !v.at) });
@@ -16,13 +25,13 @@ function lociSheets(table, parts, colours) {
 }
 
 // Beyond this size a locus leaves its plot: as far as it goes, unless a pole dwarfs all else.
-function cutOf(sizes) {
+export function cutOf(sizes) {
   const usual = quantile(sizes, 0.93);
   const most = quantile(sizes, 1);
   return usual > 0 && most > 12 * usual ? 3 * usual : most;
 }
 
-class Loci {
+export class Loci {
   constructor(holder, table) {
     Object.assign(this, { holder, table, plots: [] });
     new ResizeObserver(() => { if (this.sheets) this.build(this.sheets); }).observe(holder);

@@ -1,6 +1,33 @@
 // The page of an analysis: where the drive stands, and everything that follows from it.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { Controls, saveResult, saveText } from "../controls.js";
+import { Curves } from "../curves.js";
+import { byId, element, set } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { Extras } from "../extras.js";
+import { degrees, duration, fixed, number, sentence } from "../format.js";
+import { Ghost, GHOSTS } from "../ghosts.js";
+import { showHead, showNotes, showWork } from "../head.js";
+import { jointsOf } from "../joints.js";
+import { Kernel } from "../kernel.js";
+import { Mechanism } from "../mechanism.js";
+import { ARROWS, MechanismScene, NO_TABLE } from "../mechanism_scene.js";
+import { RADIANS } from "../sampling.js";
+import { legendItem } from "../shapes.js";
+import { makeSortable } from "../sortable.js";
+import { Trace } from "../trace.js";
+import { Vectors } from "../vectors.js";
+import { say, term } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { showFacts, showLandmarks, Values } from "./facts.js";
+import { Loci, lociSheets } from "./loci.js";
+import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
+import { partName, Table } from "./table.js";
+import { MechanismEditor } from "../edit/mechanism_editor.js";
+import { isEditable } from "../edit/mechanism_model.js";
+
+const data = JSON.parse(embedded("data"));
 const { result, drive: driving } = data;
 const angular = driving.kind !== "slider";
 const analysed = new Mechanism(data.mechanism, driving);

@@ -1,5 +1,12 @@
 // What is plotted of an analysis: one sheet for each quantity and unit.
 
+import { TURN_STEPS } from "../curves.js";
+import { engineeringExponent, number, powerOfTen, sentence } from "../format.js";
+import { extremes, quantile } from "../sampling.js";
+import { say, term } from "../words.js";
+import { cutOf } from "./loci.js";
+import { INSTANT_GEOMETRY, unitText } from "./table.js";
+
 const SHEET_TITLES = {
   "position deg": say("sheet.angles"), "position length": say("sheet.positions"), "velocity rad/s": say("sheet.angular_velocities"), "velocity length/s": say("sheet.velocities"),
   "acceleration rad/s2": say("sheet.angular_accelerations"), "acceleration length/s2": say("sheet.accelerations"),
@@ -13,10 +20,10 @@ const POINT_COLOURS = ["--curve", "--crank", "--coupler", "--target", "--rocker"
 const LANDMARK_COLOURS = { "limit position": "--good", "dead point": "--bad", "change point": "--warn",
   "least transmission angle": "--curve", "greatest transmission angle": "--link-b",
   cusp: "--crank", inflection: "--target", "double point": "--coupler" };
-const landmarkColour = (kind) => LANDMARK_COLOURS[kind] ?? "--ground";
+export const landmarkColour = (kind) => LANDMARK_COLOURS[kind] ?? "--ground";
 
 // A colour for each part of the table: of bodies that of the picture, of points and joints in turn.
-function partColours(table, scene) {
+export function partColours(table, scene) {
   let points = 0;
   return new Map(table.parts.map((part) => {
     const body = scene.mechanism.bodies.findIndex((b) => b.name === part);
@@ -44,7 +51,7 @@ function columnGroups(table, parts) {
   return groups;
 }
 
-function analysisSheets(table, mechanism, parts, landmarks, xLabel, colours) {
+export function analysisSheets(table, mechanism, parts, landmarks, xLabel, colours) {
   const angular = xLabel.includes("°");
   const common = { x: table.drive, xRange: [mechanism.from, mechanism.to], xLabel, xSteps: angular ? TURN_STEPS : undefined,
     xAt: (drive) => drive, driveAt: (x) => x, hover: true, marks: landmarks.map(({ drive, kind }) => ({ at: drive, colour: landmarkColour(kind) })) };

@@ -1,10 +1,13 @@
 // The columns of the analysis, and which of them belong together.
 
+import { extremes, interpolate, locate, quantile } from "../sampling.js";
+import { say, term } from "../words.js";
+
 const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", "N m": "N·m", "1/length": say("unit.curvature") };
-const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
+export const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
 const UNIT_SUFFIX = /_(deg|per_s2|per_s|rad_s2|rad_s|N_m|N)$/;
 
-const INSTANT_GEOMETRY = "instant-geometry";
+export const INSTANT_GEOMETRY = "instant-geometry";
 
 // A column's name in words, without its unit: "E vx", "bar ω", "A on coupler Fx".
 function columnLabel({ name, of }) {
@@ -17,12 +20,12 @@ function columnLabel({ name, of }) {
 }
 
 // What a part of the table is called; a sliding pair by the bodies that it joins, as "frame-slider".
-function partName(name) {
+export function partName(name) {
   const bodies = name.split("-").map(term);
   return term(name) === name && bodies.length === 2 && bodies.join("-") !== name ? bodies.join("–") : term(name);
 }
 
-class Table {
+export class Table {
   constructor({ rows, drive, columns }, vectors, normals) {
     const rising = drive.length < 2 || drive.at(-1) >= drive[0];
     const turned = (list) => (rising ? list : [...list].reverse());

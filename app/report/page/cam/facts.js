@@ -1,17 +1,33 @@
 // What is known of the cam chosen, its motion and its limits.
 
-const LENGTH_NAMES = ["base_radius", "offset", "roller_radius", "centre_distance", "arm", "face_offset"];
+import { headRow } from "../checks.js";
+import { byId, element, fact } from "../dom.js";
+import { degrees, degreesShort, number, sentence } from "../format.js";
+import { extremes, interpolate, locate } from "../sampling.js";
+import { say, sentenceOf, term } from "../words.js";
+import { JUMPS, STROKE_COLOURS } from "./sheets.js";
+
+const LENGTH_NAMES = ["offset", "roller_radius", "centre_distance", "arm", "face_offset"];
 
 const CLOSURES = ["groove", "conjugate", "constant-breadth"];
 
-// The lengths that this type of follower has.
+// The lengths that this type of follower has besides the radius of the base or prime circle.
 function lengthsOf({ flat, knife, oscillating }) {
-  return new Set(["base_radius", ...(oscillating ? ["centre_distance", ...(flat ? ["face_offset"] : ["arm"])] : flat ? [] : ["offset"]), ...(flat || knife ? [] : ["roller_radius"])]);
+  return new Set([...(oscillating ? ["centre_distance", ...(flat ? ["face_offset"] : ["arm"])] : flat ? [] : ["offset"]), ...(flat || knife ? [] : ["roller_radius"])]);
 }
 
-function showCamDimensions({ drawn, kind, breadth }) {
+// Of a roller's cam, base_radius is that of the prime circle, about which the pitch curve lies; that of the
+// base circle, about which the profile lies, is less by the roller's.
+const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
+
+export const radiusText = (kind, radius, digits) => say(`head.${radiusKey(kind)}`, { value: number(radius, digits) });
+
+export function showCamDimensions({ drawn, kind, breadth }) {
   const used = lengthsOf(kind);
-  const lengths = (dimensions) => LENGTH_NAMES.filter((key) => used.has(key)).flatMap((key) => fact(say(`cam.${key}`), number(dimensions[key], 7), String(dimensions[key])));
+  const row = (key, value) => fact(say(`cam.${key}`), number(value, 7), String(value));
+  const lengths = (dimensions) => [...row(radiusKey(kind), dimensions.base_radius),
+    ...(used.has("roller_radius") ? row("base_radius", dimensions.base_radius - dimensions.roller_radius) : []),
+    ...LENGTH_NAMES.filter((key) => used.has(key)).flatMap((key) => row(key, dimensions[key]))];
   byId("dimensions-list").replaceChildren(...fact(say("cam.follower"), sentence(say(`follower.${kind.follower}`))), ...(CLOSURES.includes(kind.closure) ? fact(say("cam.closed_by"), say(`closure.${kind.closure}`)) : []),
     ...lengths(drawn.dimensions),
     ...(drawn.second ? [element("dt", { class: "heading" }, say("cam.other")), element("dd", {}, ""), ...lengths(drawn.second.dimensions)] : []),
@@ -20,23 +36,26 @@ function showCamDimensions({ drawn, kind, breadth }) {
     ...(kind.oscillating ? fact(say("cam.side"), say(drawn.side > 0 ? "cam.trailing" : "cam.leading")) : []),
     ...(drawn.speed ? fact(say("cam.speed"), `${number(drawn.speed, 5)} rad/s`) : []), ...(drawn.preload ? fact(say("cam.preload"), number(drawn.preload, 6)) : []),
     ...fact(say("qualities.found_by"), sentenceOf(drawn.origin) || "–"));
-  showProof(drawn.proof);
+  showProof(drawn.proof, kind);
 }
 
+// Chinese has a word of its own for an undercut cam.
+export const camMetrics = (metrics) => metrics.map((metric) => (metric.name === "undercut" ? { ...metric, name: "cam_undercut" } : metric));
+
 // Why no smaller cam is possible, in a sentence.
-function showProof(proof) {
+function showProof(proof, kind) {
   byId("proof").hidden = !proof;
   if (!proof) return;
   const limit = ({ deg, limit: key, bound }) => say("proof.limit", { limit: key, bound: number(bound, 6), angle: degrees(deg) });
   const { base_radius: radius, within, positions } = proof;
   const key = within ? (positions.length ? "proof.within_where" : "proof.within") : positions.length ? "proof.where" : "proof.text";
-  byId("proof").textContent = say(key, { n: positions.length, radius: number(radius, 7), within: within && sentenceOf(within), list: positions.map(limit).join(say("list.and")) });
+  byId("proof").textContent = say(key, { n: positions.length, name: say(`cam.${radiusKey(kind)}`).toLowerCase(), radius: number(radius, 7), within: within && sentenceOf(within), list: positions.map(limit).join(say("list.and")) });
 }
 
 const lawTitle = (law) => (/^\d/.test(law) ? say("segments.polynomial", { powers: law }) : sentence(term(law.replaceAll("-", " "))));
 
 // A row for each segment; its button goes to its beginning.
-function showSegments({ drawn, kind }, goTo) {
+export function showSegments({ drawn, kind }, goTo) {
   const factors = drawn.segments.some((s) => s.factors);
   const unit = kind.oscillating ? "°" : "";
   byId("segments-table").tHead.replaceChildren(headRow([[say("segments.law")], [say("segments.from"), "number"], [say("segments.over"), "number"], [say("segments.rise"), "number"],
@@ -68,7 +87,7 @@ function jumpText(jumps, deg) {
 }
 
 // What is plotted as numbers: now, least and greatest.
-class CamValues {
+export class CamValues {
   constructor() {
     byId("values").tHead.replaceChildren(headRow([[say("values.quantity")], [say("values.now"), "number"], [say("values.least"), "number"], [say("values.at"), "number wide"], [say("values.greatest"), "number"], [say("values.at"), "number wide"]]));
   }
@@ -86,7 +105,7 @@ class CamValues {
   move(deg) { for (const { sheet, line, cell } of this.rows) cell.textContent = number(interpolate(line.y, locate(sheet.x, deg)), 6); }
 }
 
-function camCsv({ first: { table } }) {
+export function camCsv({ first: { table } }) {
   const names = Object.keys(table);
   const lines = [names.map((name) => (name === "deg" ? "cam_deg" : name)), ...table.deg.map((_, i) => names.map((name) => table[name][i] ?? ""))];
   return `${lines.map((row) => row.join(",")).join("\n")}\n`;

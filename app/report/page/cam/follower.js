@@ -1,6 +1,9 @@
 // The follower and what guides it, in pixels about the cam's centre, y down. `build` makes its parts,
 // `move` places them.
 
+import { set, svg } from "../dom.js";
+import { barPath, groundSign, round } from "../shapes.js";
+
 // A hatched bush beside a stem.
 function bushPath(x, top, width, height) {
   let hatches = "";
@@ -17,7 +20,7 @@ function springPath(x, from, to, width) {
   return `${d}L${round(x)} ${round(to)}`;
 }
 
-class Follower {
+export class Follower {
   constructor(design, scale) {
     Object.assign(this, { design, scale, u: design.part * scale });
     this.back = svg("g", {});

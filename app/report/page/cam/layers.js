@@ -1,7 +1,12 @@
 // What the picture of a cam can show besides: drawn once on the cam, or anew at each position.
 
+import { set, svg } from "../dom.js";
+import { quantile, RADIANS } from "../sampling.js";
+import { arrowPath, pathThrough, round, sectorPath } from "../shapes.js";
+import { along, rotated } from "./model.js";
+
 // Teeth along the profile as long as it is curved there, and the line through their tips.
-function combPath(body, scale, radius) {
+export function combPath(body, scale, radius) {
   const { profile, curvature } = body;
   const usual = quantile(curvature, 0.9);
   if (!(usual > 0)) return { teeth: "", tips: "" };
@@ -22,7 +27,7 @@ function combPath(body, scale, radius) {
 
 // The follower's rollers, edges or faces all round the cam as the cam sees them: the profile is what
 // they leave free.
-function envelopePath(body, scale) {
+export function envelopePath(body, scale) {
   let d = "";
   for (let deg = 0; deg < 360; deg += 6) {
     const seen = (p) => rotated(p, -deg).map((v, k) => (k ? -scale : scale) * v);
@@ -37,7 +42,7 @@ function envelopePath(body, scale) {
 }
 
 // The contact, its common normal and the pressure angle between that and the follower's way.
-class PressureLayer {
+export class PressureLayer {
   constructor(body, scale, size) {
     Object.assign(this, { body, scale, size });
     this.wedge = svg("path", { class: "wedge" });
@@ -70,7 +75,7 @@ class PressureLayer {
 }
 
 // Velocities of cam and follower where they touch.
-class VelocityLayer {
+export class VelocityLayer {
   constructor(body, scale, unit) {
     Object.assign(this, { body, scale, unit, root: svg("g", {}) });
     this.parts = Object.fromEntries(["cam", "follower"].map((kind) => [kind, svg("g", { class: `arrow ${kind}` }, svg("path", { class: "halo" }), svg("path", {}))]));

@@ -1,6 +1,25 @@
 // The page of a cam: where it stands, and everything that follows from it.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { showChecks, showMetrics } from "../checks.js";
+import { Controls, saveResult, saveText } from "../controls.js";
+import { Curves } from "../curves.js";
+import { byId, element } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { Extras } from "../extras.js";
+import { degrees, duration, fixed } from "../format.js";
+import { showHead, showNotes, showWork } from "../head.js";
+import { legendItem } from "../shapes.js";
+import { makeSortable } from "../sortable.js";
+import { Trace } from "../trace.js";
+import { say, sentenceOf } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments } from "./facts.js";
+import { CamDesign } from "./model.js";
+import { CamScene } from "./scene.js";
+import { camSheets, JUMP_COLOURS, JUMPS, missesPressure } from "./sheets.js";
+
+const data = JSON.parse(embedded("data"));
 const { result } = data;
 const designs = data.designs.map((drawn) => new CamDesign(drawn, data));
 const state = { index: 0, deg: 0, turns: 0, byTime: false };
@@ -45,10 +64,12 @@ function drawCurves() {
   for (const button of document.querySelectorAll("[data-rate]")) button.setAttribute("aria-pressed", String((button.dataset.rate === "time") === state.byTime));
 }
 
+const circleName = (kind) => say(kind.flat || kind.knife ? "legend.base" : "legend.base_pitch");
+
 function showLegend() {
   const { kind } = current();
   const strokes = current().drawn.strokes.length ? [legendItem("rise", "line", say("stroke.rise")), legendItem("fall", "line", say("stroke.return")), legendItem("dwell", "line", say("stroke.dwell"))] : [];
-  const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", say(kind.knife ? "legend.path_of_edge" : "legend.pitch"))], base: [legendItem("ground", "dashed", say(kind.flat || kind.knife ? "legend.base" : "legend.base_pitch"))],
+  const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", say(kind.knife ? "legend.path_of_edge" : "legend.pitch"))], base: [legendItem("ground", "dashed", circleName(kind))],
     pressure: [legendItem("error", "line", say("legend.pressure"))], velocity: [legendItem("crank", "line", say("legend.velocity_cam")), legendItem("velocity", "line", say("legend.velocity_follower"))],
     comb: [legendItem("link-c", "line", say("legend.comb"))], envelope: [legendItem("link-b", "line", say("legend.envelope"))] };
   byId("legend").replaceChildren(...strokes, ...Object.keys(of).filter((layer) => scene.shown[layer]).flatMap((layer) => of[layer]), ...extras.legend());
@@ -61,9 +82,10 @@ function choose(index) {
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const design = current();
   showCamDimensions(design);
-  showMetrics(design.drawn.metrics);
+  showMetrics(camMetrics(design.drawn.metrics));
   showChecks(design.drawn.constraints);
   showSegments(design, (deg) => goTo(deg, true));
+  document.querySelector("[data-layer=base]").textContent = circleName(design.kind);
   byId("rates").hidden = !design.drawn.speed;
   if (!design.drawn.speed) state.byTime = false;
   showLegend();
@@ -73,9 +95,9 @@ function choose(index) {
 
 function showChoice() {
   byId("choice").hidden = designs.length < 2;
-  byId("designs").replaceChildren(...designs.map(({ drawn }, i) => {
+  byId("designs").replaceChildren(...designs.map(({ drawn, kind }, i) => {
     const missed = drawn.constraints.some((check) => !check.satisfied);
-    const button = element("button", { type: "button", title: sentenceOf(drawn.origin) }, `${say("cam.design", { n: i + 1, value: number(drawn.dimensions.base_radius, 4) })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
+    const button = element("button", { type: "button", title: sentenceOf(drawn.origin) }, `${say("cam.design", { n: i + 1, name: radiusText(kind, drawn.dimensions.base_radius, 4) })} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
     button.addEventListener("click", () => choose(i));
     return button;
   }));
@@ -114,7 +136,7 @@ function listen() {
 }
 
 showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) }),
-  [say("count.designs", { n: designs.length }), designs.length ? say("head.base_radius", { value: number(designs[0].drawn.dimensions.base_radius, 6) }) : "", result.work ? duration(result.work.seconds) : ""],
+  [say("count.designs", { n: designs.length }), designs.length ? radiusText(designs[0].kind, designs[0].drawn.dimensions.base_radius, 6) : "", result.work ? duration(result.work.seconds) : ""],
   say("head.keys_cam"));
 showNotes(result.notes ?? []);
 showWork(result.work);

@@ -1,13 +1,15 @@
 // A cam and its follower at any cam angle, in the frame's axes of a cam that turns counter-clockwise.
 
-const rotated = ([x, y], deg) => {
+import { interpolate, locate, RADIANS } from "../sampling.js";
+
+export const rotated = ([x, y], deg) => {
   const [c, s] = [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];
   return [c * x - s * y, s * x + c * y];
 };
-const along = (p, direction, length) => [p[0] + length * direction[0], p[1] + length * direction[1]];
+export const along = (p, direction, length) => [p[0] + length * direction[0], p[1] + length * direction[1]];
 const curvePoints = (curve) => curve.x.map((x, i) => [x, curve.y[i]]);
-const leastOf = (values) => values.reduce((a, b) => (b !== null && b < a ? b : a), Infinity);
-const greatestOf = (values) => values.reduce((a, b) => (b !== null && b > a ? b : a), -Infinity);
+export const leastOf = (values) => values.reduce((a, b) => (b !== null && b < a ? b : a), Infinity);
+export const greatestOf = (values) => values.reduce((a, b) => (b !== null && b > a ? b : a), -Infinity);
 
 // One cam and the roller, edge or face that it touches; `turn` takes its upright position into the
 // frame (the other of two conjugate cams).
@@ -119,7 +121,7 @@ class FarContact extends CamBody {
   spin(deg, turns) { return super.spin((deg + 180) % 360, deg < 180 ? turns : turns + 1); }
 }
 
-class CamDesign {
+export class CamDesign {
   constructor(drawn, data) {
     Object.assign(this, { drawn, kind: data, deg: 0 });
     this.first = new CamBody(drawn, data);

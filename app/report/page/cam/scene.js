@@ -1,7 +1,18 @@
 // The picture of a cam and its follower. All that turns together is in one group; the world's group
 // stands still, or turns back about the cam where that is held.
 
-class CamScene extends Picture {
+import { set, svg } from "../dom.js";
+import { degrees } from "../format.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { pathThrough, round } from "../shapes.js";
+import { boxOf } from "../view.js";
+import { say } from "../words.js";
+import { Follower } from "./follower.js";
+import { combPath, envelopePath, PressureLayer, VelocityLayer } from "./layers.js";
+import { rotated } from "./model.js";
+
+export class CamScene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.cam"), onDrag);
     this.shown = { pressure: true, pitch: true, base: true };

@@ -1,8 +1,14 @@
 // What is plotted of a cam over its turn.
 
-const STROKE_COLOURS = { rise: "--rise", return: "--fall", dwell: "--dwell" };
-const JUMPS = ["displacement", "velocity", "acceleration"];
-const JUMP_COLOURS = ["--bad", "--bad", "--warn"];
+import { padded, TURN_STEPS } from "../curves.js";
+import { engineeringExponent, number, powerOfTen, sentence } from "../format.js";
+import { extremes, interpolate, locate, quantile } from "../sampling.js";
+import { say } from "../words.js";
+import { greatestOf, leastOf } from "./model.js";
+
+export const STROKE_COLOURS = { rise: "--rise", return: "--fall", dwell: "--dwell" };
+export const JUMPS = ["displacement", "velocity", "acceleration"];
+export const JUMP_COLOURS = ["--bad", "--bad", "--warn"];
 const MANY_MARKS = 40;
 
 // The plots in order: the column, what it is called, its sign in the key, and its unit, which for
@@ -28,7 +34,7 @@ function motionUnit(order, kind, byTime) {
   return order === 0 ? length : `${length}/${byTime ? "s" : "rad"}${POWERS[order]}`;
 }
 
-function camSheets(design, byTime) {
+export function camSheets(design, byTime) {
   const { kind, drawn, first: { table } } = design;
   return CAM_SHEETS.filter(({ column }) => table[column] && !isIdle(column, kind)).map((spec) => {
     const rate = byTime && spec.order ? drawn.speed ** spec.order : 1;
@@ -108,7 +114,7 @@ function pressureShades(strokes, limits) {
 }
 
 // Whether a limit of the pressure angle is missed at `deg`.
-function missesPressure(design, deg) {
+export function missesPressure(design, deg) {
   const angle = design.first.at("pressure_deg", deg);
   const { above, below } = pressureLimits(design.strokeAt(deg), design.kind.limits);
   return angle > above + 1e-6 || -angle > below + 1e-6;

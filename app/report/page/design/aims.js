@@ -1,5 +1,9 @@
 // What the lens shows of a design: each target beside what is reached of it.
 
+import { degrees } from "../format.js";
+import { diagonal } from "../view.js";
+import { say } from "../words.js";
+
 // The place on a closed curve that is nearest to p.
 function nearestOn(curve, p) {
   let [best, least] = [null, Infinity];
@@ -40,7 +44,7 @@ function curveNear(design, station, through) {
 
 const CURVE_AIMS = 16;
 
-function aimsOf(design) {
+export function aimsOf(design) {
   if (!design.assembles) return [];
   if (design.outline.length && design.targets.length === 0) {
     return Array.from({ length: CURVE_AIMS }, (_, i) => design.from + ((design.to - design.from) * i) / CURVE_AIMS).flatMap((drive) => {

@@ -1,8 +1,14 @@
 // What stands still behind and beside a design: the curves that the synthesis found, the targets,
 // and how far they are missed.
 
+import { set, svg } from "../dom.js";
+import { Mechanism } from "../mechanism.js";
+import { RADIANS } from "../sampling.js";
+import { arrowPath, pathThrough, pathWithGaps, round } from "../shapes.js";
+import { sentenceOf } from "../words.js";
+
 const LOCUS_COLOURS = ["--link-b", "--warn", "--link-c", "--accent", "--link-d", "--velocity", "--rocker", "--crank"];
-const locusColour = (index) => LOCUS_COLOURS[index % LOCUS_COLOURS.length];
+export const locusColour = (index) => LOCUS_COLOURS[index % LOCUS_COLOURS.length];
 
 // The curves of the synthesis that are `shown` (a set of indices), as far as they are near the
 // picture: they may run to infinity. A branch of one point is a mark.
@@ -81,17 +87,17 @@ function outlineMark(view, outline) {
 }
 
 // All that stands behind a design, and all that stands before it.
-function backdropOf(view, design, options) {
+export function backdropOf(view, design, options) {
   return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch)];
 }
-function targetsOf(view, design, options) {
+export function targetsOf(view, design, options) {
   const marks = design.poses.length ? poseMarks(view, design.poses) : [];
   const points = design.outline.length ? [] : design.targets.slice(design.poses.length);
   return [...pointMarks(view, points), ...marks, ...errorMarks(view, design.targets, design.reached, options.magnify)];
 }
 
 // The axes of the guided body, which move with it; nothing where no body is guided.
-class GuidedAxes {
+export class GuidedAxes {
   constructor(view, guided) {
     Object.assign(this, { view, guided, part: svg("g", { class: "pose guided" }, ...(guided ? axesSign() : [])) });
   }

@@ -1,6 +1,16 @@
 // The picture of a design that is no four-bar.
 
-class DesignMechanismScene extends MechanismScene {
+import { sentence } from "../format.js";
+import { jointsOf } from "../joints.js";
+import { MechanismScene, NO_TABLE } from "../mechanism_scene.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { legendItem } from "../shapes.js";
+import { say, term } from "../words.js";
+import { aimsOf } from "./aims.js";
+import { backdropOf, GuidedAxes, targetsOf } from "./backdrop.js";
+
+export class DesignMechanismScene extends MechanismScene {
   constructor(frame, design, onDrag) {
     super(frame, design.mechanism, onDrag, NO_TABLE, design.angular ? 1 / RADIANS : 1);
     this.design = design;
@@ -29,7 +39,7 @@ class DesignMechanismScene extends MechanismScene {
 }
 
 // In the place of a design whose links cannot be assembled.
-class EmptyScene extends Picture {
+export class EmptyScene extends Picture {
   constructor(frame) { super(frame, say("picture.none")); }
   build() { this.clear(null, say("picture.links_not_assembled")); }
   move() {}

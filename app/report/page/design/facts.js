@@ -1,9 +1,17 @@
 // What is known of the design chosen, and of the run.
 
+import { byId, element, fact } from "../dom.js";
+import { factName, factRows } from "../fact_text.js";
+import { degrees, degreesShort, duration, number, sentence } from "../format.js";
+import { showHead } from "../head.js";
+import { RADIANS } from "../sampling.js";
+import { say, term } from "../words.js";
+import { ERRORS, isSearched, originText, straightLength } from "./table.js";
+
 const units = (x, digits = 7) => element("span", { title: `${x}` }, `${number(x, digits)}`);
 const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
 
-function showDimensions({ entry: { mechanism } }) {
+export function showDimensions({ entry: { mechanism } }) {
   const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
   byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), say("dimensions.units")));
 }
@@ -38,7 +46,7 @@ function partText(value, key) {
 }
 
 // Metrics with their levels joined by dots, as `cognate list --metrics` names them.
-function flatMetrics(table, above = "") {
+export function flatMetrics(table, above = "") {
   return Object.entries(table).flatMap(([key, value]) =>
     (value !== null && typeof value === "object" && !Array.isArray(value) ? flatMetrics(value, `${above}${key}.`) : [[above + key, value]]));
 }
@@ -63,7 +71,7 @@ function errorRows(error, kind) {
     ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : number(error.max, 6), String(angular ? error.max_deg : error.max))];
 }
 
-function showQualities({ entry }, kind) {
+export function showQualities({ entry }, kind) {
   const { error, metrics } = entry;
   const t = metrics.transmission_angle_deg?.max > 0 ? metrics.transmission_angle_deg : null;
   const optional = (name, value, text) => (value === undefined || value === null ? [] : fact(name, text(value)));
@@ -82,31 +90,10 @@ function showQualities({ entry }, kind) {
 }
 
 // What the synthesis tells of itself as a whole.
-function showFindings(facts) {
+export function showFindings(facts) {
   const pairs = factPairs(flatMetrics(facts ?? {}).map(([name, value]) => ({ name, value })));
   byId("findings").hidden = pairs.length === 0;
   byId("findings-list").replaceChildren(...Array.from({ length: pairs.length / 2 }, (_, i) => element("div", {}, pairs[2 * i], pairs[2 * i + 1])));
-}
-
-function boundText(bound) {
-  if (bound === null || bound === undefined) return "–";
-  if (typeof bound === "number") return number(bound, 7);
-  if (Array.isArray(bound)) return say("range.to", { from: number(bound[0], 7), to: number(bound[1], 7) });
-  if (typeof bound === "object") return "min" in bound ? say("range.at_least", { value: number(bound.min, 7) }) : say("range.at_most", { value: number(bound.max, 7) });
-  return String(bound).split(", ").map(term).join(say("list.comma"));
-}
-
-function showConstraints({ entry }) {
-  const checks = entry.constraints ?? [];
-  const head = ["constraint", "value", "bound", "met"].map((name, i) => element("th", { scope: "col", class: i === 1 || i === 2 ? "number" : "" }, say(`constraints.${name}`)));
-  document.querySelector(".checks thead").replaceChildren(element("tr", {}, ...head));
-  byId("checks").replaceChildren(...[...checks].sort((a, b) => a.satisfied - b.satisfied).map((check) =>
-    element("tr", { class: check.satisfied ? "met" : "missed" }, element("td", {}, element("code", {}, ...breakable(check.name))),
-      element("td", { class: "number" }, boundText(check.value)), element("td", { class: "number" }, boundText(check.bound)),
-      element("td", {}, element("span", { class: `mark ${check.satisfied ? "yes" : "no"}` }, check.satisfied ? `✓ ${say("yes")}` : `✗ ${say("no")}`)))));
-  const count = missed(entry).length;
-  byId("constraints-count").textContent = checks.length === 0 ? say("constraints.none")
-    : say(count ? "constraints.missed" : "constraints.all_met", { missed: count, count: checks.length });
 }
 
 const KINDS = ["path-generation", "function-generation", "motion-generation", "quick-return", "straight-line"];
@@ -121,7 +108,7 @@ function bestText(best, kind) {
   return ERRORS[kind] ? say(`best.${kind}`, { value: ERRORS[kind].text(best) }) : "";
 }
 
-function showDesignHead(result, kind) {
+export function showDesignHead(result, kind) {
   const { problem, designs, work } = result;
   showHead(result, KINDS.includes(problem?.kind) ? say(`kind.${problem.kind}`) : problem?.kind ?? "",
     [say("count.designs", { n: designs.length }), bestText(designs[0], kind), work ? duration(work.seconds) : ""],

@@ -1,5 +1,13 @@
 // Designs that depend on one number: a plot of everything over it, with the design chosen.
 
+import { Curves } from "../curves.js";
+import { byId, element } from "../dom.js";
+import { factName } from "../fact_text.js";
+import { number, sentence } from "../format.js";
+import { say, sentenceOf } from "../words.js";
+import { locusColour } from "./backdrop.js";
+import { flatMetrics } from "./facts.js";
+
 const FAMILY_UNITS = { deg: "°", rad: "rad" };
 
 // "least_transmission_deg", or "transmission_angle_deg.acute_min": its words and its unit.
@@ -43,7 +51,7 @@ function familySheets(family) {
 }
 
 // The card of families: chips choose among several.
-class Families {
+export class Families {
   constructor(families, entries, onChoose) {
     Object.assign(this, { families: families.filter((family) => family.columns.length > 1), entries, onChoose });
     byId("families").hidden = this.families.length === 0;

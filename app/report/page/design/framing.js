@@ -1,8 +1,10 @@
 // Which part of a four-bar's motion the picture frames.
 
+import { boxOf, diagonal } from "../view.js";
+
 // The parts that can be framed. Without a coupler point there is no curve; `used`: the poses of a
 // function generator in its range, or null.
-function framings(linkage, targets, used) {
+export function framings(linkage, targets, used) {
   const curve = [...linkage.poses.map((pose) => pose.p), ...targets];
   const pins = (poses) => poses.flatMap((pose) => [pose.b, pose.c]);
   const whole = [...curve, ...pins(linkage.poses), linkage.a, linkage.d];
@@ -11,7 +13,7 @@ function framings(linkage, targets, used) {
 }
 
 // The widest framing in which the coupler curve still takes a fair part of the picture.
-function bestFraming({ curve, moving, whole }) {
+export function bestFraming({ curve, moving, whole }) {
   if (!curve) return diagonal(whole) < 1.6 * diagonal(moving) ? "whole" : "moving";
   if (diagonal(curve) > 0.3 * diagonal(whole)) return "whole";
   if (diagonal(curve) < 0.2 * diagonal(moving)) return "curve";

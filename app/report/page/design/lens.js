@@ -1,6 +1,14 @@
 // A magnifier: beside a target, that target, what is reached of it and the curve between, at a scale
 // at which the error is seen.
 
+import { element, set, svg } from "../dom.js";
+import { degreesShort, number } from "../format.js";
+import { RADIANS } from "../sampling.js";
+import { arrowPath, pathThrough, pathWithGaps, round } from "../shapes.js";
+import { SCALE_ROOM, View } from "../view.js";
+import { say } from "../words.js";
+import { turnInto } from "./model.js";
+
 // The part of the lens that an error takes, and the steps by which its scale is changed.
 const ERROR_SHARE = 0.32;
 const LENS_STEP = 2;
@@ -9,7 +17,7 @@ const LENS_STEP = 2;
 const NO_ERROR = 1e-11;
 const NO_TURN = 1e-4;
 
-class Lens {
+export class Lens {
   constructor(frame) {
     Object.assign(this, { frame, name: "lens", words: "lens.title", key: "m", index: 0, extra: 1 });
     this.picture = svg("svg", { role: "img" });

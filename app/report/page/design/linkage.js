@@ -1,16 +1,18 @@
 // A design in motion. Where the rocker stands for each crank angle was computed by the analysis
 // kernel; here the rigid bodies are only put in their places.
 
+import { interpolate, locate, RADIANS } from "../sampling.js";
+
 const along = (from, length, deg) =>
   [from[0] + length * Math.cos(deg * RADIANS), from[1] + length * Math.sin(deg * RADIANS)];
 
 // The angle at `corner` between the directions to p and q, in degrees from 0 to 180.
-function angleAt(corner, p, q) {
+export function angleAt(corner, p, q) {
   const [ux, uy, vx, vy] = [p[0] - corner[0], p[1] - corner[1], q[0] - corner[0], q[1] - corner[1]];
   return Math.atan2(Math.abs(ux * vy - uy * vx), ux * vx + uy * vy) / RADIANS;
 }
 
-class Linkage {
+export class Linkage {
   constructor(mechanism, motion) {
     [this.a, this.d] = mechanism.fixed_pivots;
     Object.assign(this, { mechanism, fullTurn: motion.full_turn, rockers: motion.rocker_deg });

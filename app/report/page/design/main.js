@@ -1,6 +1,33 @@
 // The page: what is chosen, and everything that follows from it.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { showChecks } from "../checks.js";
+import { Controls, saveResult } from "../controls.js";
+import { Curves, keySign } from "../curves.js";
+import { byId, element, set } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { Extras } from "../extras.js";
+import { degrees, fixed, number, sentence } from "../format.js";
+import { Ghost, GHOSTS } from "../ghosts.js";
+import { certificateNote, showNotes, showWork } from "../head.js";
+import { Kernel } from "../kernel.js";
+import { legendItem } from "../shapes.js";
+import { makeSortable } from "../sortable.js";
+import { Trace } from "../trace.js";
+import { Vectors } from "../vectors.js";
+import { language, say, sentenceOf } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { locusColour } from "./backdrop.js";
+import { showDesignHead, showDimensions, showFindings, showQualities } from "./facts.js";
+import { Families } from "./families.js";
+import { bestFraming } from "./framing.js";
+import { Lens } from "./lens.js";
+import { MechanismDesign } from "./mechanism_design.js";
+import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
+import { DesignTable, isFourBar } from "./table.js";
+import { Editor } from "../edit/editor.js";
+
+const data = JSON.parse(embedded("data"));
 const { result } = data;
 const { kind } = data.target;
 const isFunction = kind === "function";
@@ -107,7 +134,7 @@ function choose(index) {
   families.choose(index);
   showDimensions(design);
   showQualities(design, kind);
-  showConstraints(design);
+  showChecks(design.entry.constraints ?? []);
   scene?.remove();
   scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
   setDrive(design);

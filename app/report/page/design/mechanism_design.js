@@ -1,5 +1,14 @@
 // A design that is no four-bar: its bodies move as the analysis kernel sampled them.
 
+import { degrees, number, sentence } from "../format.js";
+import { Mechanism } from "../mechanism.js";
+import { interpolate, locate } from "../sampling.js";
+import { boxOf } from "../view.js";
+import { say, term } from "../words.js";
+import { DesignMechanismScene, EmptyScene } from "./design_mechanism_scene.js";
+import { largestDistance, stretchOf, takeTargets, turnInto } from "./model.js";
+import { deviationSheet, distanceSheet, overDrive } from "./sheets.js";
+
 // The samples from the first to the last at which every body is placed.
 function placedSamples(drawn) {
   const { bodies, drive } = drawn;
@@ -11,7 +20,7 @@ function placedSamples(drawn) {
   return { ...drawn, drive: cut(drive), bodies: bodies.map((body) => ({ ...body, x: cut(body.x), y: cut(body.y), deg: cut(body.deg) })) };
 }
 
-class MechanismDesign {
+export class MechanismDesign {
   constructor(entry, drawn, target) {
     this.entry = entry;
     takeTargets(this, drawn, target);

@@ -1,12 +1,21 @@
 // The designs of the report: the result document's entries beside what was sampled for drawing.
 
-const turnInto = (deg, [from, to]) => {
+import { degrees, degreesShort } from "../format.js";
+import { lookUp, RADIANS } from "../sampling.js";
+import { diagonal } from "../view.js";
+import { say } from "../words.js";
+import { framings } from "./framing.js";
+import { Linkage } from "./linkage.js";
+import { Scene } from "./scene.js";
+import { curveSheets } from "./sheets.js";
+
+export const turnInto = (deg, [from, to]) => {
   const middle = (from + to) / 2;
   return deg - 360 * Math.round((deg - middle) / 360);
 };
 
 // p → shift + scale·R(deg) p.
-function placing(placement) {
+export function placing(placement) {
   if (!placement) return (p) => p;
   const { scale, deg, shift } = placement;
   const [c, s] = [scale * Math.cos(deg * RADIANS), scale * Math.sin(deg * RADIANS)];
@@ -15,7 +24,7 @@ function placing(placement) {
 
 // The targets of a design as points (of poses the origins), the poses, and what is reached of them.
 // A closed curve may have been moved to where the design traces it.
-function takeTargets(design, drawn, target) {
+export function takeTargets(design, drawn, target) {
   const poses = target.poses ?? [];
   const place = placing(drawn.placement);
   Object.assign(design, { poses, targets: [...poses.map(([x, y]) => [x, y]), ...(target.points ?? []).map(place)],
@@ -24,12 +33,12 @@ function takeTargets(design, drawn, target) {
 }
 
 // The largest distance from a target to what is reached of it.
-const largestDistance = (targets, reached) =>
+export const largestDistance = (targets, reached) =>
   Math.max(0, ...targets.map((t, i) => (reached[i] ? Math.hypot(reached[i][0] - t[0], reached[i][1] - t[1]) : 0)));
 
 // The part of the path that is straight: as it was sought, or to 0.1 % of its length; empty where
 // there is none.
-function stretchOf({ metrics }, pointAt) {
+export function stretchOf({ metrics }, pointAt) {
   const from = metrics.crank_from_deg ?? metrics.crank_from_deg_at_0_001;
   const to = metrics.crank_to_deg ?? metrics.crank_to_deg_at_0_001;
   if (from === undefined || to === undefined) return [];
@@ -38,7 +47,7 @@ function stretchOf({ metrics }, pointAt) {
 }
 
 // A four-bar.
-class Design {
+export class Design {
   constructor(entry, drawn, target) {
     this.entry = entry;
     this.linkage = new Linkage(entry.mechanism, drawn.motion);
@@ -104,11 +113,11 @@ class Design {
 }
 
 // Magnifications by which errors can be drawn: 1, 2, 5, 10, … 10⁶.
-const MAGNIFICATIONS = Array.from({ length: 19 }, (_, i) => [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3));
+export const MAGNIFICATIONS = Array.from({ length: 19 }, (_, i) => [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3));
 
 // The step at which the largest error takes about a twentieth of the picture, or 8°; 10⁴ at most, and
 // none where even that would show nothing.
-function fittingMagnification(design, box) {
+export function fittingMagnification(design, box) {
   if (!box) return 0;
   const wanted = design.trace ? 8 : 0.05 * diagonal(box);
   if (1e6 * design.largestError < wanted / 50) return 0;

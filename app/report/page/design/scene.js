@@ -1,6 +1,15 @@
 // The picture of the linkage. `build` draws what stands still, `move` places what moves.
 
-class Scene extends Picture {
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { barPath, groundSign, legendItem, pathThrough, round, sectorPath } from "../shapes.js";
+import { fourBarRates } from "../vectors.js";
+import { say } from "../words.js";
+import { aimsOf } from "./aims.js";
+import { backdropOf, GuidedAxes, targetsOf } from "./backdrop.js";
+
+export class Scene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.linkage"), onDrag);
   }

@@ -1,12 +1,17 @@
 // What is plotted for a design: one sheet for each plot.
 
-function curveSheets(design, limits) {
+import { padded, TURN_STEPS } from "../curves.js";
+import { degrees, number, sentence } from "../format.js";
+import { RADIANS, scaled } from "../sampling.js";
+import { say } from "../words.js";
+
+export function curveSheets(design, limits) {
   const error = design.trace ? structuralErrorSheet(design) : design.stretch.length ? deviationSheet(design) : distanceSheet(design);
   return [rockerSheet(design), error, transmissionSheet(design, limits)].filter(Boolean);
 }
 
 // What the plots over the drive have in common.
-function overDrive(design) {
+export function overDrive(design) {
   return { xRange: [design.from, design.to], xLabel: say(design.angular ? "drive.angle_axis" : "drive.way_axis", { name: design.driveName }),
     xSteps: design.angular ? TURN_STEPS : undefined, xAt: (drive) => design.within(drive), driveAt: (x) => x };
 }
@@ -43,7 +48,7 @@ function rockerSheet(design) {
 }
 
 // In the target's own unit, which is another than the linkage's where the target was enlarged.
-function distanceSheet(design) {
+export function distanceSheet(design) {
   const { enlarged } = design;
   const rows = design.targets.map((target, i) => ({ crank: design.within(design.stations[i]),
     distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) / enlarged : null }))
@@ -64,7 +69,7 @@ function drawnDeviation(points, metrics) {
 }
 
 // How far the stretch is from its best line, the middle of the narrowest strip around it.
-function deviationSheet({ stretch, deviation, entry: { metrics } }) {
+export function deviationSheet({ stretch, deviation, entry: { metrics } }) {
   const { along, across } = deviation ?? drawnDeviation(stretch.filter(Boolean), metrics);
   if (along.length < 2) return null;
   const middle = (Math.min(...across) + Math.max(...across)) / 2;

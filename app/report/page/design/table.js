@@ -1,26 +1,31 @@
 // The table of designs. Each row has a radio button, so that arrow keys go from design to design.
 
+import { markOf } from "../checks.js";
+import { byId, element } from "../dom.js";
+import { degreesShort, fixed, number } from "../format.js";
+import { say, sentenceOf, term } from "../words.js";
+
 // The largest error: of an angle in degrees, of a slider as a length.
 const largestText = (error, digits) => (error.max_deg === undefined ? number(error.max, digits) : degreesShort(error.max_deg, digits));
 
 // What errors are called where designs are of one kind of problem; none where it has no targets.
-const ERRORS = {
+export const ERRORS = {
   function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
   path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5) },
   motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };
 
-const straightLength = ({ metrics }) => number(metrics.straight_length_at_0_001, 5);
+export const straightLength = ({ metrics }) => number(metrics.straight_length_at_0_001, 5);
 // Searched designs have one stretch, with its own deviation.
 const SEARCHED = [
   { name: say("designs.straight"), title: say("designs.straight_searched_title"), text: ({ metrics }) => number(metrics.straight_length, 5), kind: "number" },
   { name: say("designs.deviation"), title: say("designs.deviation_title"), text: ({ metrics }) => number(metrics.deviation_relative, 3), kind: "number" },
   { name: say("designs.size"), title: say("designs.size_title"), text: ({ metrics }) => number(metrics.size_over_length, 3), kind: "number wide" },
 ];
-const isSearched = ({ metrics }) => metrics.straight_length !== undefined;
+export const isSearched = ({ metrics }) => metrics.straight_length !== undefined;
 const STRAIGHT = { name: say("designs.straight"), title: say("designs.straight_title"), text: straightLength };
 
-const isFourBar = (d) => d.mechanism.type === "four-bar";
+export const isFourBar = (d) => d.mechanism.type === "four-bar";
 
 // Class of a four-bar; of another mechanism its type.
 const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
@@ -30,7 +35,7 @@ function designColumns(kind, entries) {
   const searched = kind === "straight-line" && entries.some(isSearched);
   return [
     ...(searched ? SEARCHED : first ? [{ ...first, kind: "number" }] : []),
-    { name: say(entries.every(isFourBar) ? "designs.class" : "designs.type"), text: classText },
+    { name: say(entries.every(isFourBar) ? "designs.class" : "designs.type"), text: classText, kind: "class" },
     { name: say("designs.transmission"), text: (d) => transmissionText(d), kind: "number" },
     { name: "K", title: say("designs.time_ratio"), text: (d) => number(d.metrics.time_ratio, 4), kind: "number wide" },
     { name: say("designs.sound"), title: say("designs.sound_title"), mark: (d) => faults(d), kind: "sound" },
@@ -40,7 +45,7 @@ function designColumns(kind, entries) {
 const transmissionText = ({ metrics: { transmission_angle_deg: t } }) => (t && t.max > 0 ? `${fixed(t.min, 0)}–${fixed(t.max, 0)}°` : "–");
 const missed = (d) => (d.constraints ?? []).filter((c) => !c.satisfied);
 
-function originText(d) {
+export function originText(d) {
   const of = (index, words) => (index === undefined || index === null ? [] : [say(words, { n: index + 1 })]);
   return [(d.origin ?? "").split(" + ").map(sentenceOf).join(" + "), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of")].join(say("list.semicolon"));
 }
@@ -53,12 +58,7 @@ function faults(d) {
   return [...defects.map(term), ...(checks ? [say("designs.missed", { n: checks })] : [])].join(say("list.comma"));
 }
 
-function markOf(text) {
-  return element("span", { class: `mark ${text ? "no" : "yes"}`, title: text || say("yes") }, text ? "✗" : "✓",
-    element("span", { class: "wide" }, text ? ` ${text}` : ""));
-}
-
-class DesignTable {
+export class DesignTable {
   constructor(designs, kind, onChoose) {
     const columns = designColumns(kind, designs.map((design) => design.entry));
     const head = element("tr", {}, element("th", { scope: "col" }, say("designs.design")),

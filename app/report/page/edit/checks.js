@@ -1,6 +1,9 @@
 // Whether a changed four-bar keeps to the constraints that its design was checked against: what
 // problems/linkage/constraint_checks.cpp says of them, for those that lengths, angles and defects settle.
 
+import { RADIANS } from "../sampling.js";
+import { lengthOf, minus } from "./four_bar.js";
+
 const CHECK_TOLERANCE = 1e-9;
 const DEGREE_TOLERANCE = CHECK_TOLERANCE / RADIANS;
 
@@ -12,7 +15,7 @@ function dimensionOf(name, { crank, coupler, rocker, fixed_pivots: [a, d], coupl
 }
 
 // The value of a check as `measured` has it and whether it is met; null for one that takes the program.
-function checkOf({ name, bound }, { mechanism, facts }) {
+export function checkOf({ name, bound }, { mechanism, facts }) {
   const longest = Math.max(...["crank", "coupler", "rocker", "frame"].map((key) => dimensionOf(key, mechanism)));
   const shortest = Math.min(...["crank", "coupler", "rocker", "frame"].map((key) => dimensionOf(key, mechanism)));
   const [, table, key] = /^(mechanism|bounds|pivot_region)\.(.+)$/.exec(name) ?? [];

@@ -1,9 +1,23 @@
 // Editing a four-bar design: every change is evaluated by the kernel, and shown in place of the
 // design as it was found.
 
+import { byId, element } from "../dom.js";
+import { Kernel } from "../kernel.js";
+import { RADIANS } from "../sampling.js";
+import { say } from "../words.js";
+import { Design } from "../design/model.js";
+import { brokenText } from "./broken.js";
+import { measureOf } from "./errors.js";
+import { FOUR_BAR_JOINTS, fourBarFields } from "./four_bar.js";
+import { History } from "./history.js";
+import { EditOverlay } from "./overlay.js";
+import { EditPanel } from "./panel.js";
+import { checkRow, editRows } from "./rows.js";
+import { analysisToml } from "./toml.js";
+
 const EDIT_SAMPLES = 241;
 
-class Editor {
+export class Editor {
   // `page`: problem, target, limits, crank() in degrees, redraw(crank) of the picture, and
   // settle() of what is drawn once a change is done.
   constructor(page) {

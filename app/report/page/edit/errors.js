@@ -1,5 +1,8 @@
 // How far a changed four-bar is from what its problem asks for. Positions are the kernel's.
 
+import { RADIANS } from "../sampling.js";
+import { placing } from "../design/model.js";
+
 const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 const sumOfSquares = (values) => values.reduce((sum, value) => sum + value * value, 0);
 
@@ -12,7 +15,7 @@ function errorFigures(misses) {
 // as it was found. Each has `evaluate(kernel, state)`, to call when the kernel has taken the linkage:
 // the crank angles at the targets in radians, how the kernel is to judge them, the errors (null where
 // some target cannot be met at all), and what the picture needs.
-function measureOf(problem, target, entry, drawn) {
+export function measureOf(problem, target, entry, drawn) {
   const { kind } = target;
   if (kind === "function" && target.samples && entry.metrics.input_start_deg !== undefined) return new FunctionMeasure(problem, target, entry);
   if (kind === "path" && target.points.length) return new TargetMeasure(pathTargets(problem, target, entry, drawn), sequenceOf(problem), drawn.placement?.scale ?? 1);

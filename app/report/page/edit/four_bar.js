@@ -1,11 +1,11 @@
 // What can be changed of a four-bar, as numbers and by its joints in the picture.
 
-const minus = ([a, b], [c, d]) => [a - c, b - d];
-const lengthOf = ([x, y]) => Math.hypot(x, y);
-const crossOf = ([a, b], [c, d]) => a * d - b * c;
+export const minus = ([a, b], [c, d]) => [a - c, b - d];
+export const lengthOf = ([x, y]) => Math.hypot(x, y);
+export const crossOf = ([a, b], [c, d]) => a * d - b * c;
 
 // `starts` of a function generator: the angles of crank and rocker at its start, from A→D in degrees.
-function fourBarFields({ mechanism, starts }) {
+export function fourBarFields({ mechanism, starts }) {
   const length = (key) => ({ key, get: (s) => s.mechanism[key], set: (s, value) => ({ ...s, mechanism: { ...s.mechanism, [key]: value } }), positive: true });
   const part = (key, list, i, name) => ({ key: name, get: (s) => s.mechanism[list][i], set: (s, value) => ({ ...s, mechanism: { ...s.mechanism, [list]: s.mechanism[list].with(i, value) } }) });
   const pivot = (i, k) => ({ key: `${"ad"[i]}_${"xy"[k]}`, get: (s) => s.mechanism.fixed_pivots[i][k],
@@ -18,7 +18,7 @@ function fourBarFields({ mechanism, starts }) {
 
 // The joints that can be dragged, each with the mechanism that it makes when it is taken to `to` from
 // the pose at which the drag began.
-const FOUR_BAR_JOINTS = {
+export const FOUR_BAR_JOINTS = {
   A: { at: (m) => m.fixed_pivots[0], drag: (m, pose, to) => ({ ...m, fixed_pivots: [to, m.fixed_pivots[1]] }) },
   D: { at: (m) => m.fixed_pivots[1], drag: (m, pose, to) => ({ ...m, fixed_pivots: [m.fixed_pivots[0], to] }) },
   B: { at: (m, pose) => pose.b, moves: "crank",
@@ -35,7 +35,7 @@ function assembled(mechanism, b, c) {
 }
 
 // `p` in axes at b, the first towards c.
-function inFrame(b, c, p) {
+export function inFrame(b, c, p) {
   const [x, y] = minus(c, b);
   const length = Math.hypot(x, y);
   const [u, v] = minus(p, b);

@@ -1,6 +1,6 @@
 // The states that a reader went through, to go back and forth in. A state is a plain value.
 
-class History {
+export class History {
   constructor(first) {
     this.states = [first];
     this.at = 0;

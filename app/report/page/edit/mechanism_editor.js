@@ -1,9 +1,22 @@
 // Editing an analysed mechanism: every change is evaluated by the kernel, and moves in the picture in
 // place of the mechanism of the file. Tables and curves stay those of the file.
 
+import { byId, element } from "../dom.js";
+import { factName, factParts, factText } from "../fact_text.js";
+import { Mechanism } from "../mechanism.js";
+import { RADIANS } from "../sampling.js";
+import { say } from "../words.js";
+import { brokenText } from "./broken.js";
+import { History } from "./history.js";
+import { MechanismKernel } from "./mechanism_kernel.js";
+import { mechanismFields, mechanismJoints } from "./mechanism_model.js";
+import { EditOverlay } from "./overlay.js";
+import { EditPanel } from "./panel.js";
+import { problemToml } from "./toml.js";
+
 const EDITED_SAMPLES = 181;
 
-class MechanismEditor {
+export class MechanismEditor {
   // `page`: problem, driving, drawn (the mechanism's motion), drive() in degrees, and show(mechanism,
   // drive), which draws a mechanism, the analysed one for null.
   constructor(page) {

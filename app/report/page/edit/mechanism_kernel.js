@@ -1,32 +1,32 @@
 // Mechanisms of the simple types by the kernel: what the program draws and says of them.
 
-// The dimensions of each type in the order in which the kernel takes them.
-const MECHANISM_LAYOUTS = {
-  "four-bar": ["fixed_pivots", "crank", "coupler", "rocker", "assembly", "coupler_point"], "slider-crank": ["pivot", "crank", "coupler", "offset", "direction_deg", "assembly"],
-  "guide-bar": ["fixed_pivots", "crank", "offset", "assembly"], "oscillating-block": ["fixed_pivots", "crank", "offset", "assembly"],
-  "fixed-block": ["pivot", "crank", "coupler", "offset", "direction_deg", "assembly"], "scotch-yoke": ["pivot", "crank", "offset", "direction_deg", "slot_deg"],
-  "tangent-generator": ["pivot", "offset", "direction_deg"], "elliptic-trammel": ["centre", "length", "direction_deg", "second_line_deg"], "oldham-coupling": ["fixed_pivots", "slot_deg"],
-};
+import { byId } from "../dom.js";
+import { Kernel } from "../kernel.js";
+import { RADIANS } from "../sampling.js";
 
-function layoutNumbers(key, mechanism) {
-  const value = mechanism[key];
-  if (key === "coupler_point") return value ? [1, ...value] : [0, 0, 0];
-  if (key === "assembly") return [value === "crossed" ? -1 : 1];
-  return key.endsWith("_deg") ? [value * RADIANS] : [value].flat(2);
+// The keys of each type, [name, form], in the order in which the kernel takes them.
+export const MECHANISM_KEYS = JSON.parse(byId("data").textContent).mechanism_keys;
+
+function keyNumbers(value, form) {
+  if (form === "point") return value ? [1, ...value] : [0, 0, 0];
+  if (form === "assembly") return [value === "crossed" ? -1 : 1];
+  return form === "direction" ? [value * RADIANS] : [value].flat(2);
 }
 
-class MechanismKernel extends Kernel {
+export class MechanismKernel extends Kernel {
   // Takes a mechanism as results hold it, driven from `from` to `to` (degrees), with the names of its
   // bodies. False where a dimension is none.
   takeMechanism(mechanism, bodies, from, to) {
     const points = mechanism.point ?? [];
-    const numbers = [...MECHANISM_LAYOUTS[mechanism.type].flatMap((key) => layoutNumbers(key, mechanism)), from * RADIANS, to * RADIANS,
+    const keys = MECHANISM_KEYS[mechanism.type];
+    const letters = Array.from(mechanism.type, (letter) => letter.charCodeAt(0));
+    const numbers = [...letters, ...keys.flatMap(([key, form]) => keyNumbers(mechanism[key], form)), from * RADIANS, to * RADIANS,
       ...points.flatMap(({ on, at }) => [bodies.indexOf(on), ...at])];
-    const lengths = ["crank", "coupler", "rocker", "length"].filter((key) => key in mechanism).map((key) => mechanism[key]);
+    const lengths = keys.filter(([, form]) => form === "length").map(([key]) => mechanism[key]);
     const [a, d] = mechanism.fixed_pivots ?? [[0, 0], [1, 0]];
     if (!numbers.every(Number.isFinite) || !lengths.every((length) => length > 0) || !(Math.hypot(d[0] - a[0], d[1] - a[1]) > 0)) return false;
     this.put(numbers);
-    this.calls.mechanism(Object.keys(MECHANISM_LAYOUTS).indexOf(mechanism.type), points.length);
+    this.calls.mechanism(letters.length, points.length);
     return true;
   }
 
@@ -55,7 +55,7 @@ class MechanismKernel extends Kernel {
 
   // The facts of the mechanism taken, by name.
   mechanismFacts() {
-    const length = this.calls.mechanism_facts();
+    const length = this.calls.mechanism_quantities();
     const text = new TextDecoder().decode(new Uint8Array(this.calls.memory.buffer, this.calls.text(), length));
     const numbers = this.numbers;
     let next = 0;

@@ -1,5 +1,10 @@
 // What can be changed of a mechanism of a simple type, as numbers and by its joints in the picture.
 
+import { RADIANS } from "../sampling.js";
+import { say } from "../words.js";
+import { crossOf, FOUR_BAR_JOINTS, inFrame, lengthOf, minus } from "./four_bar.js";
+import { MECHANISM_KEYS } from "./mechanism_kernel.js";
+
 const withPart = (table, [key, ...rest], value) => {
   const copy = Array.isArray(table) ? [...table] : { ...table };
   copy[key] = rest.length ? withPart(table[key], rest, value) : value;
@@ -10,26 +15,26 @@ const partOf = (table, path) => path.reduce((part, key) => part[key], table);
 const PAIR_NAMES = { pivot: ["a_x", "a_y"], centre: ["centre_x", "centre_y"], coupler_point: ["point_u", "point_v"] };
 
 // Every number of the table, with the words for it.
-function mechanismFields(mechanism) {
+export function mechanismFields(mechanism) {
   const field = (key, path, label, positive = false) => ({ key, label, positive, get: (s) => partOf(s, path), set: (s, value) => withPart(s, path, value) });
-  const own = MECHANISM_LAYOUTS[mechanism.type].flatMap((key) => {
-    if (key === "assembly" || mechanism[key] === undefined) return [];
-    if (key === "fixed_pivots") return [["a_x", 0, 0], ["a_y", 0, 1], ["d_x", 1, 0], ["d_y", 1, 1]].map(([name, i, k]) => field(name, [key, i, k], say(`edit.field.${name}`)));
+  const own = MECHANISM_KEYS[mechanism.type].flatMap(([key, form]) => {
+    if (form === "assembly" || mechanism[key] === undefined) return [];
+    if (form === "pivots") return [["a_x", 0, 0], ["a_y", 0, 1], ["d_x", 1, 0], ["d_y", 1, 1]].map(([name, i, k]) => field(name, [key, i, k], say(`edit.field.${name}`)));
     if (Array.isArray(mechanism[key])) return PAIR_NAMES[key].map((name, k) => field(name, [key, k], say(`edit.field.${name}`)));
-    return [field(key, [key], say(`edit.field.${key}`), ["crank", "coupler", "rocker", "length"].includes(key))];
+    return [field(key, [key], say(`edit.field.${key}`), form === "length")];
   });
   return [...own, ...(mechanism.point ?? []).flatMap(({ name }, i) => ["u", "v"].map((axis, k) => field(`${name}_${axis}`, ["point", i, "at", k], `${name}, ${axis}`)))];
 }
 
 // Whether the kernel can be given it: no chain, and no point of axes through other points.
-function isEditable(mechanism = {}) {
-  const layout = MECHANISM_LAYOUTS[mechanism.type] ?? [null];
-  return layout.every((key) => key === "coupler_point" || key in mechanism) && (mechanism.point ?? []).every(({ on }) => typeof on === "string");
+export function isEditable(mechanism = {}) {
+  const keys = MECHANISM_KEYS[mechanism.type];
+  return keys !== undefined && keys.every(([key, form]) => form === "point" || key in mechanism) && (mechanism.point ?? []).every(({ on }) => typeof on === "string");
 }
 
 // The joints that can be dragged: each makes a mechanism of `m` where it is taken `to`, from the
 // places `at` of the named points. `turns`: the drive follows it.
-function mechanismJoints(mechanism) {
+export function mechanismJoints(mechanism) {
   const pivots = { fixed_pivots: { A: ["fixed_pivots", 0], D: ["fixed_pivots", 1] }, pivot: { A: ["pivot"] } };
   const driven = mechanism.fixed_pivots ? "fixed_pivots" : "pivot";
   const joints = Object.fromEntries(Object.entries(mechanism[driven] ? pivots[driven] : {}).map(([name, path]) => [name, { drag: (m, at, to) => withPart(m, path, to) }]));

@@ -1,7 +1,11 @@
 // What editing lays over the picture: the curve as it was, and a handle on every joint that can be
 // dragged. The picture below may be drawn anew while a handle is held.
 
-class EditOverlay {
+import { set, svg } from "../dom.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+
+export class EditOverlay {
   // `on`: begin() when a joint is taken, drag(name, point) as it goes, end() when it is let go.
   constructor(frame, names, on) {
     this.frame = frame;

@@ -1,7 +1,12 @@
 // The card beside the picture while a design is edited: its dimensions to type, what they make of it
 // against what it was, and the file to take away.
 
-class EditPanel {
+import { markOf } from "../checks.js";
+import { saveText } from "../controls.js";
+import { breakable, element } from "../dom.js";
+import { say } from "../words.js";
+
+export class EditPanel {
   // `on`: field(field, value), undo(), redo(), reset(), toml() → text, title() → text.
   constructor(fields, on) {
     Object.assign(this, { fields, on });

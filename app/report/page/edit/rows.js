@@ -1,5 +1,11 @@
 // What the panel says of an edited design beside what it was.
 
+import { boundOf } from "../checks.js";
+import { degrees, degreesShort, fixed, number } from "../format.js";
+import { RADIANS } from "../sampling.js";
+import { say, term } from "../words.js";
+import { checkOf } from "./checks.js";
+
 // A row: its key, and `show`'s text and whole value of what `value` takes from each of the two.
 function editRow(key, [before, now], value, show) {
   const cell = (evaluated) => ({ value: value(evaluated), text: show(value(evaluated)) });
@@ -9,7 +15,7 @@ function editRow(key, [before, now], value, show) {
 const shownAngle = (angle) => degrees(angle / RADIANS, 2);
 const yesOrNo = (is) => say(is ? "edit.yes" : "edit.no");
 
-function editRows(before, now) {
+export function editRows(before, now) {
   const row = (key, value, show) => editRow(key, [before, now], value, show);
   return [
     row("class", ({ facts }) => facts.class, term),
@@ -36,9 +42,9 @@ function changedErrors(before, now) {
 }
 
 // One constraint of the design: its name, bound, value now, and whether it is met (null: not known here).
-function checkRow(check, evaluated) {
+export function checkRow(check, evaluated) {
   const found = checkOf(check, evaluated);
-  if (!found) return [check.name, boundText(check.bound), say("edit.program"), null];
+  if (!found) return [check.name, boundOf(check.bound), say("edit.program"), null];
   const value = typeof found.value === "number" ? number(found.value, 5) : found.value === null ? "–" : term(found.value);
-  return [check.name, boundText(check.bound), value, found.met];
+  return [check.name, boundOf(check.bound), value, found.met];
 }

@@ -21,13 +21,13 @@ function tomlTable(name, table) {
 }
 
 // `drive` may be null.
-function analysisToml(title, mechanism, drive) {
+export function analysisToml(title, mechanism, drive) {
   return [`kind = "analysis"`, `title = ${tomlText(title)}`, ...tomlTable("mechanism", mechanism),
     ...(drive ? tomlTable("drive", drive) : []), ""].join("\n");
 }
 
 // A whole problem as results hold it: values first, then tables and lists of tables.
-function problemToml(problem) {
+export function problemToml(problem) {
   const rows = Object.entries(problem).filter(([, value]) => !(Array.isArray(value) && value.length === 0));
   const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
   const own = rows.filter(([, value]) => !isTable(value) && !isTableList(value)).map(([key, value]) => `${key} = ${tomlValue(value)}`);

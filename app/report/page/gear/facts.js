@@ -1,16 +1,22 @@
 // What is known of the gears chosen, in tables.
 
+import { headRow, metricName, showMetrics } from "../checks.js";
+import { byId, element } from "../dom.js";
+import { factText } from "../fact_text.js";
+import { number, sentence } from "../format.js";
+import { say, term } from "../words.js";
+
 // Whether a fact of a gear tells of something wrong.
 const GEAR_FAULTS = { undercut: (value) => value === true, interferes: (value) => value === true, tip_thickness: (value) => value < 0, tip_clearance: (value) => value < 0 };
 const GEARS = ["pinion", "worm", "wheel"];
-const gearName = (gear) => say(gearing === "worm" && gear === "wheel" ? "gear.worm_wheel" : `gear.${gear}`);
+const gearName = (gear, gearing) => say(gearing === "worm" && gear === "wheel" ? "gear.worm_wheel" : `gear.${gear}`);
 
 // Facts of each gear beside one another, and those that are of neither.
-function showGears(metrics) {
+export function showGears(metrics, gearing) {
   const of = (gear) => metrics.filter(({ name }) => name.startsWith(`${gear}.`)).map(({ name, value }) => [name.slice(gear.length + 1), value]);
   const tables = GEARS.map((gear) => ({ gear, values: new Map(of(gear)) })).filter(({ values }) => values.size);
   byId("dimensions").hidden = tables.length === 0;
-  if (tables.length) byId("gears").tHead.replaceChildren(headRow([[say("values.quantity")], ...tables.map(({ gear }) => [gearName(gear), "number"])]));
+  if (tables.length) byId("gears").tHead.replaceChildren(headRow([[say("values.quantity")], ...tables.map(({ gear }) => [gearName(gear, gearing), "number"])]));
   const names = [...new Set(tables.flatMap(({ values }) => [...values.keys()]))];
   byId("gears-rows").replaceChildren(...names.map((name) => element("tr", {}, element("td", {}, metricName(name)), ...tables.map(({ values }) => gearCell(name, values.get(name))))));
   showMetrics(metrics.filter(({ name }) => !GEARS.some((gear) => name.startsWith(`${gear}.`))));
@@ -23,7 +29,7 @@ function gearCell(name, value) {
 }
 
 // The table of the flank's points that the result has.
-function showFlank(columns) {
+export function showFlank(columns) {
   byId("table").hidden = !columns?.length;
   if (!columns?.length) return;
   const title = (name) => (name === "is_involute" ? say("gear.flank_part") : sentence(term(name.replace(/_deg$/, "").replaceAll("_", " "))));
@@ -35,4 +41,4 @@ function showFlank(columns) {
       : number(values[i], 7))))));
 }
 
-const flankCsv = (columns) => `${[columns.map(({ name }) => name), ...columns[0].values.map((_, i) => columns.map(({ values }) => values[i] ?? ""))].map((row) => row.join(",")).join("\n")}\n`;
+export const flankCsv = (columns) => `${[columns.map(({ name }) => name), ...columns[0].values.map((_, i) => columns.map(({ values }) => values[i] ?? ""))].map((row) => row.join(",")).join("\n")}\n`;

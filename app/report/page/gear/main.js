@@ -1,6 +1,28 @@
 // The page of a gear or of gears in mesh: where they stand, and everything that follows from it.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { showChecks } from "../checks.js";
+import { Controls, saveResult, saveText } from "../controls.js";
+import { Curves } from "../curves.js";
+import { byId, element } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { Extras } from "../extras.js";
+import { degrees, duration, fixed, number } from "../format.js";
+import { showHead, showNotes, showWork } from "../head.js";
+import { legendItem } from "../shapes.js";
+import { makeSortable } from "../sortable.js";
+import { Trace } from "../trace.js";
+import { say, sentenceOf } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { flankCsv, showFlank, showGears } from "./facts.js";
+import { GearMesh, PARTS } from "./model.js";
+import { PairScene } from "./pair_scene.js";
+import { Generation, RackScene } from "./rack_scene.js";
+import { bevelSection } from "./section.js";
+import { pairSheets, thicknessSheets } from "./sheets.js";
+import { WormScene } from "./worm_scene.js";
+
+const data = JSON.parse(embedded("data"));
 const { result, kind, gearing } = data;
 const isPair = kind === "pair";
 const isWorm = gearing === "worm";
@@ -79,7 +101,7 @@ function choose(index) {
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const { drawn } = current();
-  showGears([...drawn.metrics, ...(data.facts ?? [])]);
+  showGears([...drawn.metrics, ...(data.facts ?? [])], gearing);
   showChecks(drawn.constraints ?? []);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));

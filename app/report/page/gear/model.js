@@ -1,18 +1,20 @@
 // Gears as their outlines have them, and how two of them turn in mesh: the pinion counter-clockwise
 // about the origin, the wheel about a point on the x axis. Angles in radians but for the drive's.
 
-const turned = ([x, y], angle) => {
+import { RADIANS } from "../sampling.js";
+
+export const turned = ([x, y], angle) => {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return [c * x - s * y, s * x + c * y];
 };
-const polar = (radius, angle) => [radius * Math.cos(angle), radius * Math.sin(angle)];
-const UPRIGHT = Math.PI / 2;
-const PARTS = ["root", "fillet", "involute", "tip"];
+export const polar = (radius, angle) => [radius * Math.cos(angle), radius * Math.sin(angle)];
+export const UPRIGHT = Math.PI / 2;
+export const PARTS = ["root", "fillet", "involute", "tip"];
 
 // At most so many teeth are drawn; of more, and of virtual gears, a sector.
 const MOST_TEETH = 400;
 
-class GearBody {
+export class GearBody {
   // `drawn.half`: x, y and part from a root's middle to the tip's, of the tooth upright on the y axis.
   constructor(drawn) {
     Object.assign(this, drawn);
@@ -38,7 +40,7 @@ class GearBody {
   shown(angle) { return this.isWhole ? angle : angle - this.pitch * Math.round(angle / this.pitch); }
 }
 
-class GearMesh {
+export class GearMesh {
   constructor(drawn) {
     Object.assign(this, drawn, { drawn, pinion: new GearBody(drawn.gears[0]), wheel: new GearBody(drawn.gears[1]) });
     const { pinion, wheel, centre_distance: a, working_angle: angle } = this;

@@ -1,9 +1,16 @@
 // The picture of two gears in mesh.
 
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { UPRIGHT } from "./model.js";
+
 // How far a circle or a name is from being too small to read, in pixels.
 const ROOM_FOR_NAMES = 46;
 
-class PairScene extends Picture {
+export class PairScene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.gear_pair"), onDrag);
     this.shown = { action: true, working: true, base: true };
@@ -148,4 +155,4 @@ class PairScene extends Picture {
   }
 }
 
-const contactClass = (count) => (count > 1 ? "shared" : count === 1 ? "alone" : "lost");
+export const contactClass = (count) => (count > 1 ? "shared" : count === 1 ? "alone" : "lost");

@@ -1,10 +1,17 @@
 // The picture of a gear that a rack cuts: the rack rolls on it, and what it has passed is gone.
 
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { GearBody, PARTS, polar, turned, UPRIGHT } from "./model.js";
+
 // Positions of the rack that have cut, and of how many of them one is drawn as a line.
 const CUTS = 120;
 const LINE_OF_CUTS = 4;
 
-class RackScene extends Picture {
+export class RackScene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.gear_rack"), onDrag);
     this.shown = { flank: true, envelope: true, base: true, form: true };
@@ -137,7 +144,7 @@ class RackScene extends Picture {
 }
 
 // How a rack cuts a gear that turns counter-clockwise below it: angles of the gear.
-class Generation {
+export class Generation {
   constructor(drawn) {
     this.body = new GearBody(drawn);
     this.rack = drawn.rack.x.map((x, i) => [x, drawn.rack.y[i]]);

@@ -1,6 +1,12 @@
 // The axial section of two bevel gears: their cones, whose apex is common.
 
-function bevelSection({ shaft_angle: shaft, cone_distance: far, face_width: face, gears }) {
+import { svg } from "../dom.js";
+import { pathThrough, round } from "../shapes.js";
+import { boxOf, View } from "../view.js";
+import { say } from "../words.js";
+import { polar } from "./model.js";
+
+export function bevelSection({ shaft_angle: shaft, cone_distance: far, face_width: face, gears }) {
   const near = Math.max(0, far - face);
   // Points at `reach` along the pitch cone's line, on the cone that stands at `angle` to the axis.
   const place = (axis, sense, cone, angle, reach) => polar(reach / Math.cos(angle - cone), axis + sense * angle);

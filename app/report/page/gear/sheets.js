@@ -1,5 +1,10 @@
 // What is plotted of gears.
 
+import { padded } from "../curves.js";
+import { number, sentence } from "../format.js";
+import { extremes, RADIANS } from "../sampling.js";
+import { say } from "../words.js";
+
 const GEAR_COLOURS = ["--pinion", "--wheel"];
 // Specific sliding is cut here: on the base circle it is infinite.
 const MOST_SLIDING = 6;
@@ -12,7 +17,7 @@ const rangeOf = (values, unit = "") => {
   return least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }).trim();
 };
 
-function pairSheets(mesh) {
+export function pairSheets(mesh) {
   if (!mesh.touches) return [countSheet(mesh)];
   const ways = Array.from({ length: PATH_STEPS + 1 }, (_, i) => mesh.start + ((mesh.end - mesh.start) * i) / PATH_STEPS);
   const x = ways.map((way) => way - mesh.pitchPoint);
@@ -55,7 +60,7 @@ function countSheet(mesh) {
 }
 
 // Thickness of the tooth and width of the space over the radius, as the outline has them.
-function thicknessSheets({ body, range, angleAt, radius }, generation) {
+export function thicknessSheets({ body, range, angleAt, radius }, generation) {
   const rows = [];
   for (const [x, y] of body.points) {
     const r = Math.hypot(x, y);

@@ -1,7 +1,15 @@
 // The picture of a worm and its wheel, cut along the worm's axis through the wheel's middle: there
 // they mesh like a rack and a gear.
 
-class WormScene extends Picture {
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { RADIANS } from "../sampling.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { GearBody } from "./model.js";
+import { contactClass } from "./pair_scene.js";
+
+export class WormScene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.worm"), onDrag);
     this.shown = { action: true, reference: true, tip: true };

@@ -1,5 +1,10 @@
 // What holds for the machine's motions as a whole.
 
+import { byId, fact } from "../dom.js";
+import { factName, factText } from "../fact_text.js";
+import { degreesShort, number } from "../format.js";
+import { say } from "../words.js";
+
 const MACHINE_FACTS = {
   speed_mean_rad_s: "rad/s", speed_max_rad_s: "rad/s", speed_min_rad_s: "rad/s", fluctuation: "", fluctuation_without_flywheel: "",
   flywheel_inertia_kg_m2: "kg·m²", flywheel_inertia_approximate_kg_m2: "kg·m²", greatest_excess_work_J: "J", period_s: "s", energy_swing_J: "J",
@@ -15,7 +20,7 @@ function machineFactText(name, facts) {
 }
 
 // Those that there are in the order of the list, with their exact values beside the pointer.
-function showMachineFacts(facts) {
+export function showMachineFacts(facts) {
   const known = Object.keys(MACHINE_FACTS).filter((name) => facts.has(name));
   const others = [...facts.keys()].filter((name) => !(name in MACHINE_FACTS) && !/_at_deg$/.test(name));
   byId("facts-list").replaceChildren(...known.flatMap((name) => fact(say(`machine.fact.${name}`), machineFactText(name, facts), String(facts.get(name)))),

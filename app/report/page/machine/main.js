@@ -1,6 +1,26 @@
 // The page of a machine: which motion is shown, what time it is in it, and everything that follows.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { Controls, saveResult } from "../controls.js";
+import { Curves } from "../curves.js";
+import { byId, element, set } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { Extras } from "../extras.js";
+import { degrees, duration, number, sentence } from "../format.js";
+import { Ghost, GHOSTS } from "../ghosts.js";
+import { showHead, showNotes, showWork } from "../head.js";
+import { jointsOf } from "../joints.js";
+import { Mechanism } from "../mechanism.js";
+import { MechanismScene } from "../mechanism_scene.js";
+import { legendItem } from "../shapes.js";
+import { Trace } from "../trace.js";
+import { say, term } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { showMachineFacts } from "./facts.js";
+import { DRIVE_ALONE, Motion } from "./model.js";
+import { machineSheets } from "./sheets.js";
+
+const data = JSON.parse(embedded("data"));
 const { result } = data;
 const motions = data.motions.map((motion) => new Motion(motion));
 const facts = new Map(data.facts.map(({ name, value }) => [name, value]));

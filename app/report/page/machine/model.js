@@ -1,9 +1,11 @@
 // The motions of a machine: tables over time, in which the drive turns at a speed of its own.
 
+import { interpolate, locate, lookUp } from "../sampling.js";
+
 // How long a period of the steady motion, and a start or a stop, is to take on the page, in seconds.
 const SHOWN_SECONDS = { steady: 4, start: 8, stop: 8 };
 
-class Motion {
+export class Motion {
   constructor({ task, rows, columns }) {
     Object.assign(this, { task, rows, columns: new Map(columns.map((column) => [column.name, column.values])) });
     this.times = this.values("time_s");
@@ -39,7 +41,7 @@ class Motion {
 }
 
 // Where a file gives no mechanism, a crank stands for the drive.
-const DRIVE_ALONE = {
+export const DRIVE_ALONE = {
   drive: Array.from({ length: 73 }, (_, i) => 5 * i), output: 1, points: [],
   bodies: [{ name: "frame", x: 0, y: 0, deg: 0, outline: [], rails: [], block: false },
     { name: "drive", x: 0, y: 0, deg: Array.from({ length: 73 }, (_, i) => 5 * i), outline: [[0, 0], [1, 0]], rails: [], block: false }],

@@ -1,5 +1,10 @@
 // What is plotted of a motion: over the drive's angle where it is steady, else over time.
 
+import { TURN_STEPS } from "../curves.js";
+import { engineeringExponent, number, powerOfTen } from "../format.js";
+import { extremes, lookUp, quantile } from "../sampling.js";
+import { say } from "../words.js";
+
 // Each sheet's lines as [column, words, colour, dash].
 const SPEED = ["speed_rad_s", "machine.speed", "--curve"];
 const TORQUES = [["motor_N_m", "machine.motor", "--crank"], ["load_N_m", "machine.load", "--rocker", [7, 4]]];
@@ -8,7 +13,7 @@ const EXCESS = [["excess_work_J", "machine.excess_work", "--coupler"]];
 const ENERGIES = [["kinetic_energy_J", "machine.kinetic_energy", "--coupler"], ["motor_work_J", "machine.motor_work", "--crank", [7, 4]], ["load_work_J", "machine.load_work", "--rocker", [2, 3]]];
 const INERTIA = [["inertia_kg_m2", "machine.inertia", "--link-b"]];
 
-function machineSheets(motion, facts) {
+export function machineSheets(motion, facts) {
   const common = motion.steady
     ? { x: motion.angles, xLabel: say("machine.angle_axis"), xSteps: TURN_STEPS, xAt: (time) => motion.angle(time), driveAt: (x) => lookUp(x, motion.angles, motion.times),
       marks: placesOf(motion, facts) }

@@ -1,9 +1,15 @@
 // The coupler curves of the rows that pass, those of one linkage together as in the atlas of Hrones
 // and Nelson (1951), unless nearly each linkage has but one.
 
+import { byId, element, svg } from "../dom.js";
+import { number } from "../format.js";
+import { pathThrough, round } from "../shapes.js";
+import { boxOf, SCALE_ROOM, View } from "../view.js";
+import { language, say, term } from "../words.js";
+
 const ATLAS = { curves: 60, samples: 96, width: 132, height: 104 };
 
-class Atlas {
+export class Atlas {
   // `tell.select(row)`; `linkageOf(row)`: its RowLinkage.
   constructor(study, linkageOf, tell) {
     Object.assign(this, { study, linkageOf, tell, page: 0, slow: true, holder: byId("curves-of-linkages") });
@@ -107,7 +113,7 @@ function pagesOf(groups, most) {
 }
 
 // The buttons of a card that turn its pages.
-class Pager {
+export class Pager {
   constructor(card, turn) {
     this.buttons = [...card.querySelectorAll("[data-step]")];
     this.where = card.querySelector("[data-where]");

@@ -1,9 +1,11 @@
 // A plane of two columns: a bitmap for what is many, and above it axes and marks.
 
-const font = '11px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
+import { element, set, svg } from "../dom.js";
+import { round } from "../shapes.js";
+import { say } from "../words.js";
 
 // A bitmap of `width` × `height` in the page's pixels.
-function sized(canvas, width, height) {
+export function sized(canvas, width, height) {
   const ratio = Math.min(3, devicePixelRatio || 1);
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     set(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio), style: `width:${width}px;height:${height}px` });
@@ -14,7 +16,7 @@ function sized(canvas, width, height) {
   return brush;
 }
 
-class Plane {
+export class Plane {
   constructor(holder, label) {
     this.holder = holder;
     this.canvas = element("canvas", { "aria-hidden": "true" });
@@ -85,8 +87,8 @@ class Plane {
   }
 }
 
-const shorten = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
+export const shorten = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
 // The rows' own lines of a tip: number, and the columns named.
-const tipLines = (study, row, columns) => [`${say("row.design", { n: study.ids[row] })}${study.best.has(row) ? " ★" : ""}`,
+export const tipLines = (study, row, columns) => [`${say("row.design", { n: study.ids[row] })}${study.best.has(row) ? " ★" : ""}`,
   ...[...new Set(columns)].filter(Boolean).map((column) => say("row.value", { name: column.label, value: column.text(row) }))];

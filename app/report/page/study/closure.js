@@ -1,7 +1,7 @@
 // The closure of the four-bar, by the formulas of analysis/linkage/closure.hpp: products of sums of lengths
 // in place of differences of squares, so that no digits are lost near limit positions.
 
-class Closure {
+export class Closure {
   // `linkage`: fixed_pivots, crank, coupler, rocker, assembly, and perhaps coupler_point.
   constructor(linkage) {
     const [a, d] = linkage.fixed_pivots;

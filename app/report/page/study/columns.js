@@ -1,5 +1,8 @@
 // The columns of the study: numbers, or words as numbers of their levels; NaN where a row lacks one.
 
+import { number } from "../format.js";
+import { term } from "../words.js";
+
 const PREFIX = /^mechanism\./;
 
 class Column {
@@ -60,7 +63,7 @@ class Column {
 }
 
 // How designs came out is a column where it differs.
-function columnsOf(data) {
+export function columnsOf(data) {
   const outcome = data.statuses.levels.length > 1 ? [{ name: "status", role: "metric", ...data.statuses }] : [];
   return [...data.columns, ...outcome].map((raw, i) => new Column(raw, i));
 }

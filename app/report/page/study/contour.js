@@ -1,8 +1,18 @@
 // The map of a column over two others, filled between its level lines.
 
+import { byId, colour, element, svg } from "../dom.js";
+import { number } from "../format.js";
+import { interpolate, locate } from "../sampling.js";
+import { round } from "../shapes.js";
+import { say } from "../words.js";
+import { Plane, tipLines } from "./axes.js";
+import { d3Range } from "./filters.js";
+import { keyBar, shadeAt } from "./paint.js";
+import { binSurface, gridSurface, triangleSurface } from "./surface.js";
+
 const LEVELS = 14;
 
-class Contour extends Plane {
+export class Contour extends Plane {
   // `tell.select(row)`
   constructor(holder, study, tell) {
     super(holder, say("map.label"));

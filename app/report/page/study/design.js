@@ -1,6 +1,19 @@
 // The design of a row: all its values, its file, and its linkage in motion.
 
-class DesignPanel {
+import { Controls } from "../controls.js";
+import { breakable, byId, element, fact } from "../dom.js";
+import { Extras } from "../extras.js";
+import { degrees } from "../format.js";
+import { Ghost, GHOSTS } from "../ghosts.js";
+import { RADIANS } from "../sampling.js";
+import { Trace } from "../trace.js";
+import { Vectors } from "../vectors.js";
+import { say } from "../words.js";
+import { Zoom } from "../zoom.js";
+import { filledIn, RowLinkage, TURN } from "./linkage.js";
+import { LinkageScene } from "./scene.js";
+
+export class DesignPanel {
   // `tell.select(row)`
   constructor(data, study, tell) {
     Object.assign(this, { data, study, tell, phase: 0 });

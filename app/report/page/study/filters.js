@@ -1,6 +1,10 @@
 // Which rows pass: of each column a range of its values, or a set of its words.
 
-class Filters {
+import { breakable, byId, element } from "../dom.js";
+import { number } from "../format.js";
+import { say } from "../words.js";
+
+export class Filters {
   constructor(columns, count) {
     Object.assign(this, { columns, count, chosen: new Map(), passes: new Uint8Array(count).fill(1) });
     this.rows = d3Range(count);
@@ -28,10 +32,10 @@ class Filters {
   }
 }
 
-const d3Range = (count) => Array.from({ length: count }, (_, i) => i);
+export const d3Range = (count) => Array.from({ length: count }, (_, i) => i);
 
 // The table of columns: whether each is drawn, and the ends of its filter for the keyboard.
-class ColumnTable {
+export class ColumnTable {
   // `tell.filter(column, range)`, `tell.show(column, shown)`
   constructor(columns, tell) {
     this.rows = columns.map((column) => ({ column, ...this.#row(column, tell) }));

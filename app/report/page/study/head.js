@@ -1,5 +1,11 @@
 // What the study was, how far it came, and what is shown of it.
 
+import { saveText } from "../controls.js";
+import { breakable, byId, fact } from "../dom.js";
+import { duration, number } from "../format.js";
+import { showHead, showNotes, showWork } from "../head.js";
+import { language, say, term } from "../words.js";
+
 // The counts of designs that the document names.
 function countsLine({ designs, evaluated, kept } = {}, status) {
   if (designs === undefined) return [];
@@ -22,7 +28,7 @@ function filterText({ min, max, words }) {
   return min === null ? say("range.at_most", { value: number(max) }) : max === null ? say("range.at_least", { value: number(min) }) : `${number(min)} … ${number(max)}`;
 }
 
-function showStudy(columns, study) {
+export function showStudy(columns, study) {
   const rows = [[say("study.base"), study.base], ...columns.filter((c) => c.role === "variable").map((c) => [c.name, variedText(c, study)]),
     ...study.filters.map((filter) => [say("study.filter", { name: filter.name }), filterText(filter)]),
     ...columns.filter((c) => c.wanted).map((c) => [say("study.objective"), say(`study.wanted_${c.wanted}`, { name: c.name })])];
@@ -33,7 +39,7 @@ function showStudy(columns, study) {
   }));
 }
 
-function showStudyHead(data) {
+export function showStudyHead(data) {
   const { result } = data;
   const title = data.study.title || data.study.base;
   const shown = data.ids.length < data.total

@@ -1,18 +1,21 @@
 // The linkage of a row, and its motion. Where the crank does not turn fully, the motion goes on in
 // the other assembly at each limit position, so that the coupler point traces its whole circuit.
 
-const TURN = 2 * Math.PI;
+import { RADIANS } from "../sampling.js";
+import { Closure } from "./closure.js";
+
+export const TURN = 2 * Math.PI;
 const HAIR = 1e-9;
 
 // `template` with the numbers that the row varies, `value(variable)`.
-function filledIn(template, value) {
+export function filledIn(template, value) {
   if (Array.isArray(template)) return template.map((part) => filledIn(part, value));
   if (template === null || typeof template !== "object") return template;
   if ("variable" in template) return value(template.variable);
   return Object.fromEntries(Object.entries(template).map(([key, part]) => [key, filledIn(part, value)]));
 }
 
-class RowLinkage {
+export class RowLinkage {
   constructor(dimensions) {
     this.dimensions = dimensions;
     this.closure = new Closure(dimensions);

@@ -1,6 +1,22 @@
 // The page of a study: its rows, which of them pass, and the one that is open.
 
-const data = JSON.parse(byId("data").textContent);
+import { followTheme } from "../appearance.js";
+import { saveText } from "../controls.js";
+import { byId, element } from "../dom.js";
+import { embedded } from "../embedded.js";
+import { language, say } from "../words.js";
+import { Atlas } from "./atlas.js";
+import { columnsOf } from "./columns.js";
+import { Contour } from "./contour.js";
+import { DesignPanel } from "./design.js";
+import { ColumnTable, Filters } from "./filters.js";
+import { showStudy, showStudyHead } from "./head.js";
+import { Paint } from "./paint.js";
+import { Parallel } from "./parallel.js";
+import { RowTable } from "./rows.js";
+import { Scatter } from "./scatter.js";
+
+const data = JSON.parse(embedded("data"));
 const columns = columnsOf(data);
 const count = data.ids.length;
 const drawn = columns.filter((column) => !column.empty);

@@ -1,12 +1,15 @@
 // Colours of rows by a column, and their key.
 
+import { colour, element } from "../dom.js";
+import { d3Range } from "./filters.js";
+
 const isDark = () => document.documentElement.dataset.theme === "dark";
 const SHADES = 48;
 
 // The colour at a share from 0 to 1 that stands out from the page.
-const shadeAt = (share) => d3.interpolateViridis(isDark() ? 0.22 + 0.78 * share : 0.9 * share);
+export const shadeAt = (share) => d3.interpolateViridis(isDark() ? 0.22 + 0.78 * share : 0.9 * share);
 
-class Paint {
+export class Paint {
   constructor(column) { this.column = column; }
 
   // Taken anew where the theme changes.
@@ -31,5 +34,5 @@ class Paint {
   }
 }
 
-const keyBar = (label, from, to, shades) => [element("span", { class: "muted" }, label), element("span", {}, from),
+export const keyBar = (label, from, to, shades) => [element("span", { class: "muted" }, label), element("span", {}, from),
   element("i", { class: "bar", style: `background:linear-gradient(to right, ${shades.join(",")})` }), element("span", {}, to)];

@@ -1,6 +1,11 @@
 // Parallel coordinates: an axis for each column and a line for each row. A brush on an axis filters
 // the page; axes are moved, turned over and hidden by their names.
 
+import { breakable, colour, element, set, svg } from "../dom.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { shorten, sized } from "./axes.js";
+
 const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28, most: 14 };
 
 // What is not drawn at first: columns of one value, and of many those that are least asked for.
@@ -11,7 +16,7 @@ function firstHidden(columns) {
   return new Set(columns.filter((column) => !first.includes(column)));
 }
 
-class Parallel {
+export class Parallel {
   // `tell.filter(column, range)`, `tell.changed()` where axes are hidden.
   constructor(holder, study, tell) {
     Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });

@@ -1,8 +1,12 @@
 // The rows that pass as a table, sorted by a column and in pages.
 
+import { breakable, byId, element } from "../dom.js";
+import { language, say } from "../words.js";
+import { Pager } from "./atlas.js";
+
 const PAGE = 40;
 
-class RowTable {
+export class RowTable {
   // `tell.select(row)`
   constructor(study, tell) {
     Object.assign(this, { study, tell, sortedBy: null, sense: 1, page: 0 });

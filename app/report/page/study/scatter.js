@@ -1,9 +1,14 @@
 // Two columns against each other. The best rows are ringed, and joined where the axes are the two
 // objectives.
 
+import { byId, colour, svg } from "../dom.js";
+import { round } from "../shapes.js";
+import { say } from "../words.js";
+import { Plane, tipLines } from "./axes.js";
+
 const NEAR = 14;  // pixels
 
-class Scatter extends Plane {
+export class Scatter extends Plane {
   // `tell.select(row)`
   constructor(holder, study, tell) {
     super(holder, say("scatter.label"));

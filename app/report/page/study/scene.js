@@ -1,6 +1,14 @@
 // The picture of a row's four-bar.
 
-class LinkageScene extends Picture {
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { barPath, groundSign, pathThrough, round } from "../shapes.js";
+import { fourBarRates } from "../vectors.js";
+import { boxOf } from "../view.js";
+import { say } from "../words.js";
+import { TURN } from "./linkage.js";
+
+export class LinkageScene extends Picture {
   // `onDrag(phase)`
   constructor(frame, onDrag) { super(frame, say("picture.row_linkage"), onDrag); }
 

@@ -2,6 +2,8 @@
 // triangles between the rows. Each gives {nx, ny, z, xs, ys, note}: z row by row from the lower left,
 // NaN where nothing is known, and the places of the table's nodes.
 
+import { d3Range } from "./filters.js";
+
 // What tells of a number of rows in a cell or at a node: the mean.
 class Means {
   constructor(size) { this.sums = new Float64Array(size); this.counts = new Int32Array(size); }
@@ -10,7 +12,7 @@ class Means {
 }
 
 // `held`: of each other varied column the value that it has, or none.
-function gridSurface(x, y, z, rows, held) {
+export function gridSurface(x, y, z, rows, held) {
   const [nx, ny] = [x.grid.length, y.grid.length];
   const [ix, iy] = [x, y].map(({ grid }) => new Map(grid.map((v, i) => [v, i])));
   const means = new Means(nx * ny);
@@ -29,7 +31,7 @@ function steps(column, count) {
   return d3Range(count).map((i) => scale.invert(i));
 }
 
-function binSurface(x, y, z, rows) {
+export function binSurface(x, y, z, rows) {
   const [nx, ny] = [2.2, 4].map((rarer) => Math.max(5, Math.min(48, Math.round(Math.sqrt(rows.length) / rarer))));
   const [sx, sy] = [x.scale([0, nx]), y.scale([0, ny])];
   const cell = (scale, n, v) => Math.min(n - 1, Math.max(0, Math.floor(scale(v))));
@@ -43,7 +45,7 @@ const RASTER = [140, 100];
 // Triangles with a side longer than this many usual ones bridge a hole.
 const BRIDGE = 10;
 
-function triangleSurface(x, y, z, rows) {
+export function triangleSurface(x, y, z, rows) {
   const [nx, ny] = RASTER;
   const [sx, sy] = [x.scale([0, nx - 1]), y.scale([0, ny - 1])];
   const known = rows.filter((row) => [x, y, z].every((column) => !Number.isNaN(column.values[row])));

@@ -1,0 +1,50 @@
+#include "app/kinds/linkage/kind.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/console/design_dimensions.hpp"
+#include "app/documents/mechanism_catalogue.hpp"
+#include "app/study/metrics.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::MetricNames;
+
+/// The tables and keys that the mechanism of a design may have.
+void add_mechanisms(MetricNames& names) {
+  for (const KeyedEntry& mechanism : mechanisms()) {
+    if (mechanism.name == "chain") continue;
+    for (const Entry& key : mechanism.keys) {
+      names.openings.push_back(fmt::format("mechanism.{}", key.name));
+    }
+  }
+  for (const char* table : {"type", "pivot", "slider", "dyad", "point"}) {
+    names.openings.push_back(fmt::format("mechanism.{}", table));
+  }
+}
+
+}  // namespace
+
+MetricNames linkage_metric_names() {
+  MetricNames names;
+  add_metrics(names, metrics());
+  add_metrics(names,
+              study_extras().first(study_extras().size() - 2));  // the last two stand for many
+  add_metrics(names, quantities(), "facts.");
+  add_mechanisms(names);
+  names.openings.emplace_back("crank_deg");
+  return names;
+}
+
+void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
+  if (!mechanism.four_bar) return;
+  const auto [shortest, longest] =
+      std::ranges::minmax(dimensions(mechanism), {}, &Dimension::value);
+  metrics["longest_link"] = longest.value;
+  metrics["link_ratio"] = longest.value / shortest.value;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,90 @@
+/// @file What the program does alike with all kinds that design a linkage.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console/table.hpp"
+#include "app/kinds/kind.hpp"
+#include "app/report/design_drawing.hpp"
+#include "app/report/page.hpp"
+#include "app/report/report_data.hpp"
+
+namespace cognate::app {
+
+/// What a study may ask of the best design of a synthesis.
+problems::MetricNames linkage_metric_names();
+
+/// The size of a design that is a four-bar, among its metrics.
+void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism);
+
+/// Why `cognate analyze` takes no problem of these kinds.
+inline constexpr const char* kDesignsLinkage =
+    "kind is that of a design problem, which 'cognate solve' solves; expected kind = \"analysis\" "
+    "with a whole [mechanism]";
+
+/// Besides what every kind has, each of these has
+/// - `kMethods` and `keys()`, how its designs are found and what `cognate list` says of its keys;
+/// - `columns(problem)`, what the table of designs shows besides what all have;
+/// - `target_json(problem)`, what the page draws of its target.
+template <class Problem>
+struct LinkageKind : KindBase<Problem, problems::Result> {
+  using Result = problems::Result;
+  using Json = nlohmann::ordered_json;
+
+  static std::string refusal(const Problem& /*problem*/, Command command) {
+    return command == Command::solve ? "" : kDesignsLinkage;
+  }
+
+  static Result run(const Problem& problem, const problems::Run& run) {
+    return solve(problem, run);
+  }
+
+  static Json design_json(const Problem& problem, const Result& result, std::size_t index) {
+    const bool angular = Kind<Problem>::columns(problem).error_unit == "deg";
+    return app::design_json(result.designs[index], angular);
+  }
+
+  static void add_facts(Json& table, const Result& result) { add_linkage_facts(table, result); }
+
+  static void add_findings(Json& document, const Problem& /*problem*/, const Result& result) {
+    add_linkage_findings(document, result);
+  }
+
+  static Evaluated evaluate(const Problem& problem, const std::vector<std::string>& /*names*/,
+                            const problems::Run& run) {
+    const Result result = problems::solve(problem, run);
+    Evaluated evaluated{result.status, LinkageKind::best_design_json(problem, result)};
+    if (!result.designs.empty()) {
+      add_size(evaluated.design["metrics"], result.designs.front().mechanism);
+    }
+    return evaluated;
+  }
+
+  static std::string table(const Problem& problem, const Result& result, const Screen& screen) {
+    return design_table(Kind<Problem>::describe(problem), Kind<Problem>::columns(problem), result,
+                        screen);
+  }
+
+  static std::string page(const Problem& /*problem*/) { return design_page(); }
+
+  static Json report_data(const Problem& problem, const Result& result) {
+    return app::report_data(result, Kind<Problem>::target_json(problem),
+                            problem.constraints.transmission_angle,
+                            [&](const problems::Design& design) {
+                              return Kind<Problem>::reached_json(problem, design);
+                            });
+  }
+
+  /// What a design reaches at the targets, or how it errs.
+  static Json reached_json(const Problem& /*problem*/, const problems::Design& design) {
+    return reached_points(design);
+  }
+
+  static problems::MetricNames metric_names(const Problem& /*base*/) {
+    return linkage_metric_names();
+  }
+};
+
+}  // namespace cognate::app

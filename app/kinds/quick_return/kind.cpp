@@ -1,0 +1,83 @@
+#include "app/kinds/quick_return/kind.hpp"
+
+#include <fmt/core.h>
+
+#include "app/console/messages.hpp"
+#include "app/console/table_text.hpp"
+#include "app/documents/problem_tables.hpp"
+#include "problems/basics/names.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::QuickReturnProblem;
+
+constexpr Entry kQuickReturn[] = {
+    {"target.time_ratio", "time of the advance over that of the return, from 1"},
+    {"mechanism.type", "\"four-bar\" (default), \"slider-crank\", \"guide-bar\" or \"shaper\""},
+    {"mechanism.rocker", "four-bar: its length"},
+    {"mechanism.swing_deg", "four-bar: of the rocker"},
+    {"mechanism.crank",
+     "its length: at most one of crank, coupler, frame, crank_pivot_line; none: best transmission"},
+    {"mechanism.coupler", "likewise"},
+    {"mechanism.frame", "likewise; guide-bar and shaper: between the pivots"},
+    {"mechanism.crank_pivot_line", "likewise: [a, b, c], a x + b y = c"},
+    {"mechanism.stroke", "slider-crank and shaper: of the slider"},
+    {"mechanism.offset", "slider-crank: of the slide line; guide-bar: of the guide"},
+    {"mechanism.rod", "shaper: from the guide to the ram"},
+    {"mechanism.ram_height", "shaper: of the ram's line above the guide's pivot"},
+    {"constraints.pressure_angle_deg_max", "slider-crank and shaper"}};
+
+constexpr QuantityColumn kQuickReturnQuantities[] = {{"swing_deg", "swing [deg]"},
+                                                     {"stroke", "stroke [length]"},
+                                                     {"pressure_angle_deg", "pressure [deg]"}};
+
+}  // namespace
+
+std::span<const Entry> Kind<QuickReturnProblem>::keys() {
+  return kQuickReturn;
+}
+
+std::string Kind<QuickReturnProblem>::describe(const QuickReturnProblem& problem) {
+  return titled(problem.title, fmt::format("quick return, time ratio {}", problem.time_ratio));
+}
+
+ColumnChoice Kind<QuickReturnProblem>::columns(const QuickReturnProblem& /*problem*/) {
+  return {.quantities = kQuickReturnQuantities};
+}
+
+nlohmann::ordered_json Kind<QuickReturnProblem>::target_json(
+    const QuickReturnProblem& /*problem*/) {
+  return {{"kind", "quick-return"}};
+}
+
+ordered_json Kind<problems::QuickReturnProblem>::to_json(
+    const problems::QuickReturnProblem& problem) {
+  ordered_json tables = document("quick-return", problem.title);
+  tables["target"]["time_ratio"] = problem.time_ratio;
+  ordered_json& mechanism = tables["mechanism"];
+  mechanism["type"] = problems::to_string(problem.type);
+  set(mechanism, "crank", problem.given.crank);
+  set(mechanism, "coupler", problem.given.coupler);
+  set(mechanism, "rocker", problem.given.rocker);
+  set(mechanism, "frame", problem.given.frame);
+  set_deg(mechanism, "swing_deg", problem.swing);
+  set(mechanism, "stroke", problem.stroke);
+  set(mechanism, "offset", problem.offset);
+  set(mechanism, "rod", problem.rod);
+  set(mechanism, "ram_height", problem.ram_height);
+  if (problem.crank_pivot_line) {
+    const auto& [a, b, c] = *problem.crank_pivot_line;
+    mechanism["crank_pivot_line"] = {a, b, c};
+  }
+  const bool four_bar = problem.type == problems::QuickReturnType::four_bar;
+  if (four_bar) tables["bounds"] = bounds_table(problem.bounds);
+  tables["constraints"] =
+      four_bar ? constraints_table(problem.constraints) : ordered_json::object();
+  set_deg(tables["constraints"], "pressure_angle_deg_max", problem.pressure_angle_max);
+  tables["solve"] = solve_table(problem.solve);
+  return tables;
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,14 @@
+/// @file Facts of a result as the pages have them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "problems/basics/quantity.hpp"
+
+namespace cognate::app {
+
+/// A list of `{name, value}`; the value is null where it is not finite.
+nlohmann::ordered_json quantities_json(const std::vector<problems::Quantity>& quantities);
+
+}  // namespace cognate::app

@@ -1,0 +1,27 @@
+/// @file The tables of a mechanism with its masses and loads, written down.
+#pragma once
+
+#include "problems/evaluation/problem.hpp"
+#include "problems/toml/table_writer.hpp"
+
+namespace cognate::problems::reading {
+
+/// `[mechanism]`, as its description tells it.
+TableWriter mechanism_writer(const NamedMechanism& mechanism);
+
+/// `[[load]]`.
+TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load);
+
+/// Adds `mechanism`, `link`, and `gravity`, and the indices out of range to `all.faults`.
+void write_mechanism(const AnalysisProblem& problem, TableWriter& document,
+                     std::vector<std::string>& faults);
+
+/// Adds to `faults` a load on a body that there is not.
+void check_load(const AnalysisProblem& problem, const LoadRule& load,
+                std::vector<std::string>& faults);
+
+/// Adds to `faults` what `given` is not that `told`, made of the same description, is.
+void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& told,
+                          std::vector<std::string>& faults);
+
+}  // namespace cognate::problems::reading

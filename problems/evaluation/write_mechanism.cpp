@@ -1,0 +1,276 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/evaluation/write.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+/// What rounding leaves of 0 is none of the numbers that a file takes.
+Vec2d without_rounding(const Vec2d& v) {
+  constexpr double kLeast = 1e-30;
+  return {std::abs(v.x) < kLeast ? 0 : v.x, std::abs(v.y) < kLeast ? 0 : v.y};
+}
+
+TableWriter slide_writer(const SlideDescription& slide) {
+  TableWriter table;
+  std::visit([&](const auto& through) { table.set("through", through); }, slide.through);
+  return table.set_deg("direction_deg", slide.direction)
+      .set("offset", slide.offset)
+      .set("on", slide.on);
+}
+
+TableWriter drive_writer(const CrankDescription& crank) {
+  TableWriter table;
+  return table.set("at", crank.at)
+      .set("pin", crank.pin)
+      .set("length", crank.length)
+      .set("name", crank.name);
+}
+
+TableWriter drive_writer(const SliderDescription& slider) {
+  TableWriter table;
+  return table.add("slide", node(slide_writer(slider.slide)))
+      .set("pin", slider.pin)
+      .set("name", slider.name);
+}
+
+TableWriter dyad_writer(const DyadDescription& dyad) {
+  TableWriter table;
+  table.set_name("type", dyad.type);
+  if (!dyad.joins.empty()) table.set("joins", dyad.joins);
+  if (!dyad.lengths.empty()) table.set("lengths", dyad.lengths);
+  Array slides;
+  for (const SlideDescription& slide : dyad.slides) slides.push_back(node(slide_writer(slide)));
+  if (dyad.type == DyadType::prp) {
+    table.set("slides", slides);
+  } else if (!slides.empty()) {
+    table.add("slide", slides.front());
+  }
+  if (dyad.type == DyadType::rpr) table.set("offset", dyad.offset);
+  if (dyad.type == DyadType::rpp) table.set_deg("slot_deg", dyad.slot);
+  if (dyad.type != DyadType::prp && dyad.type != DyadType::rpp) {
+    table.set_name("assembly", dyad.assembly);
+  }
+  if (!dyad.new_point.empty()) table.set("new", dyad.new_point);
+  return table.set("names", dyad.names);
+}
+
+/// Writes what one key of a type holds.
+template <class Type>
+struct KeyWriter {
+  TableWriter& table;
+  std::string_view key;
+  const Type& mechanism;
+
+  void operator()(const PivotsKey<Type>& pivots) const {
+    table.set(key, std::array{mechanism.*pivots.first, mechanism.*pivots.second});
+  }
+  void operator()(const DirectionKey<Type>& line) const { set_angle(mechanism.*line.of); }
+  void operator()(const InclinationKey<Type>& line) const { set_angle(mechanism.*line.of); }
+  void operator()(const AssemblyKey<Type>& assembly) const {
+    table.set_name(key, mechanism.*assembly.of);
+  }
+  /// A number, or a point.
+  template <class Other>
+  void operator()(const Other& other) const {
+    table.set(key, mechanism.*other.of);
+  }
+
+ private:
+  void set_angle(const Vec2d& direction) const { table.set_deg(key, angle_of(direction)); }
+};
+
+/// What `[mechanism]` says besides its type.
+template <class Type>
+void write_description(const Type& mechanism, TableWriter& table) {
+  for (const auto& key : TypeTraits<Type>::kKeys) {
+    std::visit(KeyWriter<Type>{table, key.name, mechanism}, key.holds);
+  }
+}
+
+void write_description(const ChainDescription& chain, TableWriter& table) {
+  Array pivots, dyads;
+  for (const auto& [name, at] : chain.pivots) {
+    pivots.push_back(node(TableWriter{}.set("name", name).set("at", at)));
+  }
+  for (const DyadDescription& dyad : chain.dyads) dyads.push_back(node(dyad_writer(dyad)));
+  const bool turns = std::holds_alternative<CrankDescription>(chain.drive);
+  table.set("pivot", pivots);
+  std::visit(
+      [&](const auto& drive) { table.add(turns ? "crank" : "slider", node(drive_writer(drive))); },
+      chain.drive);
+  table.set("dyad", dyads);
+}
+
+/// The structure and the numbers of a mechanism, each in a row, to compare it by.
+struct Digest {
+  std::vector<int> structure;
+  std::vector<double> numbers;
+
+  explicit Digest(const NamedMechanism& mechanism) {
+    structure = {static_cast<int>(mechanism.type), mechanism.output,
+                 static_cast<int>(mechanism.mechanism.drive.index())};
+    std::visit(*this, mechanism.mechanism.drive);
+    for (const auto& dyad : mechanism.mechanism.dyads) {
+      structure.push_back(static_cast<int>(dyad.index()));
+      std::visit(*this, dyad);
+    }
+  }
+
+  void operator()(const Crank<double>& crank) {
+    add(crank.pivot);
+    add(crank.length);
+  }
+  void operator()(const DrivingSlider<double>& slider) { add(slider.guide); }
+  void operator()(const FloatingLink<double>& link) {
+    add(link.first);
+    add(link.second);
+    add(link.length);
+  }
+  void operator()(const Rrr<double>& dyad) {
+    add(dyad.first);
+    add(dyad.second);
+    add(dyad.first_length);
+    add(dyad.second_length);
+    add(dyad.assembly);
+  }
+  void operator()(const Rrp<double>& dyad) {
+    add(dyad.point);
+    add(dyad.length);
+    add(dyad.guide);
+    add(dyad.assembly);
+  }
+  void operator()(const Rpr<double>& dyad) {
+    add(dyad.block);
+    add(dyad.pivot);
+    add(dyad.offset);
+    add(dyad.assembly);
+  }
+  void operator()(const Prp<double>& dyad) {
+    add(dyad.first);
+    add(dyad.second);
+  }
+  void operator()(const Rpp<double>& dyad) {
+    add(dyad.point);
+    add(dyad.slot);
+    add(dyad.guide);
+  }
+
+ private:
+  void add(double number) { numbers.push_back(number); }
+  void add(Assembly assembly) { structure.push_back(static_cast<int>(assembly)); }
+  void add(const Vec2d& v) {
+    add(v.x);
+    add(v.y);
+  }
+  void add(const Attached<double>& point) {
+    structure.push_back(point.body);
+    add(point.at);
+  }
+  void add(const Guide<double>& guide) {
+    structure.push_back(guide.body);
+    add(guide.through);
+    add(guide.direction);
+    add(guide.offset);
+  }
+};
+
+bool nearly_equal(const std::vector<double>& given, const std::vector<double>& told) {
+  constexpr double kSame = 1e-9;
+  double size = 1;
+  for (const double number : told) size = std::max(size, std::abs(number));
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    if (!(std::abs(given[i] - told[i]) <= kSame * size)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TableWriter mechanism_writer(const NamedMechanism& mechanism) {
+  TableWriter table;
+  table.set_name("type", mechanism.type);
+  std::visit([&](const auto& described) { write_description(described, table); },
+             mechanism.description);
+  Array points;
+  for (const PointDescription& point : mechanism.extra_points) {
+    points.push_back(
+        node(TableWriter{}
+                 .set("name", point.name)
+                 .add("on", point.on.size() == 1 ? node(point.on.front()) : node(point.on))
+                 .set("at", point.at)));
+  }
+  if (!points.empty()) table.set("point", points);
+  return table;
+}
+
+TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load) {
+  TableWriter table;
+  const auto& bodies = problem.mechanism.bodies;
+  const auto body = static_cast<std::size_t>(load.at.body);
+  table.set("on", body < bodies.size() ? bodies[body] : std::string{})
+      .set("at", without_rounding(load.at.at))
+      .set("force", load.force)
+      .set("torque", load.torque);
+  if (load.between) {
+    const auto& [from, to] = *load.between;
+    table.add("when", drive_slides(problem) ? node(Range{from, to}) : node_deg(Range{from, to}));
+  } else {
+    table.set_name("when", load.sense);
+  }
+  if (load.within_stroke) table.set("stroke", *load.within_stroke);
+  return table;
+}
+
+void write_mechanism(const AnalysisProblem& problem, TableWriter& document,
+                     std::vector<std::string>& faults) {
+  const auto& bodies = problem.mechanism.bodies;
+  document.add("mechanism", node(mechanism_writer(problem.mechanism)));
+  if (!problem.inertias.empty() && problem.inertias.size() != bodies.size()) {
+    faults.push_back(fmt::format("inertias has {} entries for {} bodies; expected one for each",
+                                 problem.inertias.size(), bodies.size()));
+  }
+  Array links;
+  for (std::size_t i = 0; i < std::min(bodies.size(), problem.inertias.size()); ++i) {
+    const Inertia& inertia = problem.inertias[i];
+    if (inertia.mass == 0 && inertia.moment == 0) continue;
+    links.push_back(node(TableWriter{}
+                             .set("name", bodies[i])
+                             .set("mass", inertia.mass)
+                             .set("centre", without_rounding(inertia.centre))
+                             .set("inertia", inertia.moment)));
+  }
+  document.set("link", links).set("gravity", problem.gravity);
+}
+
+void check_load(const AnalysisProblem& problem, const LoadRule& load,
+                std::vector<std::string>& faults) {
+  const auto count = static_cast<int>(problem.mechanism.bodies.size());
+  if (load.at.body >= 0 && load.at.body < count) return;
+  faults.push_back(
+      fmt::format("a load is on body {}; expected one from 1 to {}", load.at.body, count - 1));
+}
+
+void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& told,
+                          std::vector<std::string>& faults) {
+  const auto bodies = static_cast<int>(told.bodies.size());
+  const bool has_all = given.bodies.size() == told.bodies.size() &&
+                       std::ranges::all_of(given.points, [&](const NamedPoint& point) {
+                         return point.at.body >= 0 && point.at.body < bodies;
+                       });
+  const Digest has(given), wants(told);
+  const bool same = has_all && has.structure == wants.structure &&
+                    has.numbers.size() == wants.numbers.size() &&
+                    nearly_equal(has.numbers, wants.numbers);
+  if (same) return;
+  faults.emplace_back(
+      "mechanism is not what its description tells; expected it as problems::named makes it of "
+      "the description, or as a file is read");
+}
+
+}  // namespace cognate::problems::reading

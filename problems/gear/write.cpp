@@ -1,0 +1,192 @@
+/// A gear or a pair of gears written down, and checked by reading what was written.
+#include <algorithm>
+#include <cmath>
+
+#include "problems/gear/problem.hpp"
+#include "problems/gear/read.hpp"
+#include "problems/linkage/refused.hpp"
+#include "problems/linkage/write_linkage.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+TableWriter rack_writer(const gear::BasicRack& rack) {
+  TableWriter table;
+  return table.set_deg("pressure_angle_deg", rack.pressure_angle)
+      .set("addendum", rack.addendum)
+      .set("clearance", rack.clearance)
+      .set("tip_radius", rack.corner_radius);
+}
+
+void set_unless_zero(TableWriter& table, std::string_view key, double value) {
+  if (value != 0) table.set(key, value);
+}
+
+void write_shifts(const GearPairProblem& problem, TableWriter& table) {
+  const auto& [first, second] = problem.profile_shift;
+  if (!first && !second) return;
+  const auto shift = [](const std::optional<double>& x) { return x ? node(*x) : node("free"); };
+  table.set("profile_shift", Array{shift(first), shift(second)});
+}
+
+void write_cylindrical(const GearPairProblem& problem, TableWriter& table) {
+  write_shifts(problem, table);
+  table.set("centre_distance", problem.centre_distance).set("backlash", problem.backlash);
+  if (problem.gearing == Gearing::helical) table.set_deg("helix_deg", problem.helix);
+  set_unless_zero(table, "face_width", problem.face_width);
+  table.set("tip_reduction", problem.tip_reduction);
+}
+
+void write_worm(const GearPairProblem& problem, TableWriter& table) {
+  table.set("starts", problem.worm.starts)
+      .set("wheel_teeth", problem.worm.wheel_teeth)
+      .set("diameter_quotient", problem.worm.diameter_quotient)
+      .set("wheel_shift", problem.worm.wheel_shift)
+      .set("friction", problem.friction);
+}
+
+TableWriter pair_writer(const GearPairProblem& problem) {
+  TableWriter table;
+  table.set_name("gearing", problem.gearing);
+  Array teeth;
+  for (const auto& count : problem.teeth) {
+    if (count) teeth.push_back(node(*count));
+  }
+  if (!teeth.empty()) table.set("teeth", teeth);
+  table.set("module", problem.module);
+  switch (problem.gearing) {
+    case Gearing::spur:
+    case Gearing::helical:
+      write_cylindrical(problem, table);
+      break;
+    case Gearing::bevel:
+      write_shifts(problem, table);
+      table.set_deg("shaft_angle_deg", problem.shaft_angle);
+      set_unless_zero(table, "face_width", problem.face_width);
+      break;
+    case Gearing::worm:
+      write_worm(problem, table);
+      break;
+  }
+  return table;
+}
+
+/// Bounds of shifts say something only of those that are free; a given one may lie outside them.
+bool bounds_shifts(const GearPairProblem& problem) {
+  const auto& [min, max] = problem.profile_shift_bounds;
+  const bool outside = std::ranges::any_of(problem.profile_shift, [&](const auto& shift) {
+    return shift && (*shift < min || *shift > max);
+  });
+  return !outside && !(problem.profile_shift[0] && problem.profile_shift[1]);
+}
+
+TableWriter pair_bounds_writer(const GearPairProblem& problem) {
+  TableWriter table;
+  const bool free_teeth = !problem.teeth[0] && !problem.teeth[1];
+  const bool bounded_teeth = problem.teeth_bounds != decltype(problem.teeth_bounds){};
+  if (free_teeth && bounded_teeth) table.set("teeth", problem.teeth_bounds);
+  if (!problem.module && !problem.modules.empty()) table.set("modules", problem.modules);
+  if (bounds_shifts(problem)) table.set("profile_shift", problem.profile_shift_bounds);
+  const auto& distances = problem.centre_distance_bounds;
+  const bool bounded = distances.min != 0 || distances.max != kInfinity;
+  if (!problem.centre_distance && bounded) table.set("centre_distance", distances);
+  return table;
+}
+
+TableWriter pair_constraints_writer(const GearPairProblem& problem) {
+  const GearConstraints& given = problem.constraints;
+  TableWriter table;
+  if (problem.gearing != Gearing::worm) {
+    table.set("contact_ratio_min", given.contact_ratio_min)
+        .set("no_interference", given.no_interference)
+        .set("hunting", given.hunting)
+        .set("sliding_max", given.sliding_max)
+        .set("tip_clearance_min", given.tip_clearance_min);
+  }
+  return table.set("tip_thickness_min", given.tip_thickness_min)
+      .set("no_undercut", given.no_undercut);
+}
+
+TableWriter pair_target_writer(const GearPairProblem& problem) {
+  TableWriter table;
+  table.set("ratio", problem.ratio);
+  if (problem.ratio || problem.ratio_tolerance != 0) {
+    table.set("ratio_tolerance", problem.ratio_tolerance);
+  }
+  return table.set_name("objective", problem.objective);
+}
+
+Written written(const GearProblem& problem) {
+  const gear::SpurGear& gear = problem.gear.normal;
+  TableWriter document = document_writer("gear", problem.title);
+  TableWriter mechanism;
+  mechanism.set_name("gearing", problem.gearing)
+      .set("teeth", gear.teeth)
+      .set("module", gear.module)
+      .set("profile_shift", gear.profile_shift)
+      .set("tip_reduction", gear.tip_reduction);
+  if (problem.gearing == Gearing::helical || problem.gear.helix != 0) {
+    mechanism.set_deg("helix_deg", problem.gear.helix);
+  }
+  set_unless_zero(mechanism, "face_width", problem.gear.face_width);
+  document.add("mechanism", node(mechanism))
+      .add("rack", node(rack_writer(gear.rack)))
+      .add("output", node(TableWriter{}.set("points", problem.points)));
+  return {document.take(), {}};
+}
+
+Written written(const GearPairProblem& problem) {
+  TableWriter document = document_writer("gear-pair", problem.title);
+  document.add("mechanism", node(pair_writer(problem)))
+      .add("rack", node(rack_writer(problem.rack)));
+  const bool searched = problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
+  if (searched) {
+    document.add("bounds", node(pair_bounds_writer(problem)))
+        .add("target", node(pair_target_writer(problem)))
+        .add("solve", node(TableWriter{}.set("designs", problem.solve.designs)));
+  }
+  document.add("constraints", node(pair_constraints_writer(problem)));
+  return {document.take(), {}};
+}
+
+tl::expected<GearProblem, std::vector<std::string>> checked(const GearProblem& problem) {
+  const auto read = read_back<GearProblem>(written(problem));
+  if (!read) return tl::unexpected(read.error());
+  return problem;
+}
+
+tl::expected<GearPairProblem, std::vector<std::string>> checked(const GearPairProblem& problem) {
+  const auto read = read_back<GearPairProblem>(written(problem));
+  if (!read) return tl::unexpected(read.error());
+  GearPairProblem whole = problem;
+  whole.modules = read->modules;  // in order, each once
+  if (problem.gearing == Gearing::bevel) whole.profile_shift = read->profile_shift;
+  if (problem.gearing != Gearing::worm) return whole;
+  whole.worm.module = read->worm.module;
+  whole.worm.rack = problem.rack;
+  return whole;
+}
+
+}  // namespace
+}  // namespace reading
+
+tl::expected<GearProblem, std::vector<std::string>> KindTraits<GearProblem>::checked(
+    const GearProblem& problem) {
+  return reading::checked(problem);
+}
+
+tl::expected<GearPairProblem, std::vector<std::string>> KindTraits<GearPairProblem>::checked(
+    const GearPairProblem& problem) {
+  return reading::checked(problem);
+}
+
+std::vector<std::string> validate(const GearProblem& problem) {
+  return faults_of(reading::checked(problem));
+}
+
+std::vector<std::string> validate(const GearPairProblem& problem) {
+  return faults_of(reading::checked(problem));
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,100 @@
+/// A motion problem written down, and checked by reading what was written.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/refused.hpp"
+#include "problems/linkage/write_linkage.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+TableWriter written_target(const MotionProblem& problem) {
+  TableWriter table;
+  table.set_name("method", problem.method);
+  if (problem.method == MotionMethod::least_squares) {
+    table.set("angle_weight", problem.angle_weight);
+  }
+  if (!problem.segments.empty()) return table.set("segments", problem.segments);
+  Array poses;
+  for (const auto& [at, angle] : problem.poses) {
+    poses.push_back(node(Array{node(at.x), node(at.y), node_deg(angle)}));
+  }
+  return table.set("poses", poses);
+}
+
+TableWriter written_mechanism(const MotionProblem& problem) {
+  TableWriter table;
+  if (!problem.fixed_pivots.empty()) table.set("fixed_pivots", problem.fixed_pivots);
+  if (!problem.moving_pivots.empty()) table.set("moving_pivots", problem.moving_pivots);
+  table.set("fixed_pivot_line", problem.fixed_pivot_line)
+      .set("crank", problem.crank)
+      .set("rocker", problem.rocker);
+  Array dyads;
+  for (const synthesis::DyadKind kind : problem.dyads) dyads.push_back(node(to_string(kind)));
+  if (!dyads.empty()) table.set("dyads", dyads);
+  return table;
+}
+
+Written written(const MotionProblem& problem) {
+  Written all;
+  check_objective_members(problem.constraints, problem.solve, all.faults);
+  TableWriter document = document_writer("motion-generation", problem.title);
+  TableWriter bounds = bounds_writer(problem.bounds);
+  bounds.set("moving_pivot_a", problem.moving_bounds[0])
+      .set("moving_pivot_d", problem.moving_bounds[1]);
+  document.add("target", node(written_target(problem)))
+      .add("mechanism", node(written_mechanism(problem)))
+      .add("bounds", node(bounds))
+      .add("constraints", node(constraints_writer(problem.constraints)))
+      .add("solve", node(solve_writer(problem.solve)));
+  write_operation(problem.constraints, problem.solve, document);
+  all.document = document.take();
+  return all;
+}
+
+/// Whether the poses are those that the segments tell; angles may be whole turns apart.
+bool are_poses_of_segments(const std::vector<synthesis::Pose>& poses,
+                           const std::vector<synthesis::Pose>& told) {
+  constexpr double kSame = 1e-9;
+  if (poses.size() != told.size()) return false;
+  double size = 0;
+  for (const auto& [at, angle] : told) size = std::max(size, norm(at));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double turned = std::remainder(poses[i].angle - told[i].angle, kTurn);
+    const bool same = norm(poses[i].at - told[i].at) <= kSame * size && std::abs(turned) <= kSame;
+    if (!same) return false;
+  }
+  return true;
+}
+
+tl::expected<MotionProblem, std::vector<std::string>> checked(const MotionProblem& problem) {
+  auto read = read_back<MotionProblem>(written(problem));
+  if (!read) return tl::unexpected(read.error());
+  MotionProblem complete = problem;
+  if (complete.dyads.empty()) complete.dyads = read->dyads;
+  if (complete.moving_pivots.empty()) complete.moving_pivots = read->moving_pivots;
+  if (complete.segments.empty()) return complete;
+  if (complete.poses.empty()) complete.poses = read->poses;
+  if (are_poses_of_segments(complete.poses, read->poses)) return complete;
+  return tl::unexpected(std::vector<std::string>{
+      "poses are not those of the segments; expected them as synthesis::poses_of_segment gives "
+      "them, or none"});
+}
+
+}  // namespace
+}  // namespace reading
+
+tl::expected<MotionProblem, std::vector<std::string>> KindTraits<MotionProblem>::checked(
+    const MotionProblem& problem) {
+  return reading::checked(problem);
+}
+
+std::vector<std::string> validate(const MotionProblem& problem) {
+  return faults_of(reading::checked(problem));
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,27 @@
+/// @file Problems that no solver is given.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problems/linkage/result.hpp"
+
+namespace cognate::problems {
+
+/// What solving a problem with such faults gives; `AnyResult` has a status and notes.
+template <class AnyResult>
+AnyResult refused(std::vector<std::string> faults) {
+  AnyResult result;
+  result.status = Status::invalid;
+  result.notes = std::move(faults);
+  return result;
+}
+
+/// The faults of a problem that was `checked`; none where it is valid.
+template <class Checked>
+std::vector<std::string> faults_of(Checked checked) {
+  return checked ? std::vector<std::string>{} : std::move(checked.error());
+}
+
+}  // namespace cognate::problems

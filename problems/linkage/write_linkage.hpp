@@ -1,0 +1,28 @@
+/// @file `[mechanism]`, `[bounds]`, `[constraints]` and `[solve]` of linkages, written down.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/toml/table_writer.hpp"
+
+namespace cognate::problems::reading {
+
+/// `kind` and `title`, to which the tables of the file are added.
+TableWriter document_writer(std::string_view kind, const std::string& title);
+
+TableWriter given_writer(const Given& given);
+TableWriter bounds_writer(const Bounds& bounds);
+TableWriter constraints_writer(const Constraints& constraints);
+TableWriter solve_writer(const Solve& solve);
+
+/// `drive`, `flywheel`, `link`, `load` and `gravity`, where limits or objectives depend on them.
+void write_operation(const Constraints& constraints, const Solve& solve, TableWriter& document);
+
+/// What no file can leave out: the member of `constraints` that an objective is measured by.
+void check_objective_members(const Constraints& constraints, const Solve& solve,
+                             std::vector<std::string>& faults);
+
+}  // namespace cognate::problems::reading

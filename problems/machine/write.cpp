@@ -1,0 +1,170 @@
+/// A machine written down, and checked by reading what was written.
+#include "problems/evaluation/write.hpp"
+
+#include <fmt/core.h>
+
+#include "problems/linkage/refused.hpp"
+#include "problems/linkage/write_linkage.hpp"
+#include "problems/machine/problem.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+/// A function of the user's own stands in the document by its values at so many angles of a turn.
+constexpr int kAnglesOfOwn = 360;
+
+bool is_table(const MachineFunction& function) {
+  return !function.table.empty();
+}
+
+/// `name` is that of the member, for a fault.
+void write_function(const MachineFunction& function, std::string_view key, std::string_view name,
+                    TableWriter& table, std::vector<std::string>& faults) {
+  if (!function.text.empty()) {
+    table.set(key, function.text);
+  } else if (is_table(function)) {
+    table.set(key, function.table);
+  } else if (!function.value) {
+    return;
+  } else if (function.of_phi && !function.of_speed && !function.of_time) {
+    Array rows;
+    for (int i = 0; i < kAnglesOfOwn; ++i) {
+      const double value = function.value(kTurn * i / kAnglesOfOwn, 0, 0);
+      rows.push_back(node(Array{node(i), node(value)}));
+    }
+    table.set(key, rows);
+  } else {
+    table.set(key, function.value(0, 0, 0));
+  }
+  if (!function.value) {
+    faults.push_back(
+        fmt::format("{} has no function of phi, omega and time; expected one besides "
+                    "its text or table",
+                    name));
+  }
+}
+
+void write_interpolation(const MachineFunction& function, TableWriter& table) {
+  if (is_table(function)) table.set("interpolation", function.smooth ? "smooth" : "linear");
+}
+
+TableWriter equivalent_writer(const MachineProblem& problem, std::vector<std::string>& faults) {
+  TableWriter table;
+  if (problem.inertia) {
+    write_function(*problem.inertia, "inertia", "equivalent.inertia", table, faults);
+    if (problem.inertia->value && !problem.inertia->slope) {
+      faults.emplace_back(
+          "equivalent.inertia has no slope; expected its derivative by phi, as a function");
+    }
+  }
+  if (problem.torque) write_function(*problem.torque, "torque", "equivalent.torque", table, faults);
+  if (problem.inertia && is_table(*problem.inertia)) {
+    write_interpolation(*problem.inertia, table);
+  } else if (problem.torque) {
+    write_interpolation(*problem.torque, table);
+  }
+  return table;
+}
+
+TableWriter motor_writer(const Motor& motor, std::vector<std::string>& faults) {
+  TableWriter table;
+  const MachineFunction& torque = motor.torque;
+  if (motor.line) {
+    table.add("line", node(TableWriter{}
+                               .set("stall_torque", motor.line->stall_torque)
+                               .set("no_load_speed", motor.line->no_load_speed)));
+    if (!torque.value) {
+      faults.emplace_back("motor.torque has no function; expected that of the line");
+    }
+  } else {
+    write_function(torque, is_table(torque) ? "table" : "torque", "motor.torque", table, faults);
+    write_interpolation(torque, table);
+  }
+  return table.set("ratio", motor.ratio)
+      .set("efficiency", motor.efficiency)
+      .set("inertia", motor.inertia);
+}
+
+TableWriter run_writer(const MachineRunRequest& run) {
+  TableWriter table;
+  Array tasks;
+  for (const MachineTask task : run.tasks) tasks.push_back(node(to_string(task)));
+  return table.set("tasks", tasks)
+      .set_deg("start_deg", run.start_phi)
+      .set("start_speed", run.start_speed)
+      .set("time_max", run.time_max)
+      .set("turns_max", run.turns_max)
+      .set("speed_end", run.speed_end)
+      .set("steps", run.steps)
+      .set("tolerance", run.tolerance);
+}
+
+void write_parts(const MachineProblem& problem, TableWriter& document,
+                 std::vector<std::string>& faults) {
+  const AnalysisProblem& given = *problem.mechanism;
+  write_mechanism(given, document, faults);
+  Array loads;
+  for (const LoadRule& load : given.loads) {
+    check_load(given, load, faults);
+    loads.push_back(node(load_writer(given, load)));
+  }
+  for (const MachineLoad& load : problem.loads) {
+    check_load(given, load.rule, faults);
+    TableWriter table = load_writer(given, load.rule);
+    if (load.value.text.empty() || load.value.value) {
+      write_function(load.value, "value", "load.value", table, faults);
+    } else if (load.of_travel) {
+      table.set("value", load.value.text);
+    }
+    write_interpolation(load.value, table);
+    loads.push_back(node(table));
+  }
+  document.set("load", loads);
+}
+
+Written written(const MachineProblem& problem) {
+  Written all;
+  TableWriter document = document_writer("machine", problem.title);
+  if (problem.mechanism) write_parts(problem, document, all.faults);
+  if (problem.inertia || problem.torque) {
+    document.add("equivalent", node(equivalent_writer(problem, all.faults)));
+  }
+  if (problem.motor) document.add("motor", node(motor_writer(*problem.motor, all.faults)));
+  TableWriter flywheel;
+  flywheel.set("fluctuation", problem.fluctuation);
+  if (problem.flywheel != 0) flywheel.set("inertia", problem.flywheel);
+  if (problem.fluctuation || problem.flywheel != 0) document.add("flywheel", node(flywheel));
+  if (problem.brake) document.add("brake", node(TableWriter{}.set("torque", *problem.brake)));
+  document.add("run", node(run_writer(problem.run)));
+  all.document = document.take();
+  return all;
+}
+
+tl::expected<MachineProblem, std::vector<std::string>> checked(const MachineProblem& problem) {
+  const auto read = read_back<MachineProblem>(written(problem));
+  if (!read) return tl::unexpected(read.error());
+  MachineProblem complete = problem;
+  if (!problem.mechanism) return complete;
+  std::vector<std::string> faults;
+  check_same_mechanism(problem.mechanism->mechanism, read->mechanism->mechanism, faults);
+  if (!faults.empty()) return tl::unexpected(faults);
+  if (complete.mechanism->inertias.empty())
+    complete.mechanism->inertias = read->mechanism->inertias;
+  complete.mechanism->drive = read->mechanism->drive;
+  return complete;
+}
+
+}  // namespace
+}  // namespace reading
+
+tl::expected<MachineProblem, std::vector<std::string>> KindTraits<MachineProblem>::checked(
+    const MachineProblem& problem) {
+  return reading::checked(problem);
+}
+
+std::vector<std::string> validate(const MachineProblem& problem) {
+  return faults_of(reading::checked(problem));
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,97 @@
+#include "problems/straight_line/segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/coupler_curve/straightness.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/zeros.hpp"
+
+namespace cognate::problems {
+namespace {
+
+void divide(std::optional<double>& length, double unit) {
+  if (length) *length /= unit;
+}
+
+void divide(std::optional<Vec2d>& point, double unit) {
+  if (point) point = Vec2d{point->x / unit, point->y / unit};
+}
+
+void divide(std::optional<Range>& range, double unit) {
+  if (range) range = Range{range->min / unit, range->max / unit};
+}
+
+void divide(std::optional<Box>& box, double unit) {
+  if (!box) return;
+  box = Box{{box->min.x / unit, box->min.y / unit}, {box->max.x / unit, box->max.y / unit}};
+}
+
+}  // namespace
+
+double largest_dimension(const LinkageSegment& segment) {
+  const auto& [links, point] = segment.dimensions;
+  const double sides = std::max(norm(point), norm(point - Vec2d{links[1], 0}));
+  const double bars = std::max(links[0], links[1]);
+  if (segment.type == MechanismType::slider_crank) return std::max(sides, bars);
+  return std::max({sides, bars, links[2], links[3]});
+}
+
+LinkageSegment enlarged(LinkageSegment segment, double factor) {
+  for (double& link : segment.dimensions.links) link *= factor;
+  segment.dimensions.point = factor * segment.dimensions.point;
+  segment.height *= factor;
+  segment.length *= factor;
+  return segment;
+}
+
+std::optional<double> fit_line(LinkageSegment& segment) {
+  const CouplerMotion<double> motion(segment.type, segment.dimensions, sign(segment.assembly));
+  const auto path = [&motion](double angle) -> PathPoint {
+    const CouplerPoint<double> point = motion.at(angle);
+    if (!point.closes) return {{kNaN, kNaN}, {kNaN, kNaN}};
+    return {point.at, point.rate};
+  };
+  constexpr int kCells = 48;
+  for (const double place : crowded(segment.from(), segment.to(), kCells)) {
+    if (!motion.at(place).closes) return std::nullopt;
+  }
+  const StraightSegment measured = measure(path, segment.from(), segment.to());
+  if (!(measured.length > 0) || !std::isfinite(measured.deviation)) return std::nullopt;
+  segment.line = std::atan2(measured.line.direction.y, measured.line.direction.x);
+  segment.height = cross(measured.line.direction, measured.line.through);
+  segment.length = measured.length;
+  return measured.deviation;
+}
+
+StraightLineProblem in_unit(StraightLineProblem problem, double unit) {
+  for (auto* length : {&problem.goal->length, &problem.goal->deviation, &problem.given.crank,
+                       &problem.given.coupler, &problem.given.rocker, &problem.given.frame,
+                       &problem.slider_offset}) {
+    divide(*length, unit);
+  }
+  for (auto* point :
+       {&problem.given.pivot_a, &problem.given.pivot_d, &problem.given.coupler_point}) {
+    divide(*point, unit);
+  }
+  Bounds& bounds = problem.bounds;
+  for (auto* range : {&bounds.crank, &bounds.coupler, &bounds.rocker, &bounds.frame}) {
+    divide(*range, unit);
+  }
+  for (auto* box : {&bounds.pivot_a, &bounds.pivot_d, &bounds.coupler_point,
+                    &problem.constraints.pivot_region}) {
+    divide(*box, unit);
+  }
+  return problem;
+}
+
+bool has_scale(const StraightLineProblem& problem) {
+  const Given& given = problem.given;
+  const Bounds& bounds = problem.bounds;
+  return given.crank || given.coupler || given.rocker || given.frame || given.coupler_point ||
+         (given.pivot_a && given.pivot_d) || bounds.crank || bounds.coupler || bounds.rocker ||
+         bounds.frame || bounds.coupler_point || bounds.pivot_a || bounds.pivot_d ||
+         problem.slider_offset.value_or(0) != 0 || problem.constraints.pivot_region;
+}
+
+}  // namespace cognate::problems

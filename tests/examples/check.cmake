@@ -1,0 +1,13 @@
+# Whether PROGRAM prints what the comment at the end of SOURCE says.
+file(READ ${SOURCE} text)
+string(REGEX MATCH "\n\n(// [^\n]*\n)+$" comment "${text}")
+if(comment STREQUAL "")
+  message(FATAL_ERROR "${SOURCE} does not end in a comment of what it prints")
+endif()
+string(REGEX REPLACE "\n// ?" "\n" expected "${comment}")
+string(STRIP "${expected}" expected)
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+string(STRIP "${printed}" printed)
+if(NOT status EQUAL 0 OR NOT printed STREQUAL expected)
+  message(FATAL_ERROR "${PROGRAM} ended with ${status} and printed\n${printed}\ninstead of\n${expected}")
+endif()

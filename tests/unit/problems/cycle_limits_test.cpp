@@ -1,0 +1,632 @@
+// Limits over the full turn: rows against central differences, extremes against scans of positions
+// and of Newton's and Euler's equations, designs against a search of a grid.
+#include "problems/linkage/cycle_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <random>
+
+#include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
+#include "analysis/linkage/motion.hpp"
+#include "analysis/mechanism/inverse_dynamics.hpp"
+#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/function/model.hpp"
+#include "problems/guidance/model.hpp"
+#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/path/model.hpp"
+
+namespace cognate::problems {
+namespace {
+
+double peak_acceleration(const FourBar& linkage, CycleOutput output, double speed) {
+  Operation operation;
+  operation.speed = speed;
+  return cycle_metric(CycleQuantity::peak_acceleration, linkage, output, operation);
+}
+
+double peak_speed(const FourBar& linkage, CycleOutput output, double speed) {
+  Operation operation;
+  operation.speed = speed;
+  return cycle_metric(CycleQuantity::peak_speed, linkage, output, operation);
+}
+
+double torque_ripple(const FourBar& linkage, const Operation& operation) {
+  return cycle_metric(CycleQuantity::torque_ripple, linkage, CycleOutput::coupler_point, operation);
+}
+
+/// A crank-rocker well away from its change points.
+FourBar random_linkage(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> any(0, 1);
+  FourBar linkage;
+  do {
+    const double angle = kTurn * any(random), frame = 1.5 + any(random);
+    linkage.pivot_a = {any(random) - 0.5, any(random) - 0.5};
+    linkage.pivot_d = linkage.pivot_a + frame * Vec2d{std::cos(angle), std::sin(angle)};
+    linkage.crank = 0.3 + 0.5 * any(random);
+    linkage.coupler = 1 + 2 * any(random);
+    linkage.rocker = 1 + 2 * any(random);
+    linkage.assembly = any(random) < 0.5 ? Assembly::open : Assembly::crossed;
+    linkage.coupler_point = Vec2d{2 * any(random) - 0.5, 2 * any(random) - 1};
+  } while (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker ||
+           transmission_angles(lengths(linkage)).acute_min < 0.4);
+  return linkage;
+}
+
+Operation machine() {
+  Operation operation;
+  operation.speed = 1.7;
+  operation.links[0] = {.centre = {.link = MovingLink::crank, .share = 0.5}, .mass_per_length = 2};
+  operation.links[1] = {.mass = 1.5,
+                        .centre = {.link = MovingLink::coupler, .share = 1, .offset = {-0.4, 0.3}},
+                        .moment = 0.2};
+  operation.links[2] = {.centre = {.link = MovingLink::rocker, .share = 0.5}, .mass_per_length = 3};
+  operation.loads = {{{.link = MovingLink::coupler, .at_coupler_point = true}, {2, -3}, 0.5},
+                     {{.link = MovingLink::rocker, .share = 1}, {0, 1}, 0},
+                     {{.link = MovingLink::crank, .offset = {0.1, 0.2}}, {1, 1}, -0.3}};
+  operation.gravity = {0.5, -9.8};
+  return operation;
+}
+
+Constraints all_limits() {
+  Constraints constraints;
+  constraints.required_class = RequiredClass::crank_rocker;
+  constraints.clearances = {{MovingPoint::coupler_point, true, {{-1, -2}, {2, INFINITY}}},
+                            {MovingPoint::coupler_point, false, {{0.5, 0.5}, {1.5, 0.9}}},
+                            {MovingPoint::b, false, {{-0.2, 0.2}, {0.4, 0.4}}},
+                            {MovingPoint::c, true, {{-3, -1}, {2, 2}}}};
+  constraints.cycle_max[CycleQuantity::peak_speed] = 1.5;
+  constraints.cycle_max[CycleQuantity::peak_acceleration] = 2;
+  constraints.cycle_max[CycleQuantity::torque_ripple] = 30;
+  constraints.cycle_max[CycleQuantity::speed_fluctuation] = 0.4;
+  constraints.cycle_max[CycleQuantity::flywheel_inertia] = 50;
+  constraints.cycle_max[CycleQuantity::motor_power] = 20;
+  constraints.operation = machine();
+  constraints.operation.fluctuation = 0.1;
+  constraints.operation.flywheel = 30;
+  return constraints;
+}
+
+CycleDimensions dimensions(const FourBar& linkage) {
+  return {lengths(linkage), linkage.coupler_point.value_or(Vec2d{}), linkage.pivot_a,
+          frame_angle(linkage), linkage.assembly};
+}
+
+/// Derivatives of the constraints of `model` against central differences.
+void expect_slopes(const synthesis::Model& model, std::vector<double> x) {
+  const auto rows = static_cast<std::size_t>(model.constraint_count());
+  const auto n = static_cast<std::size_t>(model.global_count());
+  ASSERT_GT(rows, 50);
+  std::vector<double> c(rows), jacobian(rows * n), high(rows), low(rows);
+  model.constraints(x, c, jacobian);
+  int kinks = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    constexpr double kStep = 2e-6;
+    const double at = x[i];
+    x[i] = at + kStep;
+    model.constraints(x, high, {});
+    x[i] = at - kStep;
+    model.constraints(x, low, {});
+    x[i] = at;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double numeric = (high[row] - low[row]) / (2 * kStep);
+      const double size = 1 + std::abs(numeric);
+      if (std::abs(numeric - jacobian[row * n + i]) > 1e-7 * size) ++kinks;
+      EXPECT_NEAR(numeric, jacobian[row * n + i], 0.02 * size) << "row " << row << " by " << i;
+    }
+  }
+  EXPECT_LE(kinks, static_cast<int>(rows * n) / 200);
+}
+
+TEST(CycleLimits, SlopesOfAPathModel) {
+  std::mt19937_64 random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    PathProblem problem;
+    problem.points = {{0, 0}, {1, 0}, {1, 1}};
+    problem.constraints = all_limits();
+    if (trial % 2 == 1) problem.given.pivot_d = linkage.pivot_d;
+    const PathModel model(problem, linkage.assembly, false);
+    EXPECT_FALSE(model.has_hessian());
+    expect_slopes(model, model.variables_of(linkage, std::vector{0.1, 0.2, 0.3}));
+  }
+}
+
+TEST(CycleLimits, SlopesOfAFunctionModel) {
+  std::mt19937_64 random(2);
+  FunctionProblem problem;
+  problem.target = AnglePairs{{0, 0}, {0.5, 0.4}, {1, 0.6}};
+  problem.constraints = all_limits();
+  problem.constraints.clearances.clear();
+  problem.constraints.operation.loads[0].at = {.link = MovingLink::coupler, .offset = {0.4, 0.2}};
+  const FunctionSamples samples = function_samples(problem);
+  for (int trial = 0; trial < 20; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    const FunctionModel model(problem, samples, linkage.assembly,
+                              synthesis::Objective::sum_of_squares);
+    EXPECT_FALSE(model.has_hessian());
+    expect_slopes(model, model.variables_of({lengths(linkage), linkage.assembly, 0.3, 1.2}));
+  }
+}
+
+/// A body on the coupler of `linkage`, its origin at the coupler point.
+TEST(CycleLimits, SlopesAndExtremesOfAMotionModel) {
+  std::mt19937_64 random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    MotionProblem problem;
+    problem.method = MotionMethod::least_squares;
+    problem.constraints = all_limits();
+    problem.dyads = {synthesis::DyadKind::rr};
+    std::optional<Pose> first;
+    for (const double angle : {0.3, 0.9, 1.6, 2.5}) {
+      const Pose pose = *Motion(linkage).at(angle);
+      const Vec2d along = (1 / linkage.coupler) * (pose.c - pose.b);
+      problem.poses.push_back({*pose.coupler_point, std::atan2(along.y, along.x)});
+      if (!first) first = pose;
+    }
+    const Vec2d b = -*linkage.coupler_point, c = b + Vec2d{linkage.coupler, 0};
+    using synthesis::DyadKind;
+    const DyadPair pair{{DyadKind::rr, b, first->b, linkage.pivot_a, {1, 0}, linkage.crank},
+                        {DyadKind::rr, c, first->c, linkage.pivot_d, {1, 0}, linkage.rocker}};
+    const MotionModel model(problem, form_of(problem, pair));
+    const std::vector<double> x = model.variables_of(pair);
+    expect_slopes(model, x);
+
+    // The rows are those of the linkage itself.
+    const CycleLimits limits(problem.constraints, CycleOutput::coupler_point);
+    std::vector<double> direct(static_cast<std::size_t>(limits.count())),
+        rows(static_cast<std::size_t>(model.constraint_count()));
+    limits.evaluate(dimensions(linkage), direct, {});
+    model.constraints(x, rows, {});
+    for (std::size_t i = 0; i < direct.size(); ++i) {
+      EXPECT_NEAR(rows[rows.size() - direct.size() + i], direct[i], 1e-9) << i;
+    }
+  }
+}
+
+/// The least row of a model with one limit alone.
+double least_row(const FourBar& linkage, const Constraints& constraints, CycleOutput output) {
+  const CycleLimits limits(constraints, output);
+  std::vector<double> rows(static_cast<std::size_t>(limits.count()));
+  limits.evaluate(dimensions(linkage), rows, {});
+  return *std::ranges::min_element(rows);
+}
+
+/// Coupler point and rocker's angle in extended precision, by the triangle of B, C and D.
+class LongMotion {
+ public:
+  using Place = std::complex<long double>;
+
+  explicit LongMotion(const FourBar& linkage)
+      : of_(linkage),
+        a_(linkage.pivot_a.x, linkage.pivot_a.y),
+        d_(linkage.pivot_d.x, linkage.pivot_d.y) {
+    const Pose pose = *Motion(linkage).at(0);
+    const Place c = from_b(0) + b(0);
+    if (std::abs(c - Place(pose.c.x, pose.c.y)) > 1e-6L) side_ = -1;
+  }
+
+  Place coupler_point(long double crank) const {
+    const Place arm(of_.coupler_point->x, of_.coupler_point->y);
+    return b(crank) + from_b(crank) / static_cast<long double>(of_.coupler) * arm;
+  }
+  Place rocker_direction(long double crank) const {
+    return (b(crank) + from_b(crank) - d_) / static_cast<long double>(of_.rocker);
+  }
+
+ private:
+  Place b(long double crank) const {
+    return a_ + std::polar(static_cast<long double>(of_.crank), crank);
+  }
+  /// From B to C, by the law of cosines.
+  Place from_b(long double crank) const {
+    const Place to_d = d_ - b(crank);
+    const long double away = std::abs(to_d), coupler = of_.coupler, rocker = of_.rocker;
+    const long double cosine =
+        (coupler * coupler + away * away - rocker * rocker) / (2 * coupler * away);
+    return std::polar(coupler, std::arg(to_d) + side_ * std::acos(cosine));
+  }
+
+  const FourBar& of_;
+  Place a_, d_;
+  int side_ = 1;
+};
+
+/// Peak speed by differences of those positions, extrapolated, at the best of many angles, refined.
+long double differenced_speed(const FourBar& linkage, CycleOutput output) {
+  const LongMotion motion(linkage);
+  const auto difference = [&](long double angle, long double h) {
+    if (output == CycleOutput::coupler_point) {
+      return (motion.coupler_point(angle + h) - motion.coupler_point(angle - h)) / (2 * h);
+    }
+    return (motion.rocker_direction(angle + h) - motion.rocker_direction(angle - h)) / (2 * h);
+  };
+  const auto speed = [&](long double angle) {
+    constexpr long double h = 2e-4L;
+    return std::abs((4.0L * difference(angle, h) - difference(angle, 2 * h)) / 3.0L);
+  };
+  constexpr int kAngles = 3000;
+  constexpr long double kStep = kTurn / kAngles;
+  int best = 0;
+  for (int k = 1; k < kAngles; ++k) {
+    if (speed(k * kStep) > speed(best * kStep)) best = k;
+  }
+  long double low = (best - 1) * kStep, high = (best + 1) * kStep;
+  for (int i = 0; i < 60; ++i) {
+    const long double third = (high - low) / 3;
+    if (speed(low + third) < speed(high - third)) {
+      low += third;
+    } else {
+      high -= third;
+    }
+  }
+  return speed((low + high) / 2);
+}
+
+TEST(CycleLimits, PeakSpeedIsThatOfDifferencesInExtendedPrecision) {
+  std::mt19937_64 random(7);
+  for (int trial = 0; trial < 10; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    for (const CycleOutput output : {CycleOutput::coupler_point, CycleOutput::rocker}) {
+      for (const double speed : {1.3, -2.0}) {
+        const double wanted =
+            std::abs(speed) * static_cast<double>(differenced_speed(linkage, output));
+        EXPECT_NEAR(peak_speed(linkage, output, speed), wanted, 1e-10 * wanted);
+        Constraints constraints;
+        constraints.operation.speed = speed;
+        constraints.cycle_max[CycleQuantity::peak_speed] = 1.5 * wanted;
+        EXPECT_NEAR(least_row(linkage, constraints, output), 1 - 1 / 1.5, 1e-8);
+        constraints.cycle_max[CycleQuantity::peak_speed] = wanted / 3;
+        EXPECT_NEAR(least_row(linkage, constraints, output), -std::log(3), 1e-8);
+      }
+    }
+  }
+}
+
+/// Peak acceleration by second differences of positions, extrapolated.
+double scanned_acceleration(const FourBar& linkage, bool of_rocker, double speed) {
+  const Motion motion(linkage);
+  const auto at = [&](double angle) {
+    const Pose pose = *motion.at(angle);
+    return std::pair(*pose.coupler_point, pose.rocker_angle);
+  };
+  const auto second = [&](double angle, double h) {
+    const auto low = at(angle - h), here = at(angle), high = at(angle + h);
+    const auto turned = [&](double to) { return std::remainder(to - here.second, kTurn); };
+    if (of_rocker) return std::abs(turned(low.second) + turned(high.second)) / (h * h);
+    return norm(high.first - 2.0 * here.first + low.first) / (h * h);
+  };
+  double most = 0;
+  for (double angle = 0; angle < kTurn; angle += kTurn / 4000) {
+    most = std::max(most, (4 * second(angle, 1e-3) - second(angle, 2e-3)) / 3);
+  }
+  return most * speed * speed;
+}
+
+TEST(CycleLimits, PeakAccelerationIsThatOfSecondDifferences) {
+  std::mt19937_64 random(4);
+  for (int trial = 0; trial < 20; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    for (const CycleOutput output : {CycleOutput::coupler_point, CycleOutput::rocker}) {
+      const double speed = 1.3;
+      const double wanted = scanned_acceleration(linkage, output == CycleOutput::rocker, speed);
+      EXPECT_NEAR(peak_acceleration(linkage, output, speed), wanted, 1e-5 * wanted);
+      Constraints constraints;
+      constraints.cycle_max[CycleQuantity::peak_acceleration] = 1.5 * wanted;
+      constraints.operation.speed = speed;
+      EXPECT_NEAR(least_row(linkage, constraints, output), 1 - 1 / 1.5, 1e-5);
+      constraints.cycle_max[CycleQuantity::peak_acceleration] = wanted / 3;
+      EXPECT_NEAR(least_row(linkage, constraints, output), -std::log(3), 3e-5);
+    }
+  }
+}
+
+/// Ripple by Newton's and Euler's equations of every link at many crank angles.
+double scanned_ripple(const FourBar& linkage, const Operation& operation) {
+  std::vector<Inertia> inertias(4);
+  const double crank = operation.links[0].mass_per_length * linkage.crank;
+  const double rocker = operation.links[2].mass_per_length * linkage.rocker;
+  inertias[1] = {crank, {linkage.crank / 2, 0}, crank * linkage.crank * linkage.crank / 12};
+  inertias[2] = {operation.links[1].mass,
+                 Vec2d{linkage.coupler, 0} + operation.links[1].centre.offset,
+                 operation.links[1].moment};
+  inertias[3] = {rocker, {linkage.rocker / 2, 0}, rocker * linkage.rocker * linkage.rocker / 12};
+  const std::vector<Load> loads{{{2, *linkage.coupler_point}, {2, -3}, 0.5},
+                                {{3, {linkage.rocker, 0}}, {0, 1}, 0},
+                                {{1, {0.1, 0.2}}, {1, 1}, -0.3}};
+  MechanismMotion<2> motion(as_mechanism(linkage));
+  InverseDynamics dynamics(motion.mechanism(), inertias, operation.gravity);
+  Forces forces = dynamics.forces();
+  double least = INFINITY, most = -INFINITY;
+  for (double angle = 0; angle < kTurn; angle += kTurn / 20000) {
+    EXPECT_TRUE(motion.move_to(angle));
+    EXPECT_TRUE(dynamics.solve(motion.bodies(), {operation.speed, 0}, loads, forces));
+    least = std::min(least, forces.drive);
+    most = std::max(most, forces.drive);
+  }
+  return most - least;
+}
+
+TEST(CycleLimits, TorqueRippleIsThatOfNewtonAndEuler) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 10; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    const double wanted = scanned_ripple(linkage, machine());
+    EXPECT_NEAR(torque_ripple(linkage, machine()), wanted, 1e-6 * wanted);
+    Constraints constraints;
+    constraints.cycle_max[CycleQuantity::torque_ripple] = 2 * wanted;
+    constraints.operation = machine();
+    EXPECT_NEAR(least_row(linkage, constraints, CycleOutput::coupler_point), 0.5, 1e-6);
+  }
+}
+
+TEST(CycleLimits, ClearancesAreThoseOfManyPositions) {
+  std::mt19937_64 random(6);
+  const Box box{{-0.5, -0.8}, {1.2, 0.7}};
+  for (int trial = 0; trial < 20; ++trial) {
+    const FourBar linkage = random_linkage(random);
+    for (const MovingPoint point : {MovingPoint::b, MovingPoint::c, MovingPoint::coupler_point}) {
+      double inside = INFINITY, outside = INFINITY;
+      for (double angle = 0; angle < kTurn; angle += kTurn / 20000) {
+        const Pose pose = *Motion(linkage).at(angle);
+        const Vec2d p = point == MovingPoint::b   ? pose.b
+                        : point == MovingPoint::c ? pose.c
+                                                  : *pose.coupler_point;
+        const double within =
+            std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y});
+        inside = std::min(inside, within);
+        outside = std::min(outside, -within);
+      }
+      for (const bool keep_in : {true, false}) {
+        const Clearance clearance{point, keep_in, box};
+        const double wanted = keep_in ? inside : outside;
+        EXPECT_NEAR(clearance_distance(linkage, clearance), wanted, 1e-3);
+        EXPECT_LE(clearance_distance(linkage, clearance), wanted + 1e-12);
+        Constraints constraints;
+        constraints.clearances = {clearance};
+        EXPECT_NEAR(least_row(linkage, constraints, CycleOutput::coupler_point),
+                    clearance_distance(linkage, clearance), 1e-8);
+      }
+    }
+  }
+}
+
+/// Two dimensions are free and all others given: the best design on a grid that narrows about it.
+struct GridSearch {
+  PathProblem problem;
+  FourBar planted;
+  std::vector<double> angles{0.2, 0.9, 1.7, 2.6, 3.6, 4.9};
+
+  /// `set` puts two numbers into the linkage.
+  template <class Set, class Allowed>
+  double best(const Set& set, const Allowed& allowed, Vec2d middle, double reach) const {
+    double least = INFINITY;
+    for (int round = 0; round < 14; ++round) {
+      constexpr int kSteps = 12;
+      Vec2d found = middle;
+      for (int i = -kSteps; i <= kSteps; ++i) {
+        for (int j = -kSteps; j <= kSteps; ++j) {
+          const Vec2d at = middle + (reach / kSteps) * Vec2d{double(i), double(j)};
+          FourBar linkage = planted;
+          set(linkage, at);
+          if (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker) continue;
+          const double error = squares(linkage);
+          if (error < least && allowed(linkage)) {
+            least = error;
+            found = at;
+          }
+        }
+      }
+      middle = found;
+      reach *= 0.5;
+    }
+    return least;
+  }
+
+  double squares(const FourBar& linkage) const {
+    const Motion motion(linkage);
+    double sum = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const auto pose = motion.at(angles[i]);
+      if (!pose) return INFINITY;
+      sum += squared_norm(*pose->coupler_point - problem.points[i]);
+    }
+    return sum;
+  }
+
+  GridSearch() {
+    planted = {{0, 0}, {2, 0.5}, 0.7, 2.1, 1.8, Assembly::open, Vec2d{1.2, 0.9}};
+    problem.timing = Timing::prescribed;
+    problem.crank_reference = CrankReference::global;
+    problem.crank_angles = angles;
+    for (const double angle : angles) {
+      problem.points.push_back(*Motion(planted).at(angle)->coupler_point);
+    }
+    problem.given.pivot_a = planted.pivot_a;
+    problem.given.pivot_d = planted.pivot_d;
+    problem.given.crank = planted.crank;
+    problem.given.assembly = planted.assembly;
+    problem.weights.assign(angles.size(), 1.0);
+    problem.constraints.required_class = RequiredClass::crank_rocker;
+    problem.solve.starts = 25;
+    problem.solve.designs = 1;
+  }
+
+  /// The greatest x of the planted coupler point.
+  double furthest() const {
+    const Box far{{-100, -100}, {50, 100}};
+    return 50 - clearance_distance(planted, {MovingPoint::coupler_point, true, far});
+  }
+
+  /// Solves, and expects the grid's best, `limited` being at its bound.
+  void expect(double wanted, const std::string& limited) const {
+    const Result result = solve(problem, {.threads = 2});
+    ASSERT_EQ(result.status, Status::solved) << "of the grid: " << wanted;
+    const Design& design = result.designs.front();
+    EXPECT_LT(design.error.sum_of_squares, wanted * (1 + 1e-6));
+    EXPECT_GT(design.error.sum_of_squares, wanted * (1 - 1e-3));
+    EXPECT_GT(wanted, 1e-4);  // the planted design violates the limit
+    for (const ConstraintCheck& check : design.constraints) {
+      EXPECT_TRUE(check.satisfied) << check.name;
+      if (check.name != limited) continue;
+      const double value = std::get<double>(check.value), bound = std::get<double>(check.bound);
+      EXPECT_NEAR(value, bound, 1e-7 * (1 + std::abs(bound)));
+    }
+  }
+};
+
+const auto set_point = [](FourBar& linkage, const Vec2d& at) { linkage.coupler_point = at; };
+const auto set_lengths = [](FourBar& linkage, const Vec2d& at) {
+  linkage.coupler = at.x;
+  linkage.rocker = at.y;
+};
+
+/// The best coupler point under a clearance that the planted linkage breaks.
+void expect_best_point(GridSearch& grid, const Clearance& clearance) {
+  ASSERT_LT(clearance_distance(grid.planted, clearance), -0.05);
+  grid.problem.constraints.clearances = {clearance};
+  grid.problem.given.coupler = grid.planted.coupler;
+  grid.problem.given.rocker = grid.planted.rocker;
+  const double best = grid.best(
+      set_point, [&](const FourBar& l) { return clearance_distance(l, clearance) >= 0; },
+      {1.2, 0.9}, 0.8);
+  grid.expect(best, "clearance[1]");
+}
+
+TEST(CycleLimits, TheBestPointInsideABoxIsThatOfAGrid) {
+  GridSearch grid;
+  expect_best_point(grid,
+                    {MovingPoint::coupler_point, true, {{-3, -3}, {grid.furthest() - 0.2, 3}}});
+}
+
+TEST(CycleLimits, TheBestPointBesideAnObstacleIsThatOfAGrid) {
+  GridSearch grid;
+  expect_best_point(grid,
+                    {MovingPoint::coupler_point, false, {{grid.furthest() - 0.2, -1}, {4, 4}}});
+}
+
+/// The best coupler and rocker with a share of what a quantity of the planted linkage is.
+void expect_best_links(CycleQuantity quantity, double share) {
+  GridSearch grid;
+  grid.problem.given.coupler_point = grid.planted.coupler_point;
+  grid.problem.constraints.operation = machine();
+  const auto value = [&](const FourBar& linkage) {
+    return cycle_metric(quantity, linkage, CycleOutput::coupler_point, machine());
+  };
+  const double most = share * value(grid.planted);
+  grid.problem.constraints.cycle_max[quantity] = most;
+  const double best = grid.best(
+      set_lengths, [&](const FourBar& l) { return value(l) <= most; }, {2.1, 1.8}, 0.6);
+  grid.expect(best, std::string(kCycleQuantities.at(index_of(quantity)).limit_key));
+}
+
+TEST(CycleLimits, TheSlowestLinksAreThoseOfAGrid) {
+  expect_best_links(CycleQuantity::peak_speed, 0.97);
+}
+
+TEST(CycleLimits, TheCalmestLinksAreThoseOfAGrid) {
+  expect_best_links(CycleQuantity::peak_acceleration, 0.97);
+}
+
+TEST(CycleLimits, TheEvenestTorqueIsThatOfAGrid) {
+  expect_best_links(CycleQuantity::torque_ripple, 0.85);
+}
+
+/// Coupler and rocker of a function generator are free, all else given.
+TEST(CycleLimits, TheCalmestGeneratorIsThatOfAGrid) {
+  const FourBar planted{{0, 0}, {2.6, 0}, 1, 2.2, 1.9, Assembly::open, std::nullopt};
+  const auto angle = [](const FourBar& linkage, double at) {
+    return Motion(linkage).at(at)->rocker_angle;
+  };
+  FunctionProblem problem;
+  AnglePairs pairs;
+  const double start = 0.4;
+  for (const double input : {0.0, 0.5, 1.1, 1.8, 2.4}) {
+    pairs.emplace_back(input, angle(planted, start + input) - angle(planted, start));
+  }
+  problem.target = pairs;
+  problem.given.crank = planted.crank;
+  problem.given.frame = planted.pivot_d.x;
+  problem.given.assembly = planted.assembly;
+  problem.input_start = start;
+  problem.output_start = angle(planted, start);
+  problem.constraints.required_class = RequiredClass::crank_rocker;
+  const double most = 0.8 * peak_acceleration(planted, CycleOutput::rocker, 1);
+  problem.constraints.cycle_max[CycleQuantity::peak_acceleration] = most;
+  problem.solve.starts = 40;
+  problem.solve.designs = 1;
+
+  double best = INFINITY;
+  Vec2d middle{planted.coupler, planted.rocker};
+  double reach = 0.8;
+  for (int round = 0; round < 16; ++round, reach *= 0.5) {
+    Vec2d found = middle;
+    for (int i = -12; i <= 12; ++i) {
+      for (int j = -12; j <= 12; ++j) {
+        const Vec2d at = middle + (reach / 12) * Vec2d{double(i), double(j)};
+        FourBar linkage = planted;
+        set_lengths(linkage, at);
+        if (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker) continue;
+        double error = 0;
+        for (const auto& [input, output] : pairs) {
+          const double turned = angle(linkage, start + input) - *problem.output_start;
+          error += std::pow(std::remainder(turned - output, kTurn), 2);
+        }
+        if (error >= best || peak_acceleration(linkage, CycleOutput::rocker, 1) > most) continue;
+        best = error;
+        found = at;
+      }
+    }
+    middle = found;
+  }
+  const Result result = solve(problem, {.threads = 2});
+  ASSERT_EQ(result.status, Status::solved) << "of the grid: " << best;
+  const Design& design = result.designs.front();
+  EXPECT_GT(best, 1e-5);
+  EXPECT_LT(design.error.sum_of_squares, best * (1 + 1e-6));
+  EXPECT_GT(design.error.sum_of_squares, best * (1 - 1e-3));
+  EXPECT_NEAR(design.metrics.cycle[CycleQuantity::peak_acceleration].value(), most, 1e-7 * most);
+}
+
+/// Of a body's guidance the crank's length alone is free.
+TEST(CycleLimits, TheCalmestGuidanceIsThatOfAScan) {
+  const FourBar planted{{0, 0}, {2, 0.5}, 0.7, 2.1, 1.8, Assembly::open, Vec2d{1.2, 0.9}};
+  MotionProblem problem;
+  problem.method = MotionMethod::least_squares;
+  problem.dyads = {synthesis::DyadKind::rr};
+  for (const double angle : {0.3, 0.9, 1.6, 2.5, 3.9}) {
+    const Pose pose = *Motion(planted).at(angle);
+    const Vec2d along = pose.c - pose.b;
+    problem.poses.push_back({*pose.coupler_point, std::atan2(along.y, along.x)});
+  }
+  const Vec2d b = -*planted.coupler_point;
+  problem.fixed_pivots = {planted.pivot_a, planted.pivot_d};
+  problem.moving_pivots = {b, b + Vec2d{planted.coupler, 0}};
+  problem.rocker = planted.rocker;
+  problem.constraints.required_class = RequiredClass::crank_rocker;
+  const double most = 0.9 * peak_acceleration(planted, CycleOutput::coupler_point, 1);
+  problem.constraints.cycle_max[CycleQuantity::peak_acceleration] = most;
+  problem.solve.starts = 40;
+  problem.solve.designs = 1;
+
+  double low = 0.3, high = planted.crank;  // a shorter crank moves the body less
+  for (int step = 0; step < 60; ++step) {
+    FourBar linkage = planted;
+    linkage.crank = 0.5 * (low + high);
+    const bool calm = peak_acceleration(linkage, CycleOutput::coupler_point, 1) <= most;
+    (calm ? low : high) = linkage.crank;
+  }
+  const Result result = solve(problem, {.threads = 2});
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_NEAR(four_bar(result.designs.front()).crank, low, 1e-6);
+  EXPECT_NEAR(result.designs.front().metrics.cycle[CycleQuantity::peak_acceleration].value(), most,
+              1e-7 * most);
+}
+
+}  // namespace
+}  // namespace cognate::problems
