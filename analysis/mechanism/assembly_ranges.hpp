@@ -78,7 +78,7 @@ struct AssemblyRanges {
 /// together than a 720th of a turn (of the whole path for a driving slider) may be missed, and two
 /// ranges count as one that meets in a change point where no more than rounding parts them. The
 /// work grows with the square of the number of dyads; once `stop`, which is asked at every place,
-/// says so, it ends with a set of assembly ranges that is not whole.
+/// says so, it ends with ranges that are incomplete.
 AssemblyRanges follow(const Mechanism<double>& mechanism, double start, double end,
                       const std::function<bool()>& stop = {});
 

@@ -15,8 +15,8 @@ struct CircuitRange {
   bool turns_fully = false;  ///< an angle that comes round with another number of turns
 };
 
-/// Of the circuit on which `run` of a set of assembly ranges of `mechanism` lies, beyond the ends
-/// of the set of assembly ranges. A drive that turns fully goes through it in one turn, or two
+/// Of the circuit on which `run`, an assembly range of `mechanism`, lies, beyond the ends
+/// of its assembly ranges. A drive that turns fully goes through it in one turn, or two
 /// where there are change points. Any other goes back and forth between dead points, at each of
 /// which a dyad passes to its other assembly, until it comes round. Empty where that is not found:
 /// where guides become parallel, and once `stop` says so.

@@ -1,4 +1,4 @@
-/// @file A mechanism moved along the set of assembly ranges of its motion.
+/// @file A mechanism moved along the assembly ranges of its motion.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace cognate {
 
-/// A mechanism with room for its state, moved along a set of assembly ranges: with the signs of the
+/// A mechanism with room for its state, moved along assembly ranges: with the signs of the
 /// assemblies that the motion has there, and across change points. On a change point itself the
 /// closure is singular and the motion is not; there all is interpolated from six positions about
 /// it, which leaves positions to rounding and loses some 2, 5 and 8 digits of the derivatives.
@@ -28,7 +28,7 @@ class FollowedMotion {
         bodies_(motion_.bodies().size()),
         closures_(motion_.closures().size()) {}
 
-  /// Moves to a drive coordinate of the set of assembly ranges; false, and bodies that are not
+  /// Moves to a drive coordinate of the assembly ranges; false, and bodies that are not
   /// numbers, where the mechanism cannot be assembled or its position is not determined.
   bool move_to(double drive) {
     const AssemblyRange* run = assembly_ranges_.range_at(drive);

@@ -38,7 +38,7 @@ double size(std::span<const BodyMotion<double, 1>> bodies) {
   return size;
 }
 
-/// Goes through the runs of a set of assembly ranges and collects what the output does.
+/// Goes through the assembly ranges and collects what the output does.
 class Collector {
  public:
   Collector(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges,

@@ -32,7 +32,7 @@ struct OutputRange {
   double stroke() const { return greatest.value - least.value; }
 };
 
-/// Of a body's travel; empty where nothing of the set of assembly ranges can be assembled.
+/// Of a body's travel; empty where nothing of the assembly ranges can be assembled.
 std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
                                         const AssemblyRanges& assembly_ranges,
                                         const Travel& travel);
@@ -43,7 +43,7 @@ std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
                                         const Attached<double>& point, const Vec2d& direction);
 
 /// K ≥ 1: the longer of the crank's turns between the output's extreme limits over the shorter.
-/// Empty unless a crank or floating link turns fully, at least once in the set of assembly ranges
+/// Empty unless a crank or floating link turns fully, at least once in the assembly ranges
 /// and without change points, and its output has limits at both extremes.
 std::optional<double> time_ratio(const Mechanism<double>& mechanism,
                                  const AssemblyRanges& assembly_ranges, const OutputRange& output);

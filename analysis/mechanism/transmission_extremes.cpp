@@ -11,7 +11,7 @@
 namespace cognate {
 namespace {
 
-/// Goes through a set of assembly ranges and keeps the extremes of one dyad's angle.
+/// Goes through assembly ranges and keeps the extremes of one dyad's angle.
 class Extremes {
  public:
   Extremes(const Mechanism<double>& mechanism, int dyad) : probe_(mechanism), dyad_(dyad) {}

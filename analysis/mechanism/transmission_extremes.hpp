@@ -24,7 +24,7 @@ struct TransmissionExtremes {
 };
 
 /// Of dyad `dyad`: at ends of ranges, or where dμ/dq = 0, refined to rounding. Empty where nothing
-/// of the set of assembly ranges can be assembled.
+/// of the assembly ranges can be assembled.
 std::optional<TransmissionExtremes> transmission_extremes(const Mechanism<double>& mechanism,
                                                           const AssemblyRanges& assembly_ranges,
                                                           int dyad);

@@ -46,7 +46,7 @@ std::string_view meaning(problems::SolverChoice solver);
 /// Every key that may stand under `metrics` of a design that was found.
 std::span<const Metric> metrics();
 
-/// Every key that may stand under `quantities` of a result.
+/// Every key that may stand under `facts` of a result.
 std::span<const Metric> quantities();
 
 }  // namespace cognate::app

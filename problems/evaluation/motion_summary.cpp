@@ -142,7 +142,7 @@ class Summary {
     if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);
   }
 
-  /// The angles of a four-bar by its diagonal, over the ranges of the set of assembly ranges.
+  /// The angles of a four-bar by its diagonal, over all assembly ranges.
   TransmissionAngles by_diagonal(const FourBar& linkage) const {
     const auto links = lengths(linkage);
     const double frame = frame_angle(linkage);
@@ -170,7 +170,7 @@ class Summary {
     if (ratio && std::isfinite(*ratio)) summary_.time_ratio = ratio;
   }
 
-  /// The first range of the set of assembly ranges. Where a crank begins within it and comes back a
+  /// The first assembly range. Where a crank begins within it and comes back a
   /// turn later in the same assemblies, the way in which it came back is a part of it too.
   AssemblyRange range_driven() const {
     const double sense = assembly_ranges_.start <= assembly_ranges_.end ? 1 : -1;
@@ -250,7 +250,7 @@ class Summary {
   const Deadline& deadline_;
   const Mechanism<double>& mechanism_;
   const AssemblyRanges& assembly_ranges_;
-  AssemblyRanges driven_;  ///< the first range of the set of assembly ranges
+  AssemblyRanges driven_;  ///< the first assembly range
   Travel travel_;
   FollowedMotion<0> motion_;
   MotionSummary summary_;

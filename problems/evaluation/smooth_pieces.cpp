@@ -16,7 +16,7 @@ namespace {
 /// Parts of the drive's scale: places closer than this are one.
 constexpr double kSamePlace = 1e-12;
 
-/// Where loads begin or cease anywhere on the set of assembly ranges. What one turn has may come
+/// Where loads begin or cease anywhere on the assembly ranges. What one turn has may come
 /// back in the next.
 std::vector<double> all_breaks(const AnalysisProblem& problem,
                                const AssemblyRanges& assembly_ranges,

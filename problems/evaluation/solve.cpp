@@ -104,7 +104,7 @@ Work work_of(const AnalysisProblem& problem, const Sweep& sweep, const Run& run,
 /// Where the motion is just after its start, in its own sense: a start on a change point is on the
 /// motion that has the assembly there.
 double after_start(const DriveSweep& drive) {
-  constexpr double kStep = 2e-7;  // as the set of assembly ranges of the motion has it
+  constexpr double kStep = 2e-7;  // as the assembly ranges of the motion have it
   return drive.end < drive.start ? drive.start - kStep : drive.start;
 }
 

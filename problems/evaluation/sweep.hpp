@@ -17,7 +17,7 @@ struct Sweep {
 };
 
 /// Evaluates `problem` at each of its rows, in blocks shared out over threads; every row depends on
-/// its own drive position and the set of assembly ranges of the whole motion, so the number of
+/// its own drive position and the assembly ranges of the whole motion, so the number of
 /// threads changes nothing. Where `deadline` is reached, the rows up to the first one that was not
 /// evaluated are kept. The motion begins in the assemblies of the file and goes through change
 /// points smoothly where it is determined.

@@ -11,7 +11,7 @@ namespace cognate::problems {
 /// Why the drive does not turn fully over `assembly_ranges`, a turn or more; empty where it does.
 std::string gap_in_words(const AssemblyRanges& assembly_ranges);
 
-/// φ in [0, period) of the gaps of no width in a set of assembly ranges that is a period long:
+/// φ in [0, period) of the gaps of no width in assembly ranges that are a period long:
 /// places between two ranges of the drive where a part of the mechanism is at infinity, and those
 /// at which the drive does not hold it.
 std::vector<double> walls(const AssemblyRanges& assembly_ranges);

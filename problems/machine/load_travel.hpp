@@ -9,7 +9,7 @@
 
 namespace cognate::problems {
 
-/// A body's travel over a set of assembly ranges, without leaps: of a body that slides its
+/// A body's travel over assembly ranges, without leaps: of a body that slides its
 /// displacement; of one that swings the angle by which it has turned counter-clockwise from the one
 /// end of its swing, at which that is 0, to the other, however the mechanism lies in the plane. Of
 /// one that turns fully the angle from the x axis, in [0, 2π), which begins anew with each turn.

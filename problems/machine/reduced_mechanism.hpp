@@ -21,7 +21,7 @@ class ReducedMechanism {
                    const AssemblyRanges& assembly_ranges, const std::vector<Stroke>& strokes,
                    const std::vector<LoadTravel>& travels);
 
-  /// Stands at `phi`, from 0 to the length of the set of assembly ranges (which may begin
+  /// Stands at `phi`, from 0 to the length of the assembly ranges (which may begin
   /// elsewhere). Not numbers where the mechanism cannot be assembled, or stands at a dead point.
   machine::EquivalentInertia move_to(double phi);
 

@@ -24,9 +24,9 @@ using synthesis::Backend;
 constexpr int kDrawnPerStart = 60;
 /// Cells between nodes and iterations: of the first refinement, and of the best ones.
 constexpr int kCoarseCells = 20, kCoarseIterations = 60;
-constexpr int kFineCells = 32, kFineIterations = 80;
+constexpr int kFineCells = 32, kFineIterations = 300;
 /// Of the solver that takes over where the other leaves limits unmet.
-constexpr int kMendingIterations = 200;
+constexpr int kMendingIterations = 300;
 /// Rounds in which peaks between the nodes join them.
 constexpr int kExchangeRounds = 4;
 /// δ/L up to this is rounding: the line is exact.
@@ -406,9 +406,9 @@ SegmentSearchResult search_segments(const StraightLineProblem& problem,
   std::vector<SegmentStart> starts;
   if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
   search.begin(known, starts);
-  // Few starts are worth few of the dearer refinements.
-  const std::size_t share = 1 + (starts.size() + known.size()) / 8;
-  search.deepen(std::min(effort.deepened, share));
+  // Few starts are worth few of the dearer refinements, more than usual are worth more.
+  const std::size_t few = 1 + (starts.size() + known.size()) / 8, many = starts.size() / 20;
+  search.deepen(std::max(std::min(effort.deepened, few), many));
   search.finish(effort.finished);
   return std::move(search).take();
 }

@@ -383,6 +383,7 @@ TEST(ExactFunction, StartsGivenAreChecked) {
                        "domain = [0, 1]\ninput_range_deg = 60\noutput_range_deg = 90\n"
                        "precision_points = 3\n")
                        .target;
+  problem.sample_at.clear();
   const Result turned = solve(problem, {});
   EXPECT_EQ(turned.status, Status::infeasible);
   const ConstraintCheck check = start_check(turned.designs.at(0));

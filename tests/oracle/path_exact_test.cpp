@@ -429,6 +429,8 @@ TEST(ExactPaths, StopWhenTimeIsUp) {
 TEST(ExactPaths, NameWhatCoincides) {
   PathProblem problem = library("nine-points-2");
   problem.points[7] = problem.points[2];
+  EXPECT_EQ(solve(problem, {}).status, Status::invalid);
+  problem.points[7].x = std::nextafter(problem.points[2].x, 1e9);
   const Result result = solve(problem, {});
   EXPECT_EQ(result.status, Status::no_solution);
   ASSERT_EQ(result.notes.size(), 1u);

@@ -83,12 +83,14 @@ TEST(CamStress, OffsetsAsLargeAsTheCam) {
 // A roller as large as the pitch curve's least radius: a cusp; the facts flip from sound to
 // undercut within rounding of it.
 TEST(CamStress, RollersAsLargeAsTheLeastRadius) {
-  CamProblem problem = translating_roller(30, 4, 0);
-  problem.motion = rise_and_return(MotionLaw::harmonic, 20);
+  CamProblem problem = translating_roller(30, 4, 1);
+  problem.motion = rise_and_return(MotionLaw::harmonic, 10);  // least where the rise ends
   problem.constraints.curvature_radius_min.reset();
   const double least = problems::CamExtremes(solve(problem, {.threads = 1}).designs.at(0).cam)
                            .convex_radius()
-                           ->value;
+                           ->value +
+                       1;
+  ASSERT_LT(least, 29);
   for (const double share : {1 - 1e-6, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-6}) {
     problem.length(CamDimension::roller_radius).given = share * least;
     const auto result = solve(problem, {.threads = 1});

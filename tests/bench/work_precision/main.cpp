@@ -45,7 +45,7 @@ struct Improvement {
 };
 
 /// One solver with one strategy on one problem, for each seed its improvements.
-struct AssemblyRanges {
+struct History {
   std::string solver, starts;
   std::vector<std::vector<Improvement>> seeds;
 
@@ -62,16 +62,16 @@ double spent(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void note(std::vector<Improvement>& assembly_ranges, double seconds, double error) {
-  if (std::isfinite(error) && (assembly_ranges.empty() || error < assembly_ranges.back().error)) {
-    assembly_ranges.push_back({seconds, error});
+void note(std::vector<Improvement>& history, double seconds, double error) {
+  if (std::isfinite(error) && (history.empty() || error < history.back().error)) {
+    history.push_back({seconds, error});
   }
 }
 
 std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend, Starts how,
                               std::uint64_t seed, double seconds) {
   constexpr int kIterations = 1000;
-  std::vector<Improvement> assembly_ranges;
+  std::vector<Improvement> history;
   std::mt19937_64 random(seed);
   const auto begin = Clock::now();
   const Draw draw = contest.begin(how);
@@ -84,53 +84,50 @@ std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend
                                  .max_iterations = kIterations,
                                  .time_limit = seconds - spent(begin),
                                  .seed = seed});
-    note(assembly_ranges, spent(begin), attempt->error(solution.x));
+    note(history, spent(begin), attempt->error(solution.x));
   }
-  return assembly_ranges;
+  return history;
 }
 
 std::vector<Improvement> race_of_auto(const Contest& contest, std::uint64_t seed, double seconds) {
-  std::vector<Improvement> assembly_ranges;
+  std::vector<Improvement> history;
   double last = 0;
   for (int starts = 1; last < 0.5 * seconds; starts *= 2) {
     const auto begin = Clock::now();
     const double error = contest.solve(starts, {.seed = seed, .threads = 1});
     last = spent(begin);
-    note(assembly_ranges, last, error);
+    note(history, last, error);
   }
-  return assembly_ranges;
+  return history;
 }
 
-std::vector<AssemblyRanges> run(const Contest& contest, const Settings& settings) {
-  std::vector<AssemblyRanges> all_assembly_ranges;
+std::vector<History> run(const Contest& contest, const Settings& settings) {
+  std::vector<History> histories;
   for (const auto& [name, solver] : problems::names<SolverChoice>()) {
     for (const auto how : {Starts::screened, Starts::random}) {
       const bool automatic = solver == SolverChoice::automatic;
       if (automatic && how == Starts::random) continue;
-      AssemblyRanges assembly_ranges{
-          std::string(name), how == Starts::random ? "random" : "screened", {}};
+      History history{std::string(name), how == Starts::random ? "random" : "screened", {}};
       for (int seed = 1; seed <= settings.seeds; ++seed) {
-        assembly_ranges.seeds.push_back(
+        history.seeds.push_back(
             automatic ? race_of_auto(contest, seed, settings.seconds)
                       : race(contest, problems::backend_of(solver), how, seed, settings.seconds));
       }
-      if (std::isfinite(assembly_ranges.least()))
-        all_assembly_ranges.push_back(std::move(assembly_ranges));
+      if (std::isfinite(history.least())) histories.push_back(std::move(history));
     }
   }
-  return all_assembly_ranges;
+  return histories;
 }
 
 /// Errors as excess over the least known, in the unit where that is 0.
-void make_relative(const Contest& contest, std::vector<AssemblyRanges>& all_assembly_ranges) {
+void make_relative(const Contest& contest, std::vector<History>& histories) {
   double best = contest.best_known.value_or(kNone);
   if (!contest.best_known) {
-    for (const AssemblyRanges& assembly_ranges : all_assembly_ranges)
-      best = std::min(best, assembly_ranges.least());
+    for (const History& history : histories) best = std::min(best, history.least());
   }
   const double unit = best > 0 ? best : contest.unit;
-  for (AssemblyRanges& assembly_ranges : all_assembly_ranges) {
-    for (auto& seed : assembly_ranges.seeds) {
+  for (History& history : histories) {
+    for (auto& seed : history.seeds) {
       for (Improvement& improvement : seed) improvement.error = (improvement.error - best) / unit;
     }
   }
@@ -141,18 +138,17 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void print_row(const Contest& contest, const AssemblyRanges& assembly_ranges) {
+void print_row(const Contest& contest, const History& history) {
   std::vector<double> times, ends;
-  for (const auto& seed : assembly_ranges.seeds) {
+  for (const auto& seed : history.seeds) {
     const auto reached =
         std::ranges::find_if(seed, [](const Improvement& at) { return at.error <= kReached; });
     times.push_back(reached == seed.end() ? kNone : reached->seconds);
     ends.push_back(seed.empty() ? kNone : std::max(seed.back().error, 0.0));
   }
   const double time = median(times);
-  fmt::print("| {} | {} | {} | {} | {:.1e} |\n", contest.name, assembly_ranges.solver,
-             assembly_ranges.starts, std::isfinite(time) ? fmt::format("{:.3f}", time) : "–",
-             median(ends));
+  fmt::print("| {} | {} | {} | {} | {:.1e} |\n", contest.name, history.solver, history.starts,
+             std::isfinite(time) ? fmt::format("{:.3f}", time) : "–", median(ends));
 }
 
 std::vector<Contest> contests(const Settings& settings) {
@@ -195,15 +191,14 @@ int run_all(const Settings& settings) {
   fmt::print("| problem | solver | starts | s to {} | excess at the end |\n|---|---|---|---|---|\n",
              kReached);
   for (const Contest& contest : contests(settings)) {
-    std::vector<AssemblyRanges> all_assembly_ranges = run(contest, settings);
-    make_relative(contest, all_assembly_ranges);
-    for (const AssemblyRanges& assembly_ranges : all_assembly_ranges) {
-      print_row(contest, assembly_ranges);
-      for (std::size_t seed = 0; seed < assembly_ranges.seeds.size(); ++seed) {
-        for (const Improvement& at : assembly_ranges.seeds[seed]) {
+    std::vector<History> histories = run(contest, settings);
+    make_relative(contest, histories);
+    for (const History& history : histories) {
+      print_row(contest, history);
+      for (std::size_t seed = 0; seed < history.seeds.size(); ++seed) {
+        for (const Improvement& at : history.seeds[seed]) {
           csv << fmt::format("{},\"{}\",{},{},{},{:.6f},{:.6e}\n", contest.name, contest.kind,
-                             assembly_ranges.solver, assembly_ranges.starts, seed + 1, at.seconds,
-                             at.error);
+                             history.solver, history.starts, seed + 1, at.seconds, at.error);
         }
       }
     }

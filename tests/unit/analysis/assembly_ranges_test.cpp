@@ -56,7 +56,7 @@ std::vector<double> drives(const AssemblyRanges& assembly_ranges, SpecialPositio
   return result;
 }
 
-/// The greatest turn of a body between two of `steps` steps along the set of assembly ranges;
+/// The greatest turn of a body between two of `steps` steps along the assembly ranges;
 /// infinite where one does not close.
 double greatest_step(const Mechanism<double>& mechanism, const AssemblyRanges& assembly_ranges,
                      int body, int steps) {

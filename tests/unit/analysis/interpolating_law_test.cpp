@@ -40,7 +40,7 @@ std::array<double, 4> as_array(const FollowerMotion<double>& motion) {
   return {motion.displacement, motion.velocity, motion.acceleration, motion.jerk};
 }
 
-void expect_assembly_ranges(const Pieces& pieces, const Planted& planted, double tolerance) {
+void expect_planted_motion(const Pieces& pieces, const Planted& planted, double tolerance) {
   for (const auto& piece : pieces) {
     for (const double t : {0.0, 0.13, 0.5, 0.77, 1.0}) {
       const auto motion = as_array(motion_at(piece, t));
@@ -105,7 +105,7 @@ TEST(PolynomialLaw, PlantedPolynomialsComeBack) {
     ASSERT_TRUE(append_pieces(polynomial_segment(planted.over, planted(1, 0), conditions), 0, 0, 0,
                               pieces));
     EXPECT_EQ(pieces[0].terms, static_cast<int>(count));
-    expect_assembly_ranges(pieces, planted, 1e-9);
+    expect_planted_motion(pieces, planted, 1e-9);
     ++solved;
   }
   EXPECT_EQ(solved, 400);
@@ -191,7 +191,7 @@ TEST(SplineLaw, APolynomialOfTheSplinesDegreeComesBack) {
     EXPECT_EQ(pieces.size(), segment.points.size() + 1);
     double least = 1;
     for (const auto& piece : pieces) least = std::min(least, piece.span / planted.over);
-    expect_assembly_ranges(pieces, planted, 1e-13 / std::pow(least, 3));
+    expect_planted_motion(pieces, planted, 1e-13 / std::pow(least, 3));
   }
 }
 

@@ -25,8 +25,8 @@ namespace cognate::cam {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-using AssemblyRanges = std::array<Quad, 4>;  ///< displacement, velocity, acceleration, jerk
-using Law = std::function<AssemblyRanges(const Quad&)>;
+using MotionSample = std::array<Quad, 4>;  ///< displacement, velocity, acceleration, jerk
+using Law = std::function<MotionSample(const Quad&)>;
 
 const Quad kPi = acos(Quad(-1));
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -51,41 +51,41 @@ std::vector<MotionPiece<double>> pieces_of(const MotionSegment& segment, double 
   return pieces;
 }
 
-AssemblyRanges constant_acceleration(const Quad& u) {
+MotionSample constant_acceleration(const Quad& u) {
   if (u < Quad(0.5)) return {2 * u * u, 4 * u, 4, 0};
   return {1 - 2 * (1 - u) * (1 - u), 4 * (1 - u), -4, 0};
 }
 
-AssemblyRanges harmonic(const Quad& u) {
+MotionSample harmonic(const Quad& u) {
   const Quad s = sin(kPi * u), c = cos(kPi * u);
   return {(1 - c) / 2, kRightAngle * s, kPi * kRightAngle * c, -kPi * kPi * kRightAngle * s};
 }
 
-AssemblyRanges cycloidal(const Quad& u) {
+MotionSample cycloidal(const Quad& u) {
   const Quad w = kTurn, s = sin(w * u), c = cos(w * u);
   return {u - s / w, 1 - c, w * s, w * w * c};
 }
 
-AssemblyRanges polynomial_345(const Quad& u) {
+MotionSample polynomial_345(const Quad& u) {
   const Quad v = 1 - u;
   return {u * u * u * (10 - 15 * u + 6 * u * u), 30 * u * u * v * v, 60 * u * v * (1 - 2 * u),
           60 * (1 - 6 * u + 6 * u * u)};
 }
 
-AssemblyRanges polynomial_4567(const Quad& u) {
+MotionSample polynomial_4567(const Quad& u) {
   const Quad v = 1 - u;
   return {pow(u, 4) * (35 - 84 * u + 70 * u * u - 20 * u * u * u), 140 * pow(u * v, 3),
           420 * pow(u * v, 2) * (1 - 2 * u), 840 * u * v * (1 - 5 * u + 5 * u * u)};
 }
 
-AssemblyRanges double_harmonic(const Quad& u) {
+MotionSample double_harmonic(const Quad& u) {
   const Quad s = sin(kPi * u), c = cos(kPi * u), s2 = sin(kTurn * u), c2 = cos(kTurn * u);
   return {(1 - c) / 2 - (1 - c2) / 8, kRightAngle * s - kPi / 4 * s2, kPi * kRightAngle * (c - c2),
           kPi * kPi * kRightAngle * (2 * s2 - s)};
 }
 
 /// Norton, Cam Design and Manufacturing Handbook, the modified sine's displacement as printed.
-AssemblyRanges modified_sine(const Quad& u) {
+MotionSample modified_sine(const Quad& u) {
   const Quad k = 1 / (4 + kPi);
   const bool is_fast = u < Quad(0.125) || u > Quad(0.875);
   const Quad w = is_fast ? Quad(4 * kPi) : Quad(4 * kPi / 3),
@@ -105,18 +105,18 @@ class ByQuadrature {
                  (shape.sine + shape.constant + shape.cosine) / 2} {
     size_ = 1 / (2 * moment(Quad(0.5)));
   }
-  AssemblyRanges operator()(const Quad& u) const {
+  MotionSample operator()(const Quad& u) const {
     if (u > Quad(0.5)) {
-      const AssemblyRanges first = (*this)(1 - u);
+      const MotionSample first = (*this)(1 - u);
       return {1 - first[0], first[1], -first[2], first[3]};
     }
-    const auto [acceleration, jerk] = assembly_ranges(u);
-    const Quad velocity = over_parts(u, [&](const Quad& at) { return assembly_ranges(at).first; });
+    const auto [acceleration, jerk] = shape_and_slope(u);
+    const Quad velocity = over_parts(u, [&](const Quad& at) { return shape_and_slope(at).first; });
     return {size_ * moment(u), size_ * velocity, size_ * acceleration, size_ * jerk};
   }
 
  private:
-  std::pair<Quad, Quad> assembly_ranges(const Quad& u) const {
+  std::pair<Quad, Quad> shape_and_slope(const Quad& u) const {
     if (u < borders_[1]) {
       const Quad w = kPi / shape_.sine;
       return {sin(w * u), w * cos(w * u)};
@@ -138,7 +138,7 @@ class ByQuadrature {
     return sum;
   }
   Quad moment(const Quad& end) const {
-    return over_parts(end, [&](const Quad& at) { return (end - at) * assembly_ranges(at).first; });
+    return over_parts(end, [&](const Quad& at) { return (end - at) * shape_and_slope(at).first; });
   }
 
   UniversalShape<Quad> shape_;
@@ -155,7 +155,7 @@ void expect_accurate(const MotionSegment& segment, const Law& law, int places) {
   std::uniform_real_distribution<double> share(0, 1);
   for (int place = 0; place < places; ++place) {
     const double angle = kBegin + segment.over * share(random);
-    const AssemblyRanges exact = law((Quad(angle) - kBegin) / segment.over);
+    const MotionSample exact = law((Quad(angle) - kBegin) / segment.over);
     const auto motion = motion_of(pieces, angle);
     Quad unit = segment.rise;
     for (std::size_t order = 0; order < 4; ++order) {
@@ -188,7 +188,7 @@ struct NamedLaw {
 std::vector<NamedLaw> named_laws() {
   return {{MotionLaw::constant_velocity,
            [](const Quad& u) {
-             return AssemblyRanges{u, 1, 0, 0};
+             return MotionSample{u, 1, 0, 0};
            }},
           {MotionLaw::constant_acceleration, constant_acceleration},
           {MotionLaw::harmonic, harmonic},
@@ -230,8 +230,8 @@ TEST(MotionLaw, ReturnsFallByTheSameFormulas) {
     const bool is_mirrored = law == MotionLaw::double_harmonic;
     const Law fall = [&, f = formula](const Quad& u) {
       if (!is_mirrored) return f(u);
-      const AssemblyRanges back = f(1 - u);
-      return AssemblyRanges{1 - back[0], back[1], -back[2], back[3]};
+      const MotionSample back = f(1 - u);
+      return MotionSample{1 - back[0], back[1], -back[2], back[3]};
     };
     expect_accurate(segment_of(law, 1.5, -2.75), fall, 200);
   }
@@ -246,7 +246,7 @@ TEST(MotionLaw, InWideTypesLawsAreAsWide) {
   for (int i = 1; i < 50; ++i) {
     const Quad u = Quad(i) / 50;
     const auto motion = motion_of(pieces, u);
-    const AssemblyRanges exact = law(u);
+    const MotionSample exact = law(u);
     for (std::size_t order = 0; order < 4; ++order) {
       EXPECT_LT(static_cast<double>(abs(motion[order] - exact[order])), 1e-30) << i << ' ' << order;
     }
