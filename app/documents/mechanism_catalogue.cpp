@@ -86,7 +86,7 @@ constexpr Entry kLoadTable[] = {
     {"when", "\"always\" (default), \"advance\", \"return\", or [from_deg, to_deg] of the crank"},
     {"stroke", "[from, to], the part of the body's stroke in which it acts (0 to 1)"}};
 constexpr Entry kDriveTable[] = {
-    {"speed", "rad/s, or length/s of a slider (default 1)"},
+    {"speed", "rad/s, or length/s of a slider (default 1); or speed_rpm, in turns a minute"},
     {"acceleration", "rad/s2 (default 0)"},
     {"start_deg, end_deg", "of the crank (default 0 and a turn more); start, end of a slider"},
     {"steps", "between them, both included (default 360)"}};

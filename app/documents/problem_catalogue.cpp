@@ -39,7 +39,8 @@ constexpr auto kConstraints = with_cycle_quantities(
 
 constexpr Entry kDrive[] = {
     {"speed",
-     "of the crank, rad/s: constant (default 1), or the mean of a speed that may fluctuate"}};
+     "of the crank, rad/s: constant (default 1), or the mean of a speed that may fluctuate; or "
+     "speed_rpm, in turns a minute"}};
 
 constexpr Entry kFlywheel[] = {{"inertia", "on the crank, for speed_fluctuation_max (default 0)"},
                                {"fluctuation", "that it is to leave, for flywheel_inertia_max"}};

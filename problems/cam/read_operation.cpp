@@ -84,10 +84,10 @@ std::string joined(const std::vector<std::string>& keys) {
 
 void read_cam_operation(TableReader& document, TableReader& follower, CamProblem& problem) {
   TableReader drive = document.table("drive");
-  const auto speed = drive.number(kSpeed, kTurningSpeed);
+  const auto speed = drive.turning_speed(kSpeed, kTurningSpeed);
   problem.operation.speed = speed.value_or(0);
   problem.has_operation = read_masses_and_forces(follower, problem);
-  if (problem.operation.inertia > 0 && !drive.has(kSpeed)) {
+  if (problem.operation.inertia > 0 && !drive.has_speed(kSpeed)) {
     drive.fault(kSpeed, fmt::format("is missing, without which follower.{} presses on nothing; "
                                     "expected {}",
                                     is_oscillating(problem.follower) ? kInertia : kMassKey,

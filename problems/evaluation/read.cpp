@@ -59,7 +59,9 @@ void read_displacements(TableReader& table, DriveSweep& drive) {
 DriveSweep read_drive(TableReader& table, bool slides, std::size_t parts) {
   constexpr std::string_view kSteps = "steps";
   DriveSweep drive;
-  drive.rate.speed = table.number("speed", kQuantity).value_or(1);
+  drive.rate.speed =
+      (slides ? table.number("speed", kQuantity) : table.turning_speed("speed", kQuantity))
+          .value_or(1);
   drive.rate.acceleration = table.number("acceleration", kQuantity).value_or(0);
   if (slides) {
     read_displacements(table, drive);

@@ -198,8 +198,8 @@ std::string unused(bool CycleDeclaration::*has) {
 void read_drive(TableReader& document, const OperationUse& use, Operation& operation) {
   constexpr std::string_view kDrive = "drive", kKey = "speed";
   TableReader drive = document.table(kDrive);
-  operation.speed = drive.number(kKey, kSpeed).value_or(operation.speed);
-  if (!drive.has(kKey) && use.asked.any(&CycleDeclaration::needs_speed)) {
+  operation.speed = drive.turning_speed(kKey, kSpeed).value_or(operation.speed);
+  if (!drive.has_speed(kKey) && use.asked.any(&CycleDeclaration::needs_speed)) {
     const auto words = [](const CycleDeclaration& of) { return std::string(of.words); };
     drive.fault(kKey, fmt::format("is missing; expected the crank's mean speed in rad/s, on which "
                                   "{} depend",

@@ -78,10 +78,10 @@ MachineRunRequest read_run(TableReader& table) {
   MachineRunRequest run;
   run.tasks = read_tasks(table);
   run.start_phi = radians(table.number("start_deg", kAngle).value_or(0));
-  run.start_speed = table.number("start_speed", kSpeed).value_or(0);
+  run.start_speed = table.turning_speed("start_speed", kSpeed).value_or(0);
   run.time_max = table.number("time_max", kTime);
   run.turns_max = table.number("turns_max", kTurns);
-  run.speed_end = table.number("speed_end", kSpeed);
+  run.speed_end = table.turning_speed("speed_end", kSpeed);
   run.steps = table.integer("steps", kFewestSteps, kMostSteps).value_or(run.steps);
   run.tolerance = table.number("tolerance", kRelative).value_or(run.tolerance);
   table.finish();

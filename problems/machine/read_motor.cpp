@@ -42,16 +42,19 @@ bool has_exactly_one(TableReader& motor) {
   return false;
 }
 
-double require(TableReader& table, std::string_view key, std::string_view what) {
-  if (!table.has(key)) table.fault(key, fmt::format("is missing; expected {}", what));
-  return table.number(key, kPositive).value_or(1);
-}
-
 void read_line(TableReader& motor, Motor& read) {
   TableReader line = motor.table(kLine);
   MotorLine given;
-  given.stall_torque = require(line, "stall_torque", "the torque at standstill");
-  given.no_load_speed = require(line, "no_load_speed", "the speed at which it gives no torque");
+  constexpr std::string_view kStallTorque = "stall_torque";
+  if (!line.has(kStallTorque)) {
+    line.fault(kStallTorque, "is missing; expected the torque at standstill");
+  }
+  given.stall_torque = line.number(kStallTorque, kPositive).value_or(1);
+  constexpr std::string_view kNoLoadSpeed = "no_load_speed";
+  if (!line.has_speed(kNoLoadSpeed)) {
+    line.fault(kNoLoadSpeed, "is missing; expected the speed at which it gives no torque");
+  }
+  given.no_load_speed = line.turning_speed(kNoLoadSpeed, kPositive).value_or(1);
   line.finish();
   read.line = given;
   read.torque.of_speed = true;

@@ -34,6 +34,17 @@ std::string in_words(const Variables& variables) {
   return words;
 }
 
+std::string expected_form(const Variables& variables) {
+  return variables.empty() ? "one expression without variables"
+                           : "one expression in " + in_words(variables);
+}
+
+std::string known_names(const Variables& variables) {
+  if (variables.empty()) return std::string(kNames);
+  return fmt::format("the variable{} {}, {}", variables.size() == 1 ? "" : "s", in_words(variables),
+                     kNames);
+}
+
 // A parser and the values it is bound to. It keeps their addresses, so a copy is a new parser.
 class Expression {
  public:
@@ -101,17 +112,15 @@ std::string message_of(const mu::Parser::exception_type& error, const Variables&
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
     std::string token = error.GetToken();
     token.erase(token.find_last_not_of(' ') + 1);
-    return fmt::format("cannot be read from {} on; known are the variable{} {}, {}",
-                       in_quotes(token), variables.size() == 1 ? "" : "s", in_words(variables),
-                       kNames);
+    return fmt::format("cannot be read from {} on; known are {}", in_quotes(token),
+                       known_names(variables));
   }
   std::string message = error.GetMsg();
   for (const std::string_view end : {" found at position", " at position", " at expression"}) {
     message.resize(std::min(message.find(end), message.size()));
   }
   if (message.ends_with('.')) message.pop_back();
-  return fmt::format("is no expression: {}; expected one expression in {}", message,
-                     in_words(variables));
+  return fmt::format("is no expression: {}; expected {}", message, expected_form(variables));
 }
 
 }  // namespace
@@ -121,9 +130,8 @@ tl::expected<ParsedExpression, ExpressionError> parse_expression(
   const Variables named(variables.begin(), variables.end());
   if (const auto assignment = find_assignment(text)) {
     return tl::unexpected(ExpressionError{
-        *assignment, fmt::format("contains an assignment; expected one expression in {}, == "
-                                 "compares",
-                                 in_words(named))});
+        *assignment,
+        fmt::format("contains an assignment; expected {}, == compares", expected_form(named))});
   }
   try {
     // The first evaluation parses; its value does not matter.
@@ -132,9 +140,8 @@ tl::expected<ParsedExpression, ExpressionError> parse_expression(
     if (expression.result_count() != 1) {
       return tl::unexpected(ExpressionError{
           std::min(text.find(','), text.size()),
-          fmt::format("has several values; expected one expression in {}, with a point as "
-                      "decimal mark",
-                      in_words(named))});
+          fmt::format("has several values; expected {}, with a point as decimal mark",
+                      expected_form(named))});
     }
     return ParsedExpression{expression, expression.uses()};
   } catch (const mu::Parser::exception_type& error) {
@@ -151,6 +158,11 @@ tl::expected<std::function<double(double)>, ExpressionError> parse_expression(
       return value({&x, 1});
     });
   });
+}
+
+tl::expected<double, ExpressionError> evaluate_expression(const std::string& text) {
+  return parse_expression(text, {}).map(
+      [](const ParsedExpression& parsed) { return parsed.value({}); });
 }
 
 }  // namespace cognate::problems::reading

@@ -26,15 +26,18 @@ struct ParsedExpression {
 };
 
 /// The function of `variables` that `text` writes: numbers, the variables, pi, e, + - * / ^
-/// (right-associative, -x^2 is
-/// -(x^2)), comparisons, a ? b : c, and the functions sin, cos, tan, asin, acos, atan, atan2, sinh,
-/// cosh, tanh, asinh, acosh, atanh, exp, log and ln (both natural), log2, log10, sqrt, abs, sign,
-/// rint, min, max, sum, avg. Where it has no value it returns NaN or an infinity.
+/// (right-associative, -x^2 is -(x^2)), comparisons, a ? b : c, and the functions sin, cos, tan,
+/// asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, log and ln (both natural),
+/// log2, log10, sqrt, abs, sign, rint, min, max, sum, avg. Where it has no value it returns NaN or
+/// an infinity.
 tl::expected<ParsedExpression, ExpressionError> parse_expression(
     const std::string& text, std::span<const std::string_view> variables);
 
 /// The same of x alone.
 tl::expected<std::function<double(double)>, ExpressionError> parse_expression(
     const std::string& text);
+
+/// The value of an expression without variables, "170*2*pi/60": perhaps NaN or an infinity.
+tl::expected<double, ExpressionError> evaluate_expression(const std::string& text);
 
 }  // namespace cognate::problems::reading

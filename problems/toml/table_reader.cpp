@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "problems/toml/expression.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -103,16 +105,14 @@ std::optional<int> TableReader::integer(std::string_view key, int min, int max) 
   const Node* node = find(key);
   if (!node) return std::nullopt;
   const std::string wanted = fmt::format("an integer from {} to {}", min, max);
-  const auto* value = std::get_if<std::int64_t>(&node->value);
-  if (const auto* fraction = std::get_if<double>(&node->value)) {
-    fault(key, fmt::format("is {:#}; expected {}", *fraction, wanted));
+  const auto value = value_at(*node, name(key), wanted);
+  if (!value) return std::nullopt;
+  if (std::holds_alternative<double>(node->value)) {
+    fault(key, fmt::format("is {:#}; expected {}", *value, wanted));
     return std::nullopt;
   }
-  if (!value) {
-    wrong_type(*node, name(key), wanted);
-    return std::nullopt;
-  }
-  if (*value < min || *value > max) {
+  const bool is_whole = *value == std::floor(*value);
+  if (!is_whole || *value < min || *value > max) {
     fault(key, fmt::format("is {}; expected {}", *value, wanted));
     return std::nullopt;
   }
@@ -122,6 +122,21 @@ std::optional<int> TableReader::integer(std::string_view key, int min, int max) 
 std::optional<double> TableReader::number(std::string_view key, const NumberRule& rule) {
   const Node* node = find(key);
   return node ? number_at(*node, name(key), rule) : std::nullopt;
+}
+
+std::optional<double> TableReader::turning_speed(std::string_view key, const NumberRule& rule) {
+  const std::string by_minute = fmt::format("{}_rpm", key);
+  if (!has(by_minute)) return number(key, rule);
+  if (has(key)) {
+    fault(by_minute, fmt::format("is given besides {}; expected one of them", name(key)));
+  }
+  const auto turns = number(by_minute, rule);
+  return turns ? std::optional(*turns * (kTurn / 60)) : std::nullopt;
+}
+
+bool TableReader::has_speed(std::string_view key) {
+  const bool by_second = has(key);
+  return has(fmt::format("{}_rpm", key)) || by_second;
 }
 
 std::vector<std::optional<double>> TableReader::each_number(std::string_view key,
@@ -417,13 +432,28 @@ void TableReader::wrong_type(const Node& node, const std::string& name, std::str
   faults_->add(node.where, fmt::format("{} is {}; expected {}", name, type_name(node), wanted));
 }
 
-std::optional<double> TableReader::number_at(const Node& node, const std::string& name,
-                                             const NumberRule& rule) {
-  const auto value = as_number(node);
-  if (!value) {
-    wrong_type(node, name, rule.allowed);
+std::optional<double> TableReader::value_at(const Node& node, const std::string& name,
+                                            std::string_view wanted) {
+  if (const auto number = as_number(node)) return number;
+  const auto* text = std::get_if<std::string>(&node.value);
+  if (!text) {
+    wrong_type(node, name, wanted);
     return std::nullopt;
   }
+  const auto value = evaluate_expression(*text);
+  if (value) return *value;
+  const std::string quoted = in_quotes(*text);
+  const std::string why = value.error().message.substr(0, value.error().message.find(';'));
+  const bool is_word = why.find(quoted) != std::string::npos;
+  faults_->add(node.where, fmt::format("{} is {}{}; expected {}", name, quoted,
+                                       is_word ? "" : ", which " + why, wanted));
+  return std::nullopt;
+}
+
+std::optional<double> TableReader::number_at(const Node& node, const std::string& name,
+                                             const NumberRule& rule) {
+  const auto value = value_at(node, name, rule.allowed);
+  if (!value) return std::nullopt;
   if (!rule.accepts(*value)) {
     faults_->add(node.where, fmt::format("{} is {}; expected {}", name, *value, rule.allowed));
     return std::nullopt;

@@ -30,9 +30,10 @@ struct Count {
 /// Two numbers in brackets: a point, a pair, an interval.
 using Two = std::array<double, 2>;
 
-/// Reads the keys of one table. Every getter returns the value of `key`, or nothing where the file
-/// does not have it or has something else there; the latter adds a fault. A key that was requested
-/// is known; `finish` faults all others.
+/// Reads the keys of one table. A number may be written as a string that holds an expression
+/// without variables, "170*2*pi/60". Every getter returns the value of `key`, or nothing where the
+/// file does not have it or has something else there; the latter adds a fault. A key that was
+/// requested is known; `finish` faults all others.
 class TableReader {
  public:
   /// The reader of the document itself. `document` and `faults` must outlive every reader.
@@ -53,6 +54,11 @@ class TableReader {
   std::optional<double> number(std::string_view key, const NumberRule& rule);
   std::optional<std::vector<double>> numbers(std::string_view key, const NumberRule& rule,
                                              const Count& count);
+
+  /// A speed in rad/s under `key`, or in turns a minute under `key` followed by "_rpm".
+  std::optional<double> turning_speed(std::string_view key, const NumberRule& rule);
+  /// Whether the file has either; both keys are then known.
+  bool has_speed(std::string_view key);
 
   /// As `numbers`, every entry that is right in its place and nothing for the wrong ones, so that
   /// the right ones can be checked further; empty where there is no such array.
@@ -151,6 +157,8 @@ class TableReader {
   const Node* peek(std::string_view key) const;
   const Array* array(std::string_view key, const Count& count, std::string_view wanted);
   void wrong_type(const Node& node, const std::string& name, std::string_view wanted);
+  std::optional<double> value_at(const Node& node, const std::string& name,
+                                 std::string_view wanted);
   std::optional<double> number_at(const Node& node, const std::string& name,
                                   const NumberRule& rule);
   const Array* row_at(const Node& node, const std::string& name, std::size_t width,

@@ -121,7 +121,7 @@ const std::vector<FaultCase> kCases = {
      file(kSix + "[solve]\nsolver = \"ags\"\n"),
      {{5, 10, "takes 10 unknowns at most, and there are 16"}}},
     {"ShortPose", file("poses = [[0, 0], [1, 2, 3]]\n"), {{3, 10, "has 2 entries"}}},
-    {"WordInPose", file("poses = [[0, 0, \"x\"], [1, 2, 3]]\n"), {{3, 17, "is a string"}}},
+    {"WordInPose", file("poses = [[0, 0, \"x\"], [1, 2, 3]]\n"), {{3, 17, "is \"x\"; expected a number"}}},
     {"HugeAngle", file("poses = [[0, 0, 1e6], [1, 2, 3]]\n"), {{3, 10, "pose 1"}}},
     {"NotANumber", file("poses = [[nan, 0, 0], [1, 2, 3]]\n"), {{3, 11, "nan"}}},
     {"StretchedSegment",

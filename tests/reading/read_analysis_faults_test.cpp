@@ -199,11 +199,11 @@ const std::vector<FaultCase> kChainCases = {
      "dyad = [{type = \"RRR\", joins = [\"B\", \"D\"], lengths = [3, 3], new = \"C\"}]\n",
      {{4, 9, "is \"E\", which nothing joins: the rest has mobility 3(n - 1) - 2j = 1"}}},
     {"CrankWithoutItsKeys",
-     chain("[crank]\nlength = \"1\"\n[[dyad]]\ntype = \"RRR\"\njoins = [\"B\", \"D\"]\n"
+     chain("[crank]\nlength = \"one\"\n[[dyad]]\ntype = \"RRR\"\njoins = [\"B\", \"D\"]\n"
            "lengths = [1, 1]\nnew = \"C\"\n"),
      {{4, 1, "crank.at is missing"},
       {4, 1, "crank.pin is missing"},
-      {5, 10, "is a string"},
+      {5, 10, "is \"one\"; expected a length"},
       {8, 10, "has \"B\", which is no point of this mechanism"}}},
     {"JoinsALaterPoint",
      six_bar("{type = \"RRR\", joins = [\"F\", \"D\"], lengths = [3, 3], new = \"E\"},\n"

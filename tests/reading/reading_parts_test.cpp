@@ -60,6 +60,15 @@ TEST(ExpressionTest, PointsAtWhatItCannotRead) {
   EXPECT_FALSE(parse_expression(std::string(100'000, '(')));
 }
 
+TEST(ExpressionTest, NumbersNeedNoVariable) {
+  EXPECT_EQ(evaluate_expression("170*2*pi/60").value(), 170 * 2 * kPi / 60);
+  EXPECT_EQ(evaluate_expression(" 2 ^ 0.5 ").value(), std::sqrt(2.0));
+  EXPECT_TRUE(std::isinf(evaluate_expression("1/0").value()));
+  for (const char* text : {"", "x", "2*", "1,5", "2 pi", "a = 3", "two"}) {
+    EXPECT_FALSE(evaluate_expression(text)) << text;
+  }
+}
+
 TEST(InterpolationTest, PassesThroughItsTableAndKeepsItsEnds) {
   const std::vector<std::pair<double, double>> table = {{0, 0}, {1, 1}, {2, 1}, {4, -3}, {5, 7}};
   const auto f = interpolate(table);

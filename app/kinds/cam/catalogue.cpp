@@ -107,7 +107,8 @@ constexpr Entry kConstraints[] = {
     {"contact_stress_max", "with [contact] besides; not with constant breadth"},
     {"no_separation", "true (default): the follower never lifts off; force closure"}};
 
-constexpr Entry kDrive[] = {{"speed", "of the cam, constant, rad/s"}};
+constexpr Entry kDrive[] = {
+    {"speed", "of the cam, constant, rad/s; or speed_rpm, in turns a minute"}};
 
 constexpr Entry kContact[] = {{"width", "of the line of contact"},
                               {"elasticity", "[E1, E2] of cam and follower"},

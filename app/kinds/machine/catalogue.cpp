@@ -17,7 +17,8 @@ constexpr Entry kEquivalent[] = {
     {"interpolation", "of these tables: \"linear\" (default) or \"smooth\""}};
 constexpr Entry kMotor[] = {
     {"torque", "N m: a number, or an expression in its speed w, the drive's phi, and t"},
-    {"line", "or: {stall_torque, no_load_speed}, straight between and beyond them"},
+    {"line",
+     "or: {stall_torque, no_load_speed (or no_load_speed_rpm)}, straight between and beyond them"},
     {"table", "or: [[speed, torque], ...], constant beyond its ends"},
     {"interpolation", "of the table: \"linear\" (default) or \"smooth\""},
     {"ratio", "motor speed over drive speed (default 1)"},
@@ -31,8 +32,8 @@ constexpr Entry kBrake[] = {{"torque", "N m at the drive, against the motion, th
 constexpr Entry kRun[] = {
     {"tasks", "which of \"steady\", \"start\", \"stop\" (default [\"steady\"])"},
     {"start_deg", "the drive's angle where a start begins (default 0)"},
-    {"start_speed", "rad/s, of the drive where it begins (default 0)"},
-    {"speed_end", "rad/s, at which it ends"},
+    {"start_speed", "rad/s, of the drive where it begins (default 0); or start_speed_rpm"},
+    {"speed_end", "rad/s, at which it ends; or speed_end_rpm"},
     {"time_max", "s, after which a start or a stop ends; until then a machine at rest waits"},
     {"turns_max", "of the drive, after which a start or a stop ends"},
     {"steps",
