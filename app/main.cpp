@@ -1,16 +1,21 @@
 /// @file The program `cognate`: what it is told on the command line, and how it ends.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "app/commands/command_line.hpp"
 #include "app/commands/command_line_faults.hpp"
 #include "app/commands/commands.hpp"
+#include "app/console/interrupt.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/version.hpp"
+#include "app/export/result_document.hpp"
 #include "app/kinds/kinds.hpp"
 #include "app/shell/completion.hpp"
 #include "app/shell/manual_page.hpp"
@@ -79,13 +84,61 @@ ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const
     return exit_bad_input;
   }
   if (!arguments.exporting.format) {
-    complain("--format is required: dxf, svg, csv, json or dot; of a study file --row ID instead");
+    complain(
+        "--format is required: dxf, svg, csv, json, dot or toml; of a study file --row ID instead");
     return exit_bad_input;
   }
   const auto wanted = export_options(arguments.exporting);
   if (wanted) return export_command(arguments.file, *wanted, options);
   for (const std::string& fault : wanted.error()) complain(fault);
   return exit_bad_input;
+}
+
+/// The name that two of `files` would give to what is written of them; empty where none would.
+std::string shared_name(const std::vector<std::string>& files) {
+  std::set<std::string> names;
+  for (const std::string& file : files) {
+    const std::string name = stem_of_result(file);
+    if (!names.insert(name).second) return name;
+  }
+  return "";
+}
+
+/// Runs `command` on each of the files in turn, until an interrupt; the status is the worst. Of
+/// several that are `written`, no two may give the same files.
+template <class Run>
+ExitStatus run_each(const std::vector<std::string>& files, const Options& options, bool written,
+                    Run command) {
+  const std::string shared = written && (!options.json || options.out) ? shared_name(files) : "";
+  if (!shared.empty()) {
+    complain("two of the files would write " + shared +
+             ".result.json; run them one by one, each with an --out of its own");
+    return exit_bad_input;
+  }
+  ExitStatus worst = exit_done;
+  for (const std::string& file : files) {
+    worst = std::max(worst, command(file));
+    if (was_interrupted()) break;
+    release_interrupts();
+  }
+  return worst;
+}
+
+ExitStatus run_analyze(const CLI::App& command, const Arguments& arguments,
+                       const Options& options) {
+  const bool one_design = command.get_option("--design")->count() > 0;
+  const auto design = parse_design(arguments.exporting.design.value_or("1"));
+  if (!design) {
+    complain(design.error());
+    return exit_bad_input;
+  }
+  return run_each(arguments.files, options, true, [&](const std::string& file) {
+    const bool is_result = file.ends_with(".json");
+    if (is_result) return analyze_design_command(file, *design, options);
+    if (!one_design) return analyze_command(file, options);
+    complain("--design: is of results; expected NAME.result.json, not " + file);
+    return exit_bad_input;
+  });
 }
 
 ExitStatus run_completion(const CommandLine& line) {
@@ -105,12 +158,19 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
   if (name == "manual") return print(manual_page(command_tree(line), version()));
   const auto options = options_of(line.app, arguments);
   if (!options) return exit_bad_input;
-  if (name == "solve") return solve_command(arguments.file, *options);
-  if (name == "analyze") return analyze_command(arguments.file, *options);
+  if (name == "new") return new_command(arguments.kind, *options);
+  if (name == "solve") {
+    return run_each(arguments.files, *options, true,
+                    [&](const std::string& file) { return solve_command(file, *options); });
+  }
+  if (name == "analyze") return run_analyze(called, arguments, *options);
   if (name == "sweep") return sweep_command(arguments.file, *options, processes);
   if (name == "export") return run_export(called, arguments, *options);
-  if (name == "check") return check_command(arguments.file, *options);
-  return list_command(arguments.metrics, *options);
+  if (name == "check") {
+    return run_each(arguments.files, *options, false,
+                    [&](const std::string& file) { return check_command(file, *options); });
+  }
+  return list_command(arguments.kind, arguments.metrics, *options);
 }
 
 ExitStatus run(int argc, char** argv, StudyProcesses& processes) {

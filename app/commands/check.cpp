@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/kinds/kinds.hpp"
@@ -15,14 +16,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json faults_json(const std::vector<problems::Fault>& faults) {
-  ordered_json rows = ordered_json::array();
-  for (const auto& fault : faults) {
-    rows.push_back({{"line", fault.line}, {"column", fault.column}, {"message", fault.message}});
-  }
-  return rows;
-}
 
 /// The same, or what is wrong with a file that it names.
 tl::expected<problems::TaskOrStudy, std::vector<problems::Fault>> with_sound_files(
@@ -67,21 +60,18 @@ struct AsJson {
 
 ExitStatus check_command(const std::filesystem::path& file, const Options& options) {
   const auto read = problems::read_task_or_study(file, study_metrics).and_then(with_sound_files);
-  if (!read) write_standard_error(fault_lines(file, read.error()));
-
-  ExitStatus printed = exit_done;
+  if (!read) return refuse(file, read.error(), options);
   if (options.json) {
-    ordered_json document = {
-        {"format", "cognate-check/1"}, {"file", file.string()}, {"valid", read.has_value()}};
-    if (read) document["problem"] = std::visit(AsJson{}, *read);
-    document["faults"] = read ? ordered_json::array() : faults_json(read.error());
-    printed = print(write_json(document));
-  } else if (read && !options.quiet) {
-    const std::string what = std::visit(Description{}, *read);
-    const auto line = printable(file.string() + ": " + what + "; no fault found") + '\n';
-    printed = print(fitted(line, standard_output()));
+    return print(write_json({{"format", "cognate-check/1"},
+                             {"file", file.string()},
+                             {"valid", true},
+                             {"problem", std::visit(AsJson{}, *read)},
+                             {"faults", ordered_json::array()}}));
   }
-  return read ? printed : exit_bad_input;
+  if (options.quiet) return exit_done;
+  const std::string what = std::visit(Description{}, *read);
+  const auto line = printable(file.string() + ": " + what + "; no fault found") + '\n';
+  return print(fitted(line, standard_output()));
 }
 
 }  // namespace cognate::app

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/commands/help_texts.hpp"
+#include "app/commands/starters.hpp"
 #include "app/documents/version.hpp"
 
 namespace cognate::app {
@@ -34,7 +35,7 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
     command.add_option(name, value, what)->type_name(unit);
   };
   ExportTexts& texts = arguments.exporting;
-  add("--format", texts.format, "dxf|svg|csv|json|dot", "what to write");
+  add("--format", texts.format, "dxf|svg|csv|json|dot|toml", "what to write");
   add("--row", arguments.row, "ID", "of a study file: the design with this id");
   add("--design", texts.design, "N", "which design, from 1 (default 1, the best)");
   add("--chord-tolerance", texts.chord_tolerance, "T", "of polygons (default 1e-4 of the size)");
@@ -52,6 +53,12 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   add("--gap", texts.gap, "G", "of parts: between them (default half the width)");
 }
 
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const Starter& starter : starters()) names.emplace_back(starter.kind);
+  return names;
+}
+
 }  // namespace
 
 CLI::App& CommandLine::add_command(const char* name, const char* purpose, const char* footer) {
@@ -67,6 +74,14 @@ CLI::App& CommandLine::add_file_command(const char* name, const char* purpose, c
                                         const char* file, std::vector<std::string> read) {
   CLI::App& command = add_command(name, purpose, footer);
   command.add_option("FILE", arguments.file, file)->required();
+  endings[name] = std::move(read);
+  return command;
+}
+
+CLI::App& CommandLine::add_files_command(const char* name, const char* purpose, const char* footer,
+                                         const char* file, std::vector<std::string> read) {
+  CLI::App& command = add_command(name, purpose, footer);
+  command.add_option("FILE", arguments.files, file)->required();
   endings[name] = std::move(read);
   return command;
 }
@@ -93,12 +108,19 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   app.get_option("--help")->description("print this help");
   for (const auto& [label, shown] : kLabels) app.get_formatter()->label(label, shown);
   add_common_options(app, arguments);
-  add_folder(add_file_command("solve", "Find designs for a problem.", kSolveFooter,
-                              "the problem, a TOML file", {".toml"}),
+  auto& starting = add_command("new", "Write a commented file to start from.", kNewFooter);
+  starting.add_option("KIND", arguments.kind, "the kind of problem")->required();
+  add_folder(starting, arguments);
+  add_folder(add_files_command("solve", "Find designs for a problem.", kSolveFooter,
+                               "problems, TOML files", {".toml"}),
              arguments);
-  add_folder(add_file_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
-                              "the mechanism and its drive, a TOML file", {".toml"}),
-             arguments);
+  auto& analyzing =
+      add_files_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
+                        "TOML files of mechanisms, or results", {".toml", ".result.json"});
+  add_folder(analyzing, arguments);
+  analyzing
+      .add_option("--design", arguments.exporting.design, "of a result: which design (default 1)")
+      ->type_name("N");
   add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
                               "the study, a TOML file", {".toml"}),
              arguments);
@@ -107,9 +129,11 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
                                      {".result.json", ".study.db"});
   add_folder(exporting, arguments);
   add_export_options(exporting, arguments);
-  add_file_command("check", "Validate a file without solving it.", kCheckFooter,
-                   "a problem, mechanism or study, a TOML file", {".toml"});
+  add_files_command("check", "Validate a file without solving it.", kCheckFooter,
+                    "problems or studies, TOML files", {".toml"});
   auto& list = add_command("list", "Say what can be requested, and by which keys.", kListFooter);
+  list.add_option("KIND", arguments.kind, "of this kind of problem alone");
+  for (const char* command : {"new", "list"}) words[command] = kind_names();
   list.add_flag("--metrics", arguments.metrics, "every number of a result, with its unit");
   add_hidden_commands();
 }

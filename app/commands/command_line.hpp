@@ -14,7 +14,9 @@ namespace cognate::app {
 /// What the command line says, as it was written.
 struct Arguments {
   std::string file;
-  std::string shell;  ///< of `completion`
+  std::vector<std::string> files;  ///< of the commands that take several
+  std::string kind;                ///< of `new` and `list`
+  std::string shell;               ///< of `completion`
   std::string seed, threads, time_limit, out;
   std::string row;  ///< of a study, for `export`
   ExportTexts exporting;
@@ -31,12 +33,16 @@ struct CommandLine {
   Arguments arguments;
   CLI::App app;
   std::map<std::string, std::vector<std::string>> endings;  ///< of the files that a command reads
+  std::map<std::string, std::vector<std::string>> words;    ///< that may stand behind a command
 
  private:
   CLI::App& add_command(const char* name, const char* purpose, const char* footer);
   /// A command that reads a file with one of `read` for its ending.
   CLI::App& add_file_command(const char* name, const char* purpose, const char* footer,
                              const char* file, std::vector<std::string> read);
+  /// A command that reads one file or several.
+  CLI::App& add_files_command(const char* name, const char* purpose, const char* footer,
+                              const char* file, std::vector<std::string> read);
   void add_hidden_commands();
 };
 

@@ -68,10 +68,13 @@ std::string refusal_of_extra(const CLI::App& command, const std::vector<std::str
   const auto option = std::find_if(extras.begin(), behind, is_option);
   const auto of = command.get_name() == "cognate" ? "" : " of " + command.get_name();
   if (option == behind) {
-    const auto takes_file = command.get_option_no_throw("FILE") != nullptr;
+    const auto takes = [&](const char* word) {
+      return command.get_option_no_throw(word) != nullptr;
+    };
+    const char* const taken = takes("FILE") ? "one FILE" : takes("KIND") ? "one KIND" : "no file";
     const auto& word = behind == extras.begin() ? extras.at(1) : extras.front();
     return fmt::format("'{}' is an unexpected argument: {} takes {}; {}", word, command.get_name(),
-                       takes_file ? "one FILE" : "no file", help);
+                       taken, help);
   }
   const std::string name = option->substr(0, option->find('='));
   if (names_a_file(*option)) {

@@ -35,6 +35,7 @@ CommandWords words_of(const CLI::App& app) {
     if (option->get_positional()) {
       words.argument = option->get_name(true);
       words.argument_meaning = option->get_description();
+      words.takes_several = option->get_items_expected_max() > 1;
       words.argument_values = values_in(option->get_type_name());
     } else {
       words.options.push_back(words_of(*option));
@@ -51,6 +52,8 @@ CommandTree command_tree(const CommandLine& line) {
     auto words = words_of(*command);
     const auto endings = line.endings.find(words.name);
     if (endings != line.endings.end()) words.endings = endings->second;
+    const auto following = line.words.find(words.name);
+    if (following != line.words.end()) words.argument_values = following->second;
     (command->get_group().empty() ? tree.hidden : tree.commands).push_back(std::move(words));
   }
   return tree;

@@ -29,6 +29,7 @@ struct CommandWords {
   std::vector<OptionWords> options;
   std::string argument;  ///< what its file or word is called; empty: it takes none
   std::string argument_meaning;
+  bool takes_several = false;                ///< of its argument
   std::vector<std::string> argument_values;  ///< the only ones allowed; empty where any may be
   std::vector<std::string> endings;          ///< of files that it reads, ".toml"
 };

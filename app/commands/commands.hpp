@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "app/console/exit_status.hpp"
 #include "app/console/options.hpp"
@@ -21,6 +22,12 @@ ExitStatus solve_command(const std::filesystem::path& file, const Options& optio
 /// NAME.report.html as `solve_command` does. The status is that of no design where the mechanism
 /// cannot be assembled anywhere.
 ExitStatus analyze_command(const std::filesystem::path& file, const Options& options);
+
+/// The same of the mechanism of design number `design`, counted from 1, of the result document in
+/// `file`, over the drive of its analysis or, of a synthesis, where it can be assembled. NAME is
+/// that of the result followed by `.designN`.
+ExitStatus analyze_design_command(const std::filesystem::path& file, int design,
+                                  const Options& options);
 
 class StudyProcesses;
 
@@ -49,8 +56,17 @@ ExitStatus export_command(const std::filesystem::path& file, const ExportOptions
 /// `--json` as a document `cognate-check/1`.
 ExitStatus check_command(const std::filesystem::path& file, const Options& options);
 
+/// Writes KIND.toml, a commented problem to start from, to the folder `--out`, else to the current
+/// one, and says so (with `--json` as a document `cognate-new/1`, with `--quiet` not at all). A
+/// file of that name is left as it is, and the status is that of bad input.
+ExitStatus new_command(const std::string& kind, const Options& options);
+
 /// Prints the kinds of problems, mechanisms, solvers and options, or with `metrics` every metric
-/// and every column with its unit; with `--json` as a document.
-ExitStatus list_command(bool metrics, const Options& options);
+/// and every column with its unit; with `--json` as a document. With a `kind`, which may be empty,
+/// what is of that kind.
+ExitStatus list_command(const std::string& kind, bool metrics, const Options& options);
+
+/// That there is no such kind, and which there are.
+std::string unknown_kind(const std::string& kind);
 
 }  // namespace cognate::app

@@ -67,8 +67,21 @@ std::string files_line(const Outputs& outputs) {
 
 }  // namespace
 
-ExitStatus refuse(const fs::path& file, const std::vector<problems::Fault>& faults) {
+ordered_json faults_document(const fs::path& file, const std::vector<problems::Fault>& faults) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& fault : faults) {
+    rows.push_back({{"line", fault.line}, {"column", fault.column}, {"message", fault.message}});
+  }
+  return {{"format", "cognate-check/1"},
+          {"file", file.string()},
+          {"valid", false},
+          {"faults", std::move(rows)}};
+}
+
+ExitStatus refuse(const fs::path& file, const std::vector<problems::Fault>& faults,
+                  const Options& options) {
   write_standard_error(fault_lines(file, faults));
+  if (options.json) print(write_json(faults_document(file, faults)));
   return exit_bad_input;
 }
 

@@ -34,8 +34,14 @@ struct Computation {
   std::function<ExitStatus()> exit_status;
 };
 
-/// Says the faults of `file`; the status is that of bad input.
-ExitStatus refuse(const std::filesystem::path& file, const std::vector<problems::Fault>& faults);
+/// The document `cognate-check/1` of a file with faults.
+nlohmann::ordered_json faults_document(const std::filesystem::path& file,
+                                       const std::vector<problems::Fault>& faults);
+
+/// Says the faults of `file` on standard error, with `--json` also as that document on standard
+/// output; the status is that of bad input.
+ExitStatus refuse(const std::filesystem::path& file, const std::vector<problems::Fault>& faults,
+                  const Options& options);
 
 /// Runs `computation` of the problem in `file` as `options` say: with progress and interrupts,
 /// writes NAME.result.json and its files, NAME being the file's stem, and prints the table (with

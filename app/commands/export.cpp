@@ -9,18 +9,13 @@
 #include "app/documents/output_files.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/export/exported.hpp"
+#include "app/export/toml_text.hpp"
 #include "app/kinds/kinds.hpp"
 
 namespace cognate::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// NAME of NAME.result.json.
-std::string stem_of(const fs::path& file) {
-  const fs::path stem = file.stem();
-  return stem.extension() == ".result" ? stem.stem().string() : stem.string();
-}
 
 FileResult write_files(const fs::path& folder, const std::vector<ExportedFile>& files) {
   std::vector<std::string> names;
@@ -69,6 +64,22 @@ ExitStatus write_and_tell(const fs::path& file, const Exported& made, const Opti
   return print(text + made.summary + '\n');
 }
 
+/// The file NAME.designN.toml, for `cognate analyze`.
+ExportOutcome analysis_file(const ResultDesign& design, const ExportOptions& exporting,
+                            const std::string& stem) {
+  for (const std::string& option : {exporting.of_linkages, exporting.of_cams}) {
+    if (!option.empty()) {
+      return tl::unexpected(ExportRefusal{option + ": is for drawings and tables; of toml --design "
+                                                   "is allowed"});
+    }
+  }
+  return exported(analysis_of_design(design), [&](const nlohmann::ordered_json& tables) {
+    const std::string name = design_stem(stem, exporting.design) + ".toml";
+    return tl::expected<Exported, std::string>(
+        Exported{{{name, toml_text(tables)}}, {}, "for cognate analyze", {}});
+  });
+}
+
 /// By the kind that has mechanisms of this type alone, or as a linkage.
 ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exporting,
                             const std::string& stem, const Options& options) {
@@ -82,6 +93,7 @@ ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exp
     }
   });
   if (made) return *made;
+  if (exporting.format == ExportFormat::toml) return analysis_file(design, exporting, stem);
   return exported(result_linkage(design), [&](const LinkageScene& linkage) {
     return export_linkage(linkage, exporting, stem, options);
   });
@@ -93,7 +105,7 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
                           const Options& options) {
   const auto design = read_result_design(file, exporting.design);
   if (!design) return refuse_file(design.error());
-  const auto made = export_design(*design, exporting, stem_of(file), options);
+  const auto made = export_design(*design, exporting, stem_of_result(file), options);
   if (made) return write_and_tell(file, *made, options);
   const auto& [message, of_file] = made.error();
   return of_file ? refuse_file(message) : complain_that(message);

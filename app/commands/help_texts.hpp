@@ -9,7 +9,8 @@ analyses mechanisms, says how machines run, and maps what is possible.
 )";
 
 inline constexpr const char* kFooter =
-    R"(First steps, with a file from problems/library or one as the README shows:
+    R"(First steps:
+  cognate new path-generation     write a commented file to start from
   cognate check rocker.toml       is the file sound? what would be solved?
   cognate solve rocker.toml       find designs; then open rocker.report.html
   cognate list                    every key that a file may have
@@ -36,13 +37,22 @@ Shell:
     cognate completion fish | source        in fish
   Colours are used on a terminal alone, and not where NO_COLOR is set.)";
 
+inline constexpr const char* kNewFooter = R"(Output:
+  KIND.toml in DIR, which solves as it stands: its keys with what they mean, and
+  behind # those that may be added. A file of that name is left as it is.
+
+Examples:
+  cognate new path-generation
+  cognate new cam --out valves)";
+
 inline constexpr const char* kSolveFooter = R"(Output:
   A table of the designs, best first, on standard output, and two files in DIR,
   NAME being FILE's name without its ending:
     NAME.result.json   every number of the designs, for programs
     NAME.report.html   the linkages moving, their curves and errors, for a
                        browser
-  With --json no files are written unless --out is given.
+  With --json no files are written unless --out is given; of several files the
+  documents follow one another.
   Ctrl-C ends the search and reports what was found; a second one ends at once.
   The same file, seed and version give the same designs with any number of
   threads, unless a time limit ended the run.
@@ -60,7 +70,10 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
                        of a machine the motion (task) first
     NAME.result.json   the same numbers and the facts, for programs
     NAME.report.html   the mechanism moving, curves of motion and forces
-  With --json no files are written unless --out is given.
+  With --json no files are written unless --out is given; of several files the
+  documents follow one another.
+  Of a design of a result, NAME.result.json, the files are NAME.designN.csv and
+  so on; a synthesised linkage moves as far as it can be assembled.
   Where the mechanism cannot be assembled, cells are empty and a note says why.
   Of a gear the table is its flank; an impossible gear, or pair of gears, ends
   with exit status 1.
@@ -70,6 +83,7 @@ inline constexpr const char* kAnalyzeFooter = R"(Output:
 Examples:
   cognate analyze press.toml
   cognate analyze press.toml --out results --threads 2
+  cognate analyze rocker.result.json --design 2
   cognate analyze press.toml --json > press.json)";
 
 inline constexpr const char* kSweepFooter = R"(Output:
@@ -100,6 +114,7 @@ inline constexpr const char* kExportFooter = R"(Output:
     NAME.csv   where every point is over the drive, units in the header
     NAME.json  lengths, joints, paths and positions in one document
     NAME.dot   the chain for Graphviz: links as boxes, joints as edges
+    NAME.designN.toml   the mechanism and its drive, for cognate analyze
   With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the
   frame with holes for pins and slots for sliders, side by side on layers
   OUTLINES, HOLES, SLOTS and LABELS. The label says in which plane the part
@@ -147,10 +162,12 @@ Examples:
 
 inline constexpr const char* kListFooter = R"(Output:
   The kinds of problems, mechanisms, cams, motion laws, solvers and studies with
-  all keys of their files; with --metrics the numbers of results instead.
+  all keys of their files, or with KIND those of one kind; with --metrics the
+  numbers of results instead.
 
 Examples:
   cognate list
+  cognate list cam
   cognate list | less
   cognate list --metrics
   cognate list --json > keys.json)";

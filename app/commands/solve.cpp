@@ -3,6 +3,10 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
+#include "app/console/messages.hpp"
+#include "app/console/terminal.hpp"
+#include "app/export/result_linkage.hpp"
+#include "app/export/toml_text.hpp"
 #include "app/kinds/kinds.hpp"
 #include "problems/read.hpp"
 
@@ -27,7 +31,7 @@ std::vector<OutputFile> files_of(const Problem& problem, const typename K::Resul
 template <class K, class Problem>
 ExitStatus compute_problem(const fs::path& file, const Problem& problem, const Options& options) {
   const auto known = K::known_designs(problem);
-  if (!known) return refuse(file, known.error());
+  if (!known) return refuse(file, known.error(), options);
   typename K::Result result;
   return compute(file, options,
                  {.run =
@@ -45,11 +49,11 @@ ExitStatus compute_problem(const fs::path& file, const Problem& problem, const O
 
 ExitStatus run(Command command, const fs::path& file, const Options& options) {
   const auto read = problems::read_task_at(file);
-  if (!read) return refuse(file, read.error());
+  if (!read) return refuse(file, read.error(), options);
   return visit_kind(read->task, [&]<class K>(K, const auto& problem) {
     const std::string why = K::refusal(problem, command);
     return why.empty() ? compute_problem<K>(file, problem, options)
-                       : refuse(file, {{read->line, read->column, why}});
+                       : refuse(file, {{read->line, read->column, why}}, options);
   });
 }
 
@@ -61,6 +65,21 @@ ExitStatus solve_command(const fs::path& file, const Options& options) {
 
 ExitStatus analyze_command(const fs::path& file, const Options& options) {
   return run(Command::analyze, file, options);
+}
+
+ExitStatus analyze_design_command(const fs::path& file, int design, const Options& options) {
+  const auto refuse_file = [](const std::string& message) {
+    write_standard_error(printable(message) + '\n');
+    return exit_bad_input;
+  };
+  const auto given = read_result_design(file, design);
+  if (!given) return refuse_file(given.error());
+  const auto tables = analysis_of_design(*given);
+  if (!tables) return refuse_file(tables.error());
+  const auto problem = problems::parse_task<problems::AnalysisProblem>(toml_text(*tables));
+  if (!problem) return refuse(file, problem.error(), options);
+  const fs::path named = design_stem(stem_of_result(file), design) + ".toml";
+  return compute_problem<Kind<problems::AnalysisProblem>>(named, *problem, options);
 }
 
 }  // namespace cognate::app

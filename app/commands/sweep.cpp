@@ -177,7 +177,7 @@ ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProc
                           : unreadable(text.error());
   if (!study) {
     processes.agree(false, "");
-    return refuse(file, study.error());
+    return refuse(file, study.error(), options);
   }
   catch_interrupts();
   const Sweep sweep{

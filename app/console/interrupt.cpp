@@ -13,6 +13,8 @@ static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set by a sign
 
 std::atomic<bool> line_is_unfinished{false};
 
+constexpr int kCaught[] = {SIGINT, SIGTERM, SIGHUP};
+
 /// The first signal only raises the flag, the second ends the program as if it had not been caught,
 /// on an empty line.
 extern "C" void on_signal(int signal) {
@@ -41,10 +43,20 @@ std::atomic<bool>& unfinished_line() {
 }
 
 const std::atomic<bool>& catch_interrupts() {
-  catch_once(SIGINT);
-  catch_once(SIGTERM);
-  catch_once(SIGHUP);
+  for (const int signal : kCaught) catch_once(signal);
   return interrupted;
+}
+
+bool was_interrupted() {
+  return interrupted.load();
+}
+
+void release_interrupts() {
+  for (const int signal : kCaught) {
+    struct sigaction present {};
+    const bool known = sigaction(signal, nullptr, &present) == 0;
+    if (known && present.sa_handler == on_signal) std::signal(signal, SIG_DFL);
+  }
 }
 
 }  // namespace cognate::app

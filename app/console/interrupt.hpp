@@ -13,4 +13,10 @@ std::atomic<bool>& unfinished_line();
 /// stays ignored.
 const std::atomic<bool>& catch_interrupts();
 
+/// Whether a caught signal has come.
+bool was_interrupted();
+
+/// From now on the signals end the program again.
+void release_interrupts();
+
 }  // namespace cognate::app

@@ -114,9 +114,10 @@ std::size_t point_count(const CamDrawing& drawing) {
 
 tl::expected<Exported, std::string> export_cam(const ResultCam& given, const ExportOptions& wanted,
                                                const std::string& stem) {
-  if (wanted.format == ExportFormat::json || wanted.format == ExportFormat::dot) {
+  if (wanted.format != ExportFormat::dxf && wanted.format != ExportFormat::svg &&
+      wanted.format != ExportFormat::csv) {
     return tl::unexpected(
-        std::string("--format: json and dot are for linkages; of a cam dxf, svg or csv is "
+        std::string("--format: json, dot and toml are for linkages; of a cam dxf, svg or csv is "
                     "allowed"));
   }
   if (!wanted.of_linkages.empty()) {

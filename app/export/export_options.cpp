@@ -20,8 +20,9 @@ tl::expected<ExportFormat, std::string> parse_format(std::string_view text) {
   if (text == "csv") return ExportFormat::csv;
   if (text == "json") return ExportFormat::json;
   if (text == "dot") return ExportFormat::dot;
+  if (text == "toml") return ExportFormat::toml;
   return refusal("--format", text,
-                 "dxf, svg or csv, of gears and linkages also json, of linkages also dot");
+                 "dxf, svg or csv, of gears and linkages also json, of linkages also dot and toml");
 }
 
 tl::expected<DxfVersion, std::string> parse_version(std::string_view text) {
@@ -72,9 +73,9 @@ class OptionReader {
 
   tl::expected<ExportOptions, std::vector<std::string>> read() {
     take(parse_format(texts_.format.value_or("")), options_.format);
-    constexpr int kMostDesigns = 1'000'000, kMostSteps = 100'000;
+    constexpr int kMostSteps = 100'000;
     if (texts_.design) {
-      take(parse_count("--design", *texts_.design, kMostDesigns), options_.design);
+      take(parse_design(*texts_.design), options_.design);
     }
     if (texts_.dxf_version) take(parse_version(*texts_.dxf_version), options_.version);
     read_length("--chord-tolerance", texts_.chord_tolerance, options_.chord_tolerance);
@@ -211,6 +212,11 @@ std::string ExportTexts::any() const {
 
 tl::expected<ExportOptions, std::vector<std::string>> export_options(const ExportTexts& texts) {
   return OptionReader(texts).read();
+}
+
+tl::expected<int, std::string> parse_design(std::string_view text) {
+  constexpr int kMostDesigns = 1'000'000;
+  return parse_count("--design", text, kMostDesigns);
 }
 
 tl::expected<std::int64_t, std::string> parse_row(std::string_view text) {

@@ -14,7 +14,7 @@
 
 namespace cognate::app {
 
-enum class ExportFormat { dxf, svg, csv, json, dot };
+enum class ExportFormat { dxf, svg, csv, json, dot, toml };
 
 /// The options as they were written; empty where they were not.
 struct ExportTexts {
@@ -44,6 +44,9 @@ struct ExportOptions {
 
 /// What `texts` say, or every fault in them: what is wrong; what is allowed.
 tl::expected<ExportOptions, std::vector<std::string>> export_options(const ExportTexts& texts);
+
+/// The number of a design of a result, counted from 1.
+tl::expected<int, std::string> parse_design(std::string_view text);
 
 /// The number of a design of a study: a whole number from 0 on.
 tl::expected<std::int64_t, std::string> parse_row(std::string_view text);

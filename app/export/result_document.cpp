@@ -90,6 +90,11 @@ tl::expected<ordered_json, std::string> parse_json(std::string_view text, const 
 
 }  // namespace
 
+std::string stem_of_result(const std::filesystem::path& file) {
+  const std::filesystem::path stem = file.stem();
+  return stem.extension() == ".result" ? stem.stem().string() : stem.string();
+}
+
 std::string text_under(const ordered_json& table, const char* key) {
   if (!table.is_object()) return {};
   const auto found = table.find(key);

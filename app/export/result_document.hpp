@@ -16,6 +16,9 @@ struct ResultDesign {
   std::string name;                ///< what messages call the document
 };
 
+/// NAME of NAME.result.json.
+std::string stem_of_result(const std::filesystem::path& file);
+
 /// The string under `key` of `table`; empty where there is none.
 std::string text_under(const nlohmann::ordered_json& table, const char* key);
 

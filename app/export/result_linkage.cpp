@@ -118,4 +118,27 @@ tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given
   return linkage;
 }
 
+tl::expected<ordered_json, std::string> analysis_of_design(const ResultDesign& given) {
+  const auto linkage = result_linkage(given);
+  if (!linkage) return tl::unexpected(linkage.error());
+  if (is_analysis(given)) return given.problem;
+  ordered_json tables = {{"kind", "analysis"},
+                         {"title", text_under(given.problem, "title")},
+                         {"mechanism", given.table["mechanism"]}};
+  if (linkage->round) return tables;
+  constexpr double kInside = 1e-9;  // of the range: at its very ends rounding decides
+  const auto& drive = linkage->problem.drive;
+  const bool slides = is_driven_by_slider(*linkage);
+  const auto end = [&](double share) {
+    return std::lerp(drive.start, drive.end, share) * (slides ? 1 : 360 / kTurn);
+  };
+  tables["drive"] = {{slides ? "start" : "start_deg", end(kInside)},
+                     {slides ? "end" : "end_deg", end(1 - kInside)}};
+  return tables;
+}
+
+std::string design_stem(const std::string& stem, int design) {
+  return fmt::format("{}.design{}", stem, design);
+}
+
 }  // namespace cognate::app

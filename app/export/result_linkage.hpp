@@ -1,6 +1,7 @@
 /// @file Linkages as result files tell of them.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -14,5 +15,13 @@ namespace cognate::app {
 /// assembled and that holds most of its stations, in 360 steps. The error is a message that begins
 /// with the document's name: what is wrong; what is allowed.
 tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given);
+
+/// The tables of a file that asks for the analysis of the design's mechanism: of an analysis those
+/// that it was made of, of a synthesis the mechanism over the drive of `result_linkage`. The same
+/// errors.
+tl::expected<nlohmann::ordered_json, std::string> analysis_of_design(const ResultDesign& given);
+
+/// "walk.design2": what files made of design 2 of walk.result.json are called.
+std::string design_stem(const std::string& stem, int design);
 
 }  // namespace cognate::app

@@ -53,8 +53,9 @@ std::string command_case(const CommandWords& command) {
   if (!command.endings.empty()) {
     std::vector<std::string> patterns;
     for (const auto& ending : command.endings) patterns.push_back("*" + ending);
-    text += fmt::format(" \\\n            '1:{}:_files -g \"{}\"'", escaped(command.argument),
-                        joined(patterns, " "));
+    text +=
+        fmt::format(" \\\n            '{}:{}:_files -g \"{}\"'", command.takes_several ? '*' : '1',
+                    escaped(command.argument), joined(patterns, " "));
   }
   if (!command.argument_values.empty()) {
     text += fmt::format(" \\\n            '1:{}:({})'", escaped(command.argument),

@@ -1,6 +1,11 @@
 #include "problems/toml/file_text.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
 
@@ -9,6 +14,23 @@ namespace {
 /// Whether what is neither a file nor a directory can be read to an end.
 bool is_stream(const std::filesystem::file_status& status) {
   return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
+}
+
+/// The problem file in the same folder whose name is nearest to that of `file`; empty where none is
+/// near.
+std::string similar_file(const std::filesystem::path& file) {
+  constexpr int kMost = 10'000;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end;
+       !error && entry != end && names.size() < kMost; entry.increment(error)) {
+    if (entry->path().extension() == ".toml") names.push_back(entry->path().stem().string());
+  }
+  std::ranges::sort(names);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto meant = nearest(file.stem().string(), known);
+  return meant ? (file.parent_path() / *meant).string() + ".toml" : "";
 }
 
 }  // namespace
@@ -24,6 +46,9 @@ tl::expected<std::string, std::string> text_of(const std::filesystem::path& file
     if (std::filesystem::is_regular_file(named, error)) {
       return tl::unexpected("the file does not exist; " + named.string() +
                             " is there and may be meant");
+    }
+    if (const auto meant = similar_file(file); !meant.empty()) {
+      return tl::unexpected("the file does not exist; did you mean " + meant + "?");
     }
     return refusal(
         "the file does not exist or cannot be reached; expected the path of a problem file");

@@ -62,7 +62,7 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(done.stdout, r"^cognate \d+\.\d+\.\d+\n$")
 
     def test_a_command_is_needed(self):
-        commands = "solve, analyze, sweep, export, check and list"
+        commands = "new, solve, analyze, sweep, export, check and list"
         self.expect_one_line_refusal(run(), commands)
         self.expect_one_line_refusal(run("--json"), commands)
         self.expect_one_line_refusal(run("sovle", "x"), "'sovle'", commands)
@@ -81,7 +81,6 @@ class CommandLine(unittest.TestCase):
             (["--time-limit", "0"], "--time-limit: '0'"),
             (["--time-limit", "inf"], "--time-limit: 'inf'"),
             (["--out", ""], "--out"),
-            (["second.toml"], "second.toml"),
         ]:
             with self.subTest(arguments):
                 done = run("solve", self.problem, *arguments, cwd=self.folder)

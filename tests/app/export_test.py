@@ -466,7 +466,7 @@ class ExportTest(unittest.TestCase):
             with self.subTest(options):
                 self.expect_refusal(self.refused(result, *options), part)
         self.expect_refusal(self.refused(result, form="step"), "--format: 'step'", "dxf, svg or csv")
-        self.expect_refusal(self.refused(result, form="dot"), "--format: json and dot are for linkages")
+        self.expect_refusal(self.refused(result, form="dot"), "--format: json, dot and toml are for linkages")
         self.expect_refusal(
             self.refused(result, "--parts", "--hole", "2", "--width", "5", form="dxf"),
             "--parts: is for linkages",

@@ -22,7 +22,7 @@ import unittest
 
 PROGRAM = ""
 LIBRARY = pathlib.Path()
-COMMANDS = ("solve", "analyze", "sweep", "export", "check", "list")
+COMMANDS = ("new", "solve", "analyze", "sweep", "export", "check", "list")
 ENDLESS = """kind = "path-generation"
 title = "没有尽头的搜索"
 [target]
@@ -146,7 +146,9 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "export", "c.result.json", "--curve", ""],
              {"profile", "pitch", "cutter"}),
             (["cognate", "export", "--curve", "=", "c"], {"cutter"}),
-            (["cognate", "list", ""], set()),
+            (["cognate", "list", "g"], {"gear", "gear-pair"}),
+            (["cognate", "new", "m"], {"machine", "motion-generation"}),
+            (["cognate", "analyze", "c"], {"c.result.json"}),
         ]:
             with self.subTest(words):
                 self.assertEqual(self.complete(*words), offered)
@@ -300,12 +302,11 @@ class AtTheTerminal(unittest.TestCase):
             (solved("--timelimit=3"), "did you mean --time-limit"),
             (solved("-o", "x"), "-o is not an option of solve"),
             (["--sed", "solve", self.problem], "did you mean --seed"),
-            (solved(self.problem), "takes one FILE"),
             (solved("--seed="), "--seed needs a value"),
             (solved("--seed"), "--seed needs a value"),
             (solved("--time-limit", "3s"), "number of seconds"),
-            (["list", "solvers"], "list takes no file"),
-            (["check", "--", "line.toml", "b"], "'b' is an unexpected argument: check takes one FILE"),
+            (["list", "solvers"], "no kind of problem"),
+            (["sweep", "--", "line.toml", "b"], "'b' is an unexpected argument: sweep takes one FILE"),
             (["check", "--weird.toml"], "--weird.toml is not an option of check; for a file write ./--"),
             (["export", "-weird.result.json", "--format", "dxf"], "-weird.result.json is not an option"),
             (["check", "--sed", "--", "line.toml", "b"], "did you mean --seed"),

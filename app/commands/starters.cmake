@@ -1,0 +1,11 @@
+# starters.cpp in the build folder: every new/KIND.toml as a string.
+file(GLOB files CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/new/*.toml")
+list(SORT files)
+set(STARTERS "")
+foreach(file IN LISTS files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  get_filename_component(kind "${file}" NAME_WE)
+  file(READ "${file}" text)
+  string(APPEND STARTERS "    {\"${kind}\", R\"toml(${text})toml\"},\n")
+endforeach()
+configure_file("${CMAKE_CURRENT_LIST_DIR}/starters.cpp.in" "${CMAKE_CURRENT_BINARY_DIR}/starters.cpp" @ONLY)
