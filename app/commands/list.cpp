@@ -21,7 +21,7 @@ using problems::KindTraits;
 
 std::vector<Entry> solvers() {
   std::vector<Entry> all;
-  for (const auto& named : problems::names<problems::SolverChoice>()) {
+  for (const auto& named : problems::names<synthesis::Solver>()) {
     all.push_back({named.name, meaning(named.value)});
   }
   return all;

@@ -161,35 +161,35 @@ std::span<const Entry> solve_options() {
   return options;
 }
 
-std::string_view meaning(problems::SolverChoice solver) {
+std::string_view meaning(synthesis::Solver solver) {
   switch (solver) {
-    case problems::SolverChoice::automatic:
+    case synthesis::Solver::automatic:
       return "the one that suits the problem";
-    case problems::SolverChoice::gauss_newton:
+    case synthesis::Solver::gauss_newton:
       return "Gauss-Newton with constraints, made for linkages";
-    case problems::SolverChoice::ceres:
+    case synthesis::Solver::ceres:
       return "Levenberg-Marquardt (Ceres): least squares within bounds only";
-    case problems::SolverChoice::slsqp:
+    case synthesis::Solver::slsqp:
       return "sequential quadratic programming (NLopt)";
-    case problems::SolverChoice::mma:
+    case synthesis::Solver::mma:
       return "method of moving asymptotes (NLopt)";
-    case problems::SolverChoice::ccsaq:
+    case synthesis::Solver::ccsaq:
       return "conservative separable quadratic models (NLopt)";
-    case problems::SolverChoice::cobyla:
+    case synthesis::Solver::cobyla:
       return "linear models without derivatives (NLopt)";
-    case problems::SolverChoice::bobyqa:
+    case synthesis::Solver::bobyqa:
       return "quadratic models without derivatives (NLopt)";
-    case problems::SolverChoice::ags:
+    case synthesis::Solver::ags:
       return "global: intervals on a space-filling curve, ten unknowns at most (NLopt)";
-    case problems::SolverChoice::isres:
+    case synthesis::Solver::isres:
       return "global: evolution strategy with stochastic ranking (NLopt)";
-    case problems::SolverChoice::crs:
+    case synthesis::Solver::crs:
       return "global: controlled random search (NLopt)";
-    case problems::SolverChoice::mlsl:
+    case synthesis::Solver::mlsl:
       return "global: multi-level single linkage of local searches (NLopt)";
-    case problems::SolverChoice::direct:
+    case synthesis::Solver::direct:
       return "global: dividing rectangles (NLopt)";
-    case problems::SolverChoice::ipopt:
+    case synthesis::Solver::ipopt:
       return "interior point (Ipopt)";
   }
   return "";

@@ -29,13 +29,13 @@ class Line : public synthesis::Model {
 };
 
 int main() {
-  using enum synthesis::Backend;
+  using enum synthesis::Solver;
   const Line line;
-  for (const auto backend : {gauss_newton, ceres, slsqp, mma, ccsaq, cobyla, bobyqa, ags, isres,
-                             crs, mlsl, direct, ipopt}) {
-    if (!can_solve(backend, line)) continue;
-    const auto solution = solve(backend, line, std::array{0.5, 0.5});
-    std::printf("%-12s a = %.3f, b = %.3f\n", name(backend).data(), solution.x[0], solution.x[1]);
+  for (const auto solver : {gauss_newton, ceres, slsqp, mma, ccsaq, cobyla, bobyqa, ags, isres, crs,
+                            mlsl, direct, ipopt}) {
+    if (!can_solve(solver, line)) continue;
+    const auto solution = solve(solver, line, std::array{0.5, 0.5});
+    std::printf("%-12s a = %.3f, b = %.3f\n", name(solver).data(), solution.x[0], solution.x[1]);
   }
 }
 

@@ -26,8 +26,8 @@ void read_rotation(TableReader& mechanism, CamProblem& problem) {
 void read_solve(TableReader& solve, CamProblem& problem) {
   problem.solve = reading::read_solve(solve, {}, false);
   if (!solve.has("designs")) problem.solve.designs = 1;
-  const SolverChoice solver = problem.solve.solver;
-  if (solver != SolverChoice::ceres && solver != SolverChoice::gauss_newton) return;
+  const synthesis::Solver solver = problem.solve.solver;
+  if (solver == synthesis::Solver::automatic || !linearises_residuals(solver)) return;
   solve.fault("solver",
               fmt::format("is \"{}\", which minimises sums of squares, and a cam's objective is "
                           "none; expected \"auto\" or a solver of NLopt or Ipopt",

@@ -70,11 +70,11 @@ class SegmentShares {
 
 class Exchange {
  public:
-  Exchange(const CamVariables& variables, synthesis::Backend backend, const Deadline& deadline,
+  Exchange(const CamVariables& variables, synthesis::Solver solver, const Deadline& deadline,
            Work& work)
       : variables_(variables),
         quantity_(quantity_of(variables.problem().objective)),
-        backend_(backend),
+        solver_(solver),
         deadline_(deadline),
         work_(work) {
     for (const CamLimit& limit : cam_limits(variables.problem())) {
@@ -190,7 +190,7 @@ class Exchange {
     options.feasibility = 0.1 * kCamFeasibility;
     options.time_limit = deadline_.remaining();
     options.interrupted = deadline_.flag();
-    const auto solution = synthesis::solve(backend_, model, x, options);
+    const auto solution = synthesis::solve(solver_, model, x, options);
     work_.solver_iterations += static_cast<std::uint64_t>(solution.iterations);
     work_.positions += solution.evaluations * static_cast<std::uint64_t>(model.constraint_count());
     work_.gradients += solution.gradients;
@@ -200,7 +200,7 @@ class Exchange {
   }
 
   CamCandidate candidate(const Cam& cam, std::span<const double> x) const {
-    CamCandidate made{{x.begin(), x.end()}, objective(cam), 0, backend_};
+    CamCandidate made{{x.begin(), x.end()}, objective(cam), 0, solver_};
     for (const auto& [limit, places] : places_.limits) {
       const auto missing = [&, &limit = limit](const FollowerMotion<double>& m) {
         return -margin(limit, cam.system, m, variables_.unit());
@@ -246,7 +246,7 @@ class Exchange {
 
   const CamVariables& variables_;
   std::optional<cam::CamQuantity> quantity_;
-  synthesis::Backend backend_;
+  synthesis::Solver solver_;
   const Deadline& deadline_;
   Work& work_;
   CamPlaces places_;
@@ -271,9 +271,9 @@ std::optional<Cam> cam_at(const CamVariables& variables, std::span<const double>
 }
 
 std::optional<CamCandidate> search_cam(const CamVariables& variables, std::vector<double> start,
-                                       synthesis::Backend backend, const Deadline& deadline,
+                                       synthesis::Solver solver, const Deadline& deadline,
                                        Work& work) {
-  return Exchange(variables, backend, deadline, work).run(std::move(start));
+  return Exchange(variables, solver, deadline, work).run(std::move(start));
 }
 
 bool is_better(const CamCandidate& a, const CamCandidate& b) {

@@ -18,9 +18,9 @@ std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const do
 /// Where a search ended.
 struct CamCandidate {
   std::vector<double> x;
-  double objective = 0;          ///< in the file's unit (rad for angles), exact over the turn
-  double violation = 0;          ///< the worst of all margins below 0, exact over the turn
-  synthesis::Backend backend{};  ///< which came here
+  double objective = 0;        ///< in the file's unit (rad for angles), exact over the turn
+  double violation = 0;        ///< the worst of all margins below 0, exact over the turn
+  synthesis::Solver solver{};  ///< which came here
 };
 
 /// Limits at every position are infinitely many. They are kept by exchange (Blankenship & Falk
@@ -28,7 +28,7 @@ struct CamCandidate {
 /// (all local extremes, found exactly) are added, until none does. Nothing where `start` has no
 /// value.
 std::optional<CamCandidate> search_cam(const CamVariables& variables, std::vector<double> start,
-                                       synthesis::Backend backend, const Deadline& deadline,
+                                       synthesis::Solver solver, const Deadline& deadline,
                                        Work& work);
 
 /// Whether `a` is the better: feasible before infeasible, then by the objective, or the violation.

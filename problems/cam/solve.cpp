@@ -16,12 +16,12 @@
 #include "problems/linkage/deadline.hpp"
 #include "problems/linkage/refused.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
 namespace {
 
-using synthesis::Backend;
+using synthesis::Solver;
 using Ends = std::vector<std::optional<CamCandidate>>;  ///< one for each start
 
 /// Starts of a search; fewer for motions of so many pieces that each takes long.
@@ -108,7 +108,7 @@ class CamSolver {
       add(cam_at(variables_, variables_.values(exact->dimensions)), "exact:half-planes");
       if (!result_.designs.empty()) return tell_proof(*exact);
     }
-    if (exact && sought_.solve.solver == SolverChoice::automatic && add_exact(*exact)) return;
+    if (exact && sought_.solve.solver == Solver::automatic && add_exact(*exact)) return;
     search(exact);
   }
 
@@ -150,17 +150,17 @@ class CamSolver {
   }
 
   void search(const std::optional<ExactCam>& exact) {
-    const auto backends = backends_of(sought_.solve.solver);
+    const auto solvers = solvers_of(sought_.solve.solver);
     std::erase_if(result_.work.skipped, [](const auto& what) { return what != "forces"; });
     result_.work.threads = thread_count(run_.threads);
     auto starts =
         cam_starts(variables_, sought_.solve.starts.value_or(starts_for(programme_)), run_.seed);
     // A solver that the file names shows what it finds by itself.
-    const bool helped = exact && sought_.solve.solver == SolverChoice::automatic;
+    const bool helped = exact && sought_.solve.solver == Solver::automatic;
     if (helped) starts.insert(starts.begin(), variables_.values(exact->dimensions));
     Ends ends(starts.size());
-    for (const Backend backend : backends) {
-      refine(starts, backend, ends);
+    for (const Solver solver : solvers) {
+      refine(starts, solver, ends);
       const bool found = std::ranges::any_of(
           ends, [](const auto& end) { return end && end->violation <= kCamFeasibility; });
       if (found || deadline_.reached()) break;
@@ -170,13 +170,13 @@ class CamSolver {
   }
 
   /// Brings every start to its end, which replaces that of its index where it is better.
-  void refine(const std::vector<std::vector<double>>& starts, Backend backend, Ends& ends) {
+  void refine(const std::vector<std::vector<double>>& starts, Solver solver, Ends& ends) {
     std::vector<Work> work(starts.size());
     double best = std::numeric_limits<double>::infinity();  // of those of thread 0
     parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
       const auto i = static_cast<std::size_t>(index);
       if (index > 0 && deadline_.reached()) return;
-      const auto end = search_cam(variables_, starts[i], backend, deadline_, work[i]);
+      const auto end = search_cam(variables_, starts[i], solver, deadline_, work[i]);
       if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
       if (thread != 0 || !run_.progress) return;
       if (ends[i] && ends[i]->violation <= kCamFeasibility) {
@@ -187,9 +187,9 @@ class CamSolver {
     add_work(work);
   }
 
-  static std::vector<Backend> backends_of(SolverChoice choice) {
-    if (choice == SolverChoice::automatic) return {Backend::slsqp, Backend::ipopt};
-    return {backend_of(choice)};
+  static std::vector<Solver> solvers_of(Solver choice) {
+    if (choice == Solver::automatic) return {Solver::slsqp, Solver::ipopt};
+    return {choice};
   }
 
   void add_work(const std::vector<Work>& parts) {
@@ -210,7 +210,7 @@ class CamSolver {
       if (static_cast<int>(kept.size()) == sought_.solve.designs) break;
       if (std::ranges::any_of(kept, [&](const auto* k) { return is_same(*k, *end); })) continue;
       kept.push_back(&*end);
-      add(cam_at(variables_, end->x), "search + " + std::string(name(end->backend)), end->x);
+      add(cam_at(variables_, end->x), "search + " + std::string(name(end->solver)), end->x);
       if (exact) tell_proof(*exact);
     }
   }

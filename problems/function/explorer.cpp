@@ -12,8 +12,8 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::Backend;
 using synthesis::Objective;
+using synthesis::Solver;
 
 /// Starts of a round, and the fewest and most of a search where the file does not say.
 constexpr int kRound = 64, kFewestStarts = 128, kMostStarts = 256;
@@ -136,7 +136,7 @@ class Explorer {
   }
 
   void refine(FunctionFound& found) const {
-    refiner_.refine(found, wanted_, Objective::sum_of_squares, Backend::gauss_newton, kIterations);
+    refiner_.refine(found, wanted_, Objective::sum_of_squares, Solver::gauss_newton, kIterations);
   }
 
   void take_over(const synthesis::FunctionFitState& state, FunctionFound& found) const {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -84,23 +84,23 @@ bool FunctionRefiner::confine(FunctionFound& found) const {
 }
 
 void FunctionRefiner::refine(FunctionFound& found, const FunctionSamples& wanted,
-                             synthesis::Objective objective, synthesis::Backend backend,
+                             synthesis::Objective objective, synthesis::Solver solver,
                              int iterations) const {
   confine(found);
-  refine_once(found, wanted, objective, backend, iterations);
-  if (confine(found)) refine_once(found, wanted, objective, backend, iterations);
+  refine_once(found, wanted, objective, solver, iterations);
+  if (confine(found)) refine_once(found, wanted, objective, solver, iterations);
 }
 
 void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& wanted,
-                                  synthesis::Objective objective, synthesis::Backend backend,
+                                  synthesis::Objective objective, synthesis::Solver solver,
                                   int iterations) const {
   const Solve& asked = confined_.plain().solve;
-  const FunctionModel model(
-      *found.problem, wanted, found.generator.assembly, objective,
-      backend == synthesis::Backend::ceres ? Closing::unguarded : Closing::guarded);
-  if (!synthesis::can_solve(backend, model)) return;
+  const bool guards = can_solve(solver, {.objective = objective, .constraints = true});
+  const FunctionModel model(*found.problem, wanted, found.generator.assembly, objective,
+                            guards ? Closing::guarded : Closing::unguarded);
+  if (!synthesis::can_solve(solver, model)) return;
   const synthesis::Solution solution = solve_by_loss(
-      backend, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
+      solver, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
       synthesis::until(deadline_, {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
                                    .max_iterations = iterations,
                                    .seed = run_.seed}));

@@ -82,14 +82,13 @@ class FunctionRefiner {
   /// Goes on from where `found` stands, by the loss that the problem asks for; keeps the result
   /// unless it is worse by the same objective.
   void refine(FunctionFound& found, const FunctionSamples& wanted, synthesis::Objective objective,
-              synthesis::Backend backend, int iterations) const;
+              synthesis::Solver solver, int iterations) const;
 
   const synthesis::WorkCounter& solved() const { return solved_; }
 
  private:
   void refine_once(FunctionFound& found, const FunctionSamples& wanted,
-                   synthesis::Objective objective, synthesis::Backend backend,
-                   int iterations) const;
+                   synthesis::Objective objective, synthesis::Solver solver, int iterations) const;
 
   const ConfinedFunctions& confined_;
   const Run& run_;

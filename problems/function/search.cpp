@@ -7,13 +7,13 @@
 
 #include "problems/function/explorer.hpp"
 #include "problems/function/found.hpp"
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
 namespace {
 
-using synthesis::Backend;
 using synthesis::Objective;
+using synthesis::Solver;
 
 /// Iterations for the best minima, for those that turn minimax, and for another solver that
 /// finishes.
@@ -43,7 +43,7 @@ class Search {
         run_(run),
         deadline_(deadline),
         refiner_(confined_, run, deadline),
-        backend_(finisher_of(problem)),
+        solver_(finisher_of(problem)),
         work_(work),
         search_({}, {run.threads, deadline, run.progress}) {}
 
@@ -58,9 +58,9 @@ class Search {
     search_.merge(kSameMinimum);
     search_.keep(kept(reserve));
   }
-  void refine_all(Objective objective, Backend backend, int iterations, synthesis::Shares shares) {
+  void refine_all(Objective objective, Solver solver, int iterations, synthesis::Shares shares) {
     search_.refine(shares, [&](FunctionFound& found) {
-      refiner_.refine(found, wanted_, objective, backend, iterations);
+      refiner_.refine(found, wanted_, objective, solver, iterations);
     });
   }
   void finish_least_squares();
@@ -76,7 +76,7 @@ class Search {
   const Run& run_;
   const Deadline& deadline_;
   FunctionRefiner refiner_;
-  Backend backend_;
+  Solver solver_;
   Work& work_;
   synthesis::MultiStart<FunctionRules> search_;
 };
@@ -114,9 +114,9 @@ void Search::exchange(FunctionFound& found) const {
     }
     if (denser.samples.size() == before) return;
     next.valid = false;  // its objective was over fewer samples
-    refiner_.refine(next, denser, Objective::max_abs, Backend::gauss_newton, kFinishingIterations);
-    if (backend_ != Backend::gauss_newton) {
-      refiner_.refine(next, denser, Objective::max_abs, backend_, kFinishingIterations);
+    refiner_.refine(next, denser, Objective::max_abs, Solver::gauss_newton, kFinishingIterations);
+    if (solver_ != Solver::gauss_newton) {
+      refiner_.refine(next, denser, Objective::max_abs, solver_, kFinishingIterations);
     }
     if (!next.valid) return;
     const double reached = StructuralError(next.generator).over(wanted_).max;
@@ -128,9 +128,9 @@ void Search::exchange(FunctionFound& found) const {
 }
 
 void Search::finish_by_choice(Objective objective) {
-  if (backend_ == Backend::gauss_newton) return;
+  if (solver_ == Solver::gauss_newton) return;
   keep_best(kFinished);
-  refine_all(objective, backend_, kFinishingIterations, {0.9, 1});
+  refine_all(objective, solver_, kFinishingIterations, {0.9, 1});
 }
 
 void Search::finish_least_squares() {
@@ -138,14 +138,14 @@ void Search::finish_least_squares() {
   if (confined_.plain().solve.loss == synthesis::Loss::none) {
     for (FunctionFound& found : search_.all()) reassess(found, Objective::sum_of_squares);
   }
-  refine_all(Objective::sum_of_squares, Backend::gauss_newton, kDeepeningIterations, {0.7, 0.9});
+  refine_all(Objective::sum_of_squares, Solver::gauss_newton, kDeepeningIterations, {0.7, 0.9});
   finish_by_choice(Objective::sum_of_squares);
 }
 
 void Search::add_turned(std::vector<FunctionFound> round) {
   search_.for_each(round.size(), [&](std::size_t i) {
     reassess(round[i], Objective::max_abs);
-    refiner_.refine(round[i], wanted_, Objective::max_abs, Backend::gauss_newton,
+    refiner_.refine(round[i], wanted_, Objective::max_abs, Solver::gauss_newton,
                     kTurningIterations);
   });
   search_.add(std::move(round), kSameMinimum);
@@ -177,7 +177,7 @@ void Search::turn_minimax(const std::vector<FunctionFound>& starts, SearchStatis
 
 void Search::finish_minimax() {
   keep_best(kFinished);
-  refine_all(Objective::max_abs, Backend::gauss_newton, kMinimaxIterations, {0.7, 0.9});
+  refine_all(Objective::max_abs, Solver::gauss_newton, kMinimaxIterations, {0.7, 0.9});
   finish_by_choice(Objective::max_abs);
   if (!wanted_.at) return;
   search_.refine({1, 1}, [&](FunctionFound& found) { exchange(found); });
@@ -209,10 +209,9 @@ FunctionSearchResult Search::take() {
 
 }  // namespace
 
-Backend finisher_of(const FunctionProblem& problem) {
+Solver finisher_of(const FunctionProblem& problem) {
   const bool minimax = problem.objective == FunctionObjective::minimax;
-  const bool automatic = problem.solve.solver == SolverChoice::automatic;
-  return automatic && minimax ? Backend::slsqp : backend_of(problem.solve.solver);
+  return chosen(problem.solve.solver, minimax ? Solver::slsqp : Solver::gauss_newton);
 }
 
 FunctionSearchResult search_functions(const FunctionProblem& problem, const FunctionSamples& wanted,

@@ -16,7 +16,7 @@ namespace cognate::problems {
 
 /// The solver that has the last word. A minimax design with fewer peaks than unknowns lies in a
 /// valley that Gauss-Newton, knowing no curvature, walks slowly: there `auto` goes on with SLSQP.
-synthesis::Backend finisher_of(const FunctionProblem& problem);
+synthesis::Solver finisher_of(const FunctionProblem& problem);
 
 /// A local minimum and where its start came from.
 struct FunctionDesign {

@@ -17,9 +17,9 @@
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/oddities.hpp"
 #include "problems/linkage/refused.hpp"
-#include "problems/search/backend_choice.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
+#include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -34,7 +34,7 @@ Status status(const Result& result, const Deadline& deadline, bool ended_early) 
 }
 
 /// Where a design came from, then the solvers that refined it.
-std::string origin(StartOrigin start, synthesis::Backend finisher) {
+std::string origin(StartOrigin start, synthesis::Solver finisher) {
   const std::string refined = search_origin(finisher).substr(std::string_view("search").size());
   switch (start) {
     case StartOrigin::overlay:

@@ -16,8 +16,8 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::Backend;
 using synthesis::Solution;
+using synthesis::Solver;
 
 /// Iterations spent on every start, on the best ones, and on the best of these over all poses of a
 /// long list or by a back end of the user's choice.
@@ -73,7 +73,7 @@ class MotionSearch {
         search_({}, {run.threads, deadline, run.progress}) {}
 
   void explore(const std::vector<DyadPair>& known, std::optional<int> starts);
-  void finish(Backend backend);
+  void finish(Solver solver);
   MotionSearchResult take();
 
  private:
@@ -87,12 +87,12 @@ class MotionSearch {
   MotionFound explored(const MotionProblem& problem, MotionMinimum from);
   MotionFound explored(const MotionStart& start);
   MotionFound explored(const MotionStart& start, int index);
-  void fit(const MotionProblem& problem, Backend backend, const synthesis::Options& options,
+  void fit(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
            MotionMinimum& minimum);
-  void put_in_order(const MotionProblem& problem, Backend backend,
-                    const synthesis::Options& options, MotionFound& found);
-  void part_stations(const MotionProblem& problem, Backend backend,
-                     const synthesis::Options& options, MotionFound& found);
+  void put_in_order(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
+                    MotionFound& found);
+  void part_stations(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
+                     MotionFound& found);
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count);
   void add(std::vector<MotionFound> fresh) {
@@ -103,8 +103,8 @@ class MotionSearch {
     return reserve + 2 * static_cast<std::size_t>(whole_.solve.designs);
   }
   void carry_over(MotionFound& found) const;
-  void refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
-                   int iterations, synthesis::Shares shares);
+  void refine_best(const MotionProblem& problem, std::size_t reserve, Solver solver, int iterations,
+                   synthesis::Shares shares);
 
   const MotionProblem& whole_;
   std::vector<std::size_t> kept_poses_;
@@ -121,11 +121,11 @@ class MotionSearch {
 MotionFound MotionSearch::explored(const MotionProblem& problem, MotionMinimum from) {
   MotionFound found{std::move(from), false};
   const auto exploring = options(kExploringIterations, 1e-10);
-  fit(problem, Backend::gauss_newton, exploring, found.minimum);
+  fit(problem, Solver::gauss_newton, exploring, found.minimum);
   found.valid = found.minimum.solution.stop != synthesis::Stop::no_value;
   if (!found.valid) return found;
   found.violation = design_violation(problem, found.minimum);
-  put_in_order(problem, Backend::gauss_newton, exploring, found);
+  put_in_order(problem, Solver::gauss_newton, exploring, found);
   return found;
 }
 
@@ -150,16 +150,16 @@ MotionFound MotionSearch::explored(const MotionStart& start, int index) {
 }
 
 /// From the minimum's point; counts the work.
-void MotionSearch::fit(const MotionProblem& problem, Backend backend,
+void MotionSearch::fit(const MotionProblem& problem, Solver solver,
                        const synthesis::Options& options, MotionMinimum& minimum) {
   const MotionModel model(problem, minimum.form);
-  minimum.solution = solve(backend, model, minimum.solution.x, options);
+  minimum.solution = solve(solver, model, minimum.solution.x, options);
   solved_.count(minimum.solution, problem.poses.size());
 }
 
 /// A minimum whose poses are out of order, or on two circuits, is fitted again with crank angles
 /// that are not: neighbours that noise has exchanged share one, until no two are exchanged.
-void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
+void MotionSearch::put_in_order(const MotionProblem& problem, Solver solver,
                                 const synthesis::Options& options, MotionFound& found) {
   const Constraints& constraints = problem.constraints;
   if (!constraints.no_order_defect && !constraints.no_circuit_defect) return;
@@ -170,7 +170,7 @@ void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
     if (!next) return;
     ordered.minimum.form = std::move(next->form);
     ordered.minimum.solution.x = std::move(next->x);
-    fit(problem, backend, options, ordered.minimum);
+    fit(problem, solver, options, ordered.minimum);
     if (ordered.minimum.solution.stop == synthesis::Stop::no_value) return;
     ordered.violation = design_violation(problem, ordered.minimum);
     if (ordered.violation < found.violation) found = ordered;
@@ -179,7 +179,7 @@ void MotionSearch::put_in_order(const MotionProblem& problem, Backend backend,
 
 /// A minimum in order whose poses share crank angles that they no longer need to share: once
 /// pooled, they are parted again as long as that lowers the error.
-void MotionSearch::part_stations(const MotionProblem& problem, Backend backend,
+void MotionSearch::part_stations(const MotionProblem& problem, Solver solver,
                                  const synthesis::Options& options, MotionFound& found) {
   for (int round = 0; round < kPartingRounds && found.violation == 0; ++round) {
     if (deadline_.reached()) return;
@@ -188,10 +188,10 @@ void MotionSearch::part_stations(const MotionProblem& problem, Backend backend,
     MotionFound apart = found;
     apart.minimum.form = std::move(next->form);
     apart.minimum.solution.x = std::move(next->x);
-    fit(problem, backend, options, apart.minimum);
+    fit(problem, solver, options, apart.minimum);
     if (apart.minimum.solution.stop == synthesis::Stop::no_value) return;
     apart.violation = design_violation(problem, apart.minimum);
-    put_in_order(problem, backend, options, apart);
+    put_in_order(problem, solver, options, apart);
     if (apart.violation > 0 || !is_better(apart.minimum, found.minimum)) return;
     found = std::move(apart);
   }
@@ -252,32 +252,32 @@ void MotionSearch::carry_over(MotionFound& found) const {
 
 /// Keeps `reserve` and twice the designs wanted, and goes on with those; what is reached replaces
 /// them unless it is worse.
-void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Backend backend,
+void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve, Solver solver,
                                int iterations, synthesis::Shares shares) {
   search_.keep(kept(reserve));
   search_.refine(shares, [&](MotionFound& found) {
     const auto refining = options(iterations, tolerance_);
     MotionFound refined = found;
-    fit(problem, backend, refining, refined.minimum);
+    fit(problem, solver, refining, refined.minimum);
     if (refined.minimum.solution.stop == synthesis::Stop::no_value) return;
     refined.violation = design_violation(problem, refined.minimum);
-    put_in_order(problem, backend, refining, refined);
-    part_stations(problem, backend, refining, refined);
+    put_in_order(problem, solver, refining, refined);
+    part_stations(problem, solver, refining, refined);
     if (!is_worse(refined, found)) found = std::move(refined);
   });
   search_.merge(kSameMinimum);
 }
 
-/// Brings the best to convergence at all poses, by `backend` in the end.
-void MotionSearch::finish(Backend backend) {
-  refine_best(coarse_, kDeepened, Backend::gauss_newton, kDeepeningIterations, {0.8, 0.9});
+/// Brings the best to convergence at all poses, by `solver` in the end.
+void MotionSearch::finish(Solver solver) {
+  refine_best(coarse_, kDeepened, Solver::gauss_newton, kDeepeningIterations, {0.8, 0.9});
   if (kept_poses_.size() < whole_.poses.size()) {
     search_.keep(kept(kFinished));
     for (MotionFound& found : search_.all()) carry_over(found);
-    refine_best(whole_, kFinished, Backend::gauss_newton, kFinishingIterations, {0.9, 0.95});
+    refine_best(whole_, kFinished, Solver::gauss_newton, kFinishingIterations, {0.9, 0.95});
   }
-  if (backend != Backend::gauss_newton) {
-    refine_best(whole_, kFinished, backend, kFinishingIterations, {0.95, 1});
+  if (solver != Solver::gauss_newton) {
+    refine_best(whole_, kFinished, solver, kFinishingIterations, {0.95, 1});
   }
 }
 
@@ -297,11 +297,11 @@ MotionSearchResult MotionSearch::take() {
 }  // namespace
 
 MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
-                                  std::optional<int> starts, Backend backend, double tolerance,
+                                  std::optional<int> starts, Solver solver, double tolerance,
                                   const Run& run, const Deadline& deadline, Work& work) {
   MotionSearch search(scaled, tolerance, run, deadline, work);
   search.explore(known, starts);
-  search.finish(backend);
+  search.finish(solver);
   return search.take();
 }
 

@@ -29,10 +29,10 @@ struct MotionSearchResult {
 /// Minima of a scaled problem; equal for any number of threads. Starts, beside the `known`
 /// pairs `starts` of them or until more promise nothing new, are explored with few iterations of
 /// Gauss–Newton, of long lists of poses over a part of them; the best different ones are brought to
-/// convergence, and the best of these finished by `backend` where it is another. Counts what was
+/// convergence, and the best of these finished by `solver` where it is another. Counts what was
 /// done in `work`.
 MotionSearchResult search_motions(const MotionProblem& scaled, const std::vector<DyadPair>& known,
-                                  std::optional<int> starts, synthesis::Backend backend,
+                                  std::optional<int> starts, synthesis::Solver solver,
                                   double tolerance, const Run& run, const Deadline& deadline,
                                   Work& work);
 

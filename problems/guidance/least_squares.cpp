@@ -14,9 +14,9 @@
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/search/backend_choice.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
+#include "problems/search/solver_origin.hpp"
 #include "synthesis/fit/body_motion.hpp"
 
 namespace cognate::problems {
@@ -138,7 +138,7 @@ SearchStatistics add_designs(const MotionProblem& problem, std::optional<int> st
                              Work& work) {
   const MotionScale scale(problem);
   const MotionProblem scaled = scale.into(problem);
-  const synthesis::Backend solver = backend_of(problem.solve.solver);
+  const synthesis::Solver solver = synthesis::chosen(problem.solve.solver);
   const double tolerance = problem.solve.tolerance.value_or(kDefaultTolerance);
   std::vector<DyadPair> known;
   for (const Design& design : run.known) {

@@ -268,10 +268,11 @@ void check_solver(TableReader& solve, const MotionProblem& problem) {
   constexpr int kDyads = 10;
   check_unknown_count(solve, problem.solve.solver, kDyads + static_cast<int>(problem.poses.size()));
   const bool bounded = problem.bounds.coupler || problem.bounds.frame;
-  if (!bounded || problem.solve.solver != SolverChoice::ceres) return;
-  solve.fault("solver",
-              "is \"ceres\", which does not honour bounds of coupler and frame, distances of "
-              "pivots; every other solver can");
+  const synthesis::Solver solver = problem.solve.solver;
+  if (!bounded || can_solve(solver, {.constraints = true})) return;
+  solve.fault("solver", fmt::format("is \"{}\", which does not honour bounds of coupler and frame, "
+                                    "distances of pivots; every other solver can",
+                                    to_string(solver)));
 }
 
 // What holds over the full turn is known of four-bars alone.

@@ -96,24 +96,6 @@ inline bool limits_turn(const Constraints& constraints) {
 /// Whether free points are met one after the other along the motion.
 enum class PointOrder { cyclic, any };
 
-/// `solve.solver`.
-enum class SolverChoice {
-  automatic,
-  gauss_newton,
-  ceres,
-  slsqp,
-  mma,
-  ccsaq,
-  cobyla,
-  bobyqa,
-  ags,
-  isres,
-  crs,
-  mlsl,
-  direct,
-  ipopt
-};
-
 /// `solve.objectives`: what of a design is to be best; from `over_cycle` on the quantities over the
 /// cycle in their order.
 enum class DesignObjective { error, transmission_angle, link_ratio, size, over_cycle };
@@ -131,7 +113,7 @@ constexpr bool is_over_cycle(DesignObjective objective) {
 
 /// `[solve]`.
 struct Solve {
-  SolverChoice solver = SolverChoice::automatic;
+  synthesis::Solver solver = synthesis::Solver::automatic;  ///< `auto`: the problem's own choice
   std::optional<int> starts;  ///< how many starts are refined; empty: chosen by the problem
   int designs = 3;            ///< how many different designs to return, 1…100
   std::vector<DesignObjective> objectives;       ///< empty: the error alone
@@ -153,7 +135,7 @@ std::span<const Named<MovingPoint>> names<MovingPoint>();
 template <>
 std::span<const Named<MovingLink>> names<MovingLink>();
 template <>
-std::span<const Named<SolverChoice>> names<SolverChoice>();
+std::span<const Named<synthesis::Solver>> names<synthesis::Solver>();
 template <>
 std::span<const Named<PointOrder>> names<PointOrder>();
 template <>

@@ -28,14 +28,6 @@ constexpr Named<MovingPoint> kMovingPoints[] = {
     {"coupler-point", MovingPoint::coupler_point}, {"B", MovingPoint::b}, {"C", MovingPoint::c}};
 constexpr Named<MovingLink> kMovingLinks[] = {
     {"crank", MovingLink::crank}, {"coupler", MovingLink::coupler}, {"rocker", MovingLink::rocker}};
-constexpr Named<SolverChoice> kSolvers[] = {
-    {"auto", SolverChoice::automatic}, {"gauss-newton", SolverChoice::gauss_newton},
-    {"ceres", SolverChoice::ceres},    {"slsqp", SolverChoice::slsqp},
-    {"mma", SolverChoice::mma},        {"ccsaq", SolverChoice::ccsaq},
-    {"cobyla", SolverChoice::cobyla},  {"bobyqa", SolverChoice::bobyqa},
-    {"ags", SolverChoice::ags},        {"isres", SolverChoice::isres},
-    {"crs", SolverChoice::crs},        {"mlsl", SolverChoice::mlsl},
-    {"direct", SolverChoice::direct},  {"ipopt", SolverChoice::ipopt}};
 constexpr Named<DesignObjective> kGeometricObjectives[] = {
     {"error", DesignObjective::error},
     {"transmission_angle", DesignObjective::transmission_angle},
@@ -96,8 +88,16 @@ std::span<const Named<MovingLink>> names<MovingLink>() {
 }
 
 template <>
-std::span<const Named<SolverChoice>> names<SolverChoice>() {
-  return kSolvers;
+std::span<const Named<synthesis::Solver>> names<synthesis::Solver>() {
+  static const auto solvers = [] {
+    std::array<Named<synthesis::Solver>, synthesis::kSolverCount> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto solver = static_cast<synthesis::Solver>(i);
+      all[i] = {synthesis::name(solver), solver};
+    }
+    return all;
+  }();
+  return solvers;
 }
 
 template <>

@@ -65,7 +65,7 @@ void read_time_ratio(TableReader& table, Constraints& constraints) {
   }
 }
 
-// What of `constraints` Ceres cannot honour, as a key; empty where it can.
+// The constraints that are more than bounds of variables, as a key; empty where there are none.
 std::string_view beyond_bounds(const Constraints& constraints) {
   if (constraints.required_class) return "constraints.class";
   if (constraints.transmission_angle) return "constraints.transmission_angle_deg";
@@ -76,19 +76,18 @@ std::string_view beyond_bounds(const Constraints& constraints) {
   return {};
 }
 
-void check_solver(TableReader& table, SolverChoice solver, const Constraints& constraints,
+void check_solver(TableReader& table, synthesis::Solver solver, const Constraints& constraints,
                   bool minimax) {
-  if (solver != SolverChoice::ceres) return;
   constexpr std::string_view kOthers = "every other solver can";
-  if (minimax) {
-    table.fault("solver", fmt::format("is \"ceres\", which minimises sums of squares, but the "
+  if (minimax && !can_solve(solver, {.objective = synthesis::Objective::max_abs})) {
+    table.fault("solver", fmt::format("is \"{}\", which minimises sums of squares, but the "
                                       "objective is \"minimax\"; {}",
-                                      kOthers));
+                                      to_string(solver), kOthers));
   }
   const std::string_view constraint = beyond_bounds(constraints);
-  if (!constraint.empty()) {
-    table.fault("solver", fmt::format("is \"ceres\", which honours bounds but not {}; {}",
-                                      constraint, kOthers));
+  if (!constraint.empty() && !can_solve(solver, {.constraints = true})) {
+    table.fault("solver", fmt::format("is \"{}\", which honours bounds but not {}; {}",
+                                      to_string(solver), constraint, kOthers));
   }
 }
 
@@ -123,7 +122,7 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
                  int most_designs) {
   constexpr int kMostStarts = 1'000'000;
   Solve solve;
-  solve.solver = table.choice<SolverChoice>("solver").value_or(solve.solver);
+  solve.solver = table.choice<synthesis::Solver>("solver").value_or(solve.solver);
   solve.starts = table.integer("starts", 1, kMostStarts);
   solve.designs = table.integer("designs", 1, most_designs).value_or(solve.designs);
   solve.tolerance = table.number("tolerance", kTolerance);
@@ -131,11 +130,10 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
   return solve;
 }
 
-void check_unknown_count(TableReader& table, SolverChoice solver, int count) {
-  if (solver == SolverChoice::automatic || solver == SolverChoice::gauss_newton) return;
-  // The others know nothing of angles that touch one residual each: their matrices are full.
-  constexpr int kMostOfAgs = 10, kMost = 2000;
-  const int most = solver == SolverChoice::ags ? kMostOfAgs : kMost;
+void check_unknown_count(TableReader& table, synthesis::Solver solver, int count) {
+  if (eliminates_locals(solver)) return;
+  constexpr std::int64_t kMostInFullMatrices = 2000;
+  const auto most = std::min(kMostInFullMatrices, synthesis::most_unknowns(solver));
   if (count <= most) return;
   table.fault("solver",
               fmt::format("is \"{}\", which takes {} unknowns at most, and there are {} (with a "

@@ -25,7 +25,7 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
                  int most_designs = kMostSearchedDesigns);
 
 /// Whether `solver` can have so many unknowns, the crank angle of each point or pose among them.
-void check_unknown_count(TableReader& table, SolverChoice solver, int count);
+void check_unknown_count(TableReader& table, synthesis::Solver solver, int count);
 
 /// `solve.loss` and `solve.loss_scale`. `other`: what the file asks for instead of least squares,
 /// to which no loss belongs, e.g. `objective = "minimax"`; empty where it asks for those.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "problems/linkage/certifying.hpp"
+#include "problems/path/problem.hpp"
 
 namespace cognate::problems {
 

@@ -278,7 +278,7 @@ class Explorer {
       found.fitted = true;
       Solution& solution = found.minimum.solution;
       solution = minimise(
-          problem_, found, synthesis::Backend::gauss_newton,
+          problem_, found, synthesis::Solver::gauss_newton,
           synthesis::until(deadline_, {.tolerance = fit_.tolerance,
                                        .feasibility = kPathFeasibility,
                                        .max_iterations = found.binds ? kOrderedIterations

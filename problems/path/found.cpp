@@ -134,14 +134,14 @@ double PathRules::value(const PathFound& found) {
                                                 : std::numeric_limits<double>::infinity();
 }
 
-synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
-                             synthesis::Backend backend, const synthesis::Options& options) {
+synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synthesis::Solver solver,
+                             const synthesis::Options& options) {
   const PathModel sound = model_of(problem, found.minimum);
-  const bool knows_limits = can_solve(backend, sound);
+  const bool knows_limits = can_solve(solver, sound);
   const PathModel model = knows_limits ? sound : model_of(unsound(problem), found.minimum);
   const auto solve = [&](const synthesis::Model& of) {
     const Solve& asked = problem.solve;
-    synthesis::Solution solution = solve_by_loss(backend, of, asked.loss, asked.loss_scale, 2,
+    synthesis::Solution solution = solve_by_loss(solver, of, asked.loss, asked.loss_scale, 2,
                                                  found.minimum.solution.x, options);
     found.evaluations += solution.evaluations;
     found.gradients += solution.gradients;

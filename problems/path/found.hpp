@@ -53,8 +53,8 @@ struct PathRules {
 
 /// Goes on from the point of `found`, by the loss that the problem asks for (a point's two
 /// residuals being one error), and counts the work.
-synthesis::Solution minimise(const PathProblem& problem, PathFound& found,
-                             synthesis::Backend backend, const synthesis::Options& options);
+synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synthesis::Solver solver,
+                             const synthesis::Options& options);
 
 /// Brings a minimum that meets its points nearly to rounding, as far as its condition permits.
 void polish(const PathProblem& problem, PathFound& found, const synthesis::Options& options);

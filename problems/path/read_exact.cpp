@@ -95,7 +95,7 @@ void check_unused(TableReader& target, TableReader& solve, const PathProblem& pr
                 "is given with method = \"exact\", which has a solver of its own; remove it, or "
                 "remove method for least squares");
   };
-  if (problem.solve.solver != SolverChoice::automatic) other("solver");
+  if (problem.solve.solver != synthesis::Solver::automatic) other("solver");
   if (problem.solve.tolerance) other("tolerance");
 }
 

@@ -58,10 +58,10 @@ void carry_over(const PathCoarsening& some, const PathCoarsening& more, PathFoun
 }
 
 /// Goes on from `found` and keeps what is reached unless it is worse.
-void refine(const PathProblem& problem, PathFound& found, synthesis::Backend backend,
+void refine(const PathProblem& problem, PathFound& found, synthesis::Solver solver,
             const synthesis::Options& options) {
   PathFound refined = found;
-  refined.minimum.solution = minimise(problem, refined, backend, options);
+  refined.minimum.solution = minimise(problem, refined, solver, options);
   const bool lost = refined.minimum.solution.stop == synthesis::Stop::no_value;
   if (lost || is_better(found, refined)) refined.minimum = found.minimum;
   found = std::move(refined);
@@ -84,9 +84,9 @@ class PathSearch {
         search_({}, {run.threads, deadline, run.progress}) {}
 
   void explore();
-  void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Backend backend,
+  void refine_best(const PathProblem& problem, std::size_t reserve, synthesis::Solver solver,
                    int iterations, synthesis::Shares shares);
-  void finish(synthesis::Backend backend, const std::vector<PathMinimum>& in_order);
+  void finish(synthesis::Solver solver, const std::vector<PathMinimum>& in_order);
   void refine_at(const PathCoarsening& some, const PathCoarsening& more, synthesis::Shares shares);
   void add_in_order(const std::vector<PathMinimum>& minima);
   void polish_best();
@@ -120,10 +120,10 @@ void PathSearch::explore() {
 
 /// Goes on with `reserve` and twice the designs wanted.
 void PathSearch::refine_best(const PathProblem& problem, std::size_t reserve,
-                             synthesis::Backend backend, int iterations, synthesis::Shares shares) {
+                             synthesis::Solver solver, int iterations, synthesis::Shares shares) {
   search_.keep(kept(reserve));
   search_.refine(shares, [&](PathFound& found) {
-    refine(problem, found, backend, options(deadline_, iterations, tolerance_, run_.seed));
+    refine(problem, found, solver, options(deadline_, iterations, tolerance_, run_.seed));
   });
   count_work(search_.all(), problem.points.size(), work_);
   search_.merge(kSameMinimum);
@@ -135,22 +135,22 @@ void PathSearch::refine_at(const PathCoarsening& some, const PathCoarsening& mor
   search_.keep(kept(kFinished));
   for (PathFound& found : search_.all()) carry_over(some, more, found);
   const PathProblem& problem = more.coarse();
-  refine_best(problem, kFinished, synthesis::Backend::gauss_newton,
+  refine_best(problem, kFinished, synthesis::Solver::gauss_newton,
               finishing_iterations(problem.points.size()), shares);
 }
 
-/// Brings the best to convergence at all points, and those `in_order` with them, by `backend` in
+/// Brings the best to convergence at all points, and those `in_order` with them, by `solver` in
 /// the end.
-void PathSearch::finish(synthesis::Backend backend, const std::vector<PathMinimum>& in_order) {
-  constexpr auto gauss_newton = synthesis::Backend::gauss_newton;
+void PathSearch::finish(synthesis::Solver solver, const std::vector<PathMinimum>& in_order) {
+  constexpr auto gauss_newton = synthesis::Solver::gauss_newton;
   refine_best(few_.coarse(), deepened_, gauss_newton, kDeepeningIterations, {0.7, 0.8});
   if (!many_.is_whole()) refine_at(few_, many_, {0.8, 0.85});
   if (!few_.is_whole()) {
     refine_at(many_.is_whole() ? few_ : many_, all_points_, {0.85, 0.9});
   }
   add_in_order(in_order);
-  if (backend != gauss_newton) {
-    refine_best(whole_, kFinished, backend, kFinishingIterations, {0.9, 1});
+  if (solver != gauss_newton) {
+    refine_best(whole_, kFinished, solver, kFinishingIterations, {0.9, 1});
   }
   polish_best();
 }
@@ -168,7 +168,7 @@ void PathSearch::add_in_order(const std::vector<PathMinimum>& minima) {
     added.push_back(is_better(found, nearest) ? std::move(found) : std::move(nearest));
   }
   search_.for_each(added.size(), [&](std::size_t i) {
-    refine(whole_, added[i], synthesis::Backend::gauss_newton,
+    refine(whole_, added[i], synthesis::Solver::gauss_newton,
            options(deadline_, finishing_iterations(whole_.points.size()), tolerance_, run_.seed));
   });
   count_work(added, whole_.points.size(), work_);
@@ -200,9 +200,8 @@ PathModel model_of(const PathProblem& scaled, const PathMinimum& minimum) {
   return PathModel(confined, minimum.assembly, minimum.clockwise);
 }
 
-PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
-                              double tolerance, const Run& run, const Deadline& deadline,
-                              Work& work) {
+PathSearchResult search_paths(const PathProblem& scaled, synthesis::Solver solver, double tolerance,
+                              const Run& run, const Deadline& deadline, Work& work) {
   std::vector<PathMinimum> in_order;
   Run last = run;
   if (scaled.order == PointOrder::any && scaled.timing != Timing::prescribed) {
@@ -214,11 +213,11 @@ PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend back
       first.progress = [&](double share, double best) { run.progress(0.5 * share, best); };
       last.progress = [&](double share, double best) { run.progress(0.5 + 0.5 * share, best); };
     }
-    in_order = search_paths(cyclic, backend, tolerance, first, deadline, work).minima;
+    in_order = search_paths(cyclic, solver, tolerance, first, deadline, work).minima;
   }
   PathSearch search(scaled, tolerance, last, deadline, work);
   search.explore();
-  search.finish(backend, in_order);
+  search.finish(solver, in_order);
   return search.take();
 }
 

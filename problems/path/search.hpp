@@ -37,10 +37,9 @@ struct PathSearchResult {
 /// Minima of a scaled problem; equal for any number of threads. Starts are explored in SIMD lanes
 /// until more of them promise nothing new, or as many as the file says; the best different minima
 /// are brought to convergence under exact constraints by Gauss–Newton, and the best of these
-/// finished by `backend` where it is another. In any order the minima of the same problem in order
+/// finished by `solver` where it is another. In any order the minima of the same problem in order
 /// are among the candidates. Counts what was done in `work`.
-PathSearchResult search_paths(const PathProblem& scaled, synthesis::Backend backend,
-                              double tolerance, const Run& run, const Deadline& deadline,
-                              Work& work);
+PathSearchResult search_paths(const PathProblem& scaled, synthesis::Solver solver, double tolerance,
+                              const Run& run, const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

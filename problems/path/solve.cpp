@@ -24,9 +24,9 @@
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
-#include "problems/search/backend_choice.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
+#include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -171,7 +171,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   const PathProblem searched = normalised(problem);
   const PathScale scale(searched);
   const PathProblem scaled = scale.into(searched);
-  const synthesis::Backend solver = backend_of(problem.solve.solver);
+  const synthesis::Solver solver = synthesis::chosen(problem.solve.solver);
   Result result;
   Run scaled_run = run;
   for (Design& design : scaled_run.known) {

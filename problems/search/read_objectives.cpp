@@ -93,10 +93,10 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
                 "is given with solve.objectives, whose error is that of least squares or "
                 "minimax; leave one of them out");
   }
-  if (solve.solver == SolverChoice::ceres) {
-    table.fault("solver",
-                "is \"ceres\", which cannot keep to the bounds that several objectives "
-                "need; every other solver can");
+  if (!can_solve(solve.solver, {.constraints = true})) {
+    table.fault("solver", fmt::format("is \"{}\", which cannot keep to the bounds that several "
+                                      "objectives need; every other solver can",
+                                      to_string(solve.solver)));
   }
   if (front && table.has("designs") && solve.designs < 2) {
     table.fault("designs", "is 1, but a front has two ends; expected at least 2");

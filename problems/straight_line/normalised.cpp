@@ -13,7 +13,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 
@@ -168,8 +168,7 @@ Design searched_design(const StraightLineProblem& problem, const SegmentDesign& 
   add_checks(problem, straight, design);
   design.metrics.quantities.push_back({"start_family", found.origin});
   const auto& solver = problem.solve.solver;
-  const auto last =
-      solver == SolverChoice::automatic ? synthesis::Backend::ipopt : backend_of(solver);
+  const auto last = chosen(solver, synthesis::Solver::ipopt);
   design.origin = fmt::format("search + slsqp + {}", synthesis::name(last));
   return design;
 }

@@ -10,7 +10,7 @@
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/zeros.hpp"
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
@@ -18,7 +18,7 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::Backend;
+using synthesis::Solver;
 
 /// Linkages drawn for each start that is refined.
 constexpr int kDrawnPerStart = 60;
@@ -148,10 +148,8 @@ class Search {
         deadline_(deadline),
         work_(work),
         objective_(objective_of(problem)),
-        search_({}, {run.threads, deadline, run.progress}) {
-    if (problem.solve.solver != SolverChoice::automatic)
-      backend_ = backend_of(problem.solve.solver);
-  }
+        solver_(chosen(problem.solve.solver, Solver::ipopt)),
+        search_({}, {run.threads, deadline, run.progress}) {}
 
   std::vector<SegmentStart> draw(int wanted);
   void begin(const std::vector<LinkageSegment>& known, const std::vector<SegmentStart>& starts);
@@ -165,15 +163,15 @@ class Search {
   }
 
  private:
-  void refine(SegmentDesign& found, std::vector<double> nodes, Backend backend,
+  void refine(SegmentDesign& found, std::vector<double> nodes, Solver solver,
               int iterations) const {
-    refine(problem_, found, std::move(nodes), backend, iterations);
+    refine(problem_, found, std::move(nodes), solver, iterations);
   }
   void refine(const StraightLineProblem& problem, SegmentDesign& found, std::vector<double> nodes,
-              Backend backend, int iterations) const;
+              Solver solver, int iterations) const;
   void refine_start(SegmentDesign& found) const;
   void approach(SegmentDesign& found, const std::vector<double>& nodes) const;
-  void refine_within(SegmentDesign& found, const std::vector<double>& nodes, Backend backend) const;
+  void refine_within(SegmentDesign& found, const std::vector<double>& nodes, Solver solver) const;
   void exchange(SegmentDesign& found) const;
   void assess(SegmentDesign& found, const SegmentModel& model, SegmentObjective objective) const;
   void merge_and_keep(std::size_t reserve) {
@@ -186,7 +184,7 @@ class Search {
   const Deadline& deadline_;
   Work& work_;
   SegmentObjective objective_;
-  Backend backend_ = Backend::ipopt;
+  Solver solver_;
   synthesis::MultiStart<SegmentRules> search_;
   synthesis::WorkCounter solved_;
 };
@@ -259,7 +257,7 @@ void Search::assess(SegmentDesign& found, const SegmentModel& model,
 }
 
 void Search::refine(const StraightLineProblem& problem, SegmentDesign& found,
-                    std::vector<double> nodes, Backend backend, int iterations) const {
+                    std::vector<double> nodes, Solver solver, int iterations) const {
   const SegmentObjective objective = objective_of(problem);
   const bool exact = objective == SegmentObjective::deviation && found.objective <= kExact;
   if (exact && is_feasible(found) && found.objective > 0) return;
@@ -269,8 +267,7 @@ void Search::refine(const StraightLineProblem& problem, SegmentDesign& found,
                                    .feasibility = 0.1 * kSegmentFeasibility,
                                    .max_iterations = iterations,
                                    .seed = run_.seed});
-  const auto solution =
-      synthesis::solve(backend, model, model.variables_of(found.segment), options);
+  const auto solution = synthesis::solve(solver, model, model.variables_of(found.segment), options);
   solved_.count(solution);
   if (solution.stop == synthesis::Stop::no_value) {
     found.violation = std::numeric_limits<double>::infinity();
@@ -285,12 +282,12 @@ void Search::refine(const StraightLineProblem& problem, SegmentDesign& found,
 void Search::refine_start(SegmentDesign& found) const {
   const std::vector<double> nodes = segment_nodes(kCoarseCells);
   if (objective_ == SegmentObjective::deviation) {
-    refine(found, nodes, Backend::slsqp, kCoarseIterations);
+    refine(found, nodes, Solver::slsqp, kCoarseIterations);
     found.promise = found.objective * (1 + 4 * found.violation);
     return;
   }
   const double length = found.segment.length;
-  refine(at_size(problem_, length, size_over_length(found.segment)), found, nodes, Backend::slsqp,
+  refine(at_size(problem_, length, size_over_length(found.segment)), found, nodes, Solver::slsqp,
          kCoarseIterations);
   const StraightLineGoal& goal = *problem_.goal;
   const double most = goal.deviation ? *goal.deviation / length : *goal.deviation_relative;
@@ -322,7 +319,7 @@ void Search::approach(SegmentDesign& found, const std::vector<double>& nodes) co
   const double length = sized ? found.segment.length : 1 / found.promise;
   const double size = sized ? found.promise : size_limit(problem_);
   if (!sized && !problem_.goal->length) found.segment.length = length;
-  refine(at_size(problem_, length, size), found, nodes, Backend::ipopt, kFineIterations);
+  refine(at_size(problem_, length, size), found, nodes, Solver::ipopt, kFineIterations);
 }
 
 void Search::deepen(std::size_t reserve) {
@@ -331,7 +328,7 @@ void Search::deepen(std::size_t reserve) {
   search_.refine({kBegun, kDeepened}, [&](SegmentDesign& found) {
     SegmentDesign next = found;
     if (objective_ != SegmentObjective::deviation) approach(next, nodes);
-    refine_within(next, nodes, Backend::ipopt);
+    refine_within(next, nodes, Solver::ipopt);
     const bool other = objective_ != SegmentObjective::deviation;  // than that of the start
     if (other || is_better(next, found) || !is_feasible(found)) found = next;
   });
@@ -340,12 +337,12 @@ void Search::deepen(std::size_t reserve) {
 /// Where the interior-point method ends outside the limits another goes on from the same start, and
 /// what is better is kept.
 void Search::refine_within(SegmentDesign& found, const std::vector<double>& nodes,
-                           Backend backend) const {
+                           Solver solver) const {
   const SegmentDesign start = found;
-  refine(found, nodes, backend, kFineIterations);
-  if (is_feasible(found) || backend != Backend::ipopt) return;
+  refine(found, nodes, solver, kFineIterations);
+  if (is_feasible(found) || solver != Solver::ipopt) return;
   SegmentDesign other = start;
-  refine(other, nodes, Backend::slsqp, kMendingIterations);
+  refine(other, nodes, Solver::slsqp, kMendingIterations);
   if (is_better(other, found)) found = other;
 }
 
@@ -354,7 +351,7 @@ void Search::exchange(SegmentDesign& found) const {
   std::vector<double> nodes = segment_nodes(kFineCells);
   SegmentDesign next = found;
   for (int round = 0; round < kExchangeRounds && !deadline_.reached(); ++round) {
-    refine_within(next, nodes, backend_);
+    refine_within(next, nodes, solver_);
     if (!std::isfinite(next.violation)) break;
     found = next;
     const std::vector<double> peaks =

@@ -103,7 +103,7 @@ std::optional<GuidingDyad> nearest_link(const GuidingDyad& start, std::span<cons
   const LinkModel model(near, unit);
   const Vec2d moving = start.in_body - rest.in_body, fixed = start.fixed - rest.mean;
   const std::array<double, 5> x{moving.x, moving.y, fixed.x, fixed.y, start.length};
-  const Solution solution = solve(Backend::gauss_newton, model, x, options);
+  const Solution solution = solve(Solver::gauss_newton, model, x, options);
   if (solution.stop == Stop::no_value) return std::nullopt;
   constexpr double kLost = 0.5 * LinkModel::kReach;
   for (const double value : solution.x) {

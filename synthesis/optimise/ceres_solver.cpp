@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "synthesis/optimise/backends.hpp"
 #include "synthesis/optimise/dense_model.hpp"
+#include "synthesis/optimise/foreign_solvers.hpp"
 
 namespace cognate::synthesis {
 namespace {

@@ -22,9 +22,9 @@ struct Point {
   double violation = 0;
 };
 
-class Solver {
+class GaussNewton {
  public:
-  Solver(const Model& model, std::span<const double> start, const Options& options);
+  GaussNewton(const Model& model, std::span<const double> start, const Options& options);
   Solution run();
 
  private:
@@ -65,7 +65,7 @@ class Solver {
   std::uint64_t evaluations_ = 0, gradients_ = 0;
 };
 
-Solver::Solver(const Model& model, std::span<const double> start, const Options& options)
+GaussNewton::GaussNewton(const Model& model, std::span<const double> start, const Options& options)
     : model_(model),
       options_(options),
       minimax_(model.objective() == Objective::max_abs),
@@ -105,7 +105,7 @@ Solver::Solver(const Model& model, std::span<const double> start, const Options&
   diagonal_.setZero(globals_);
 }
 
-bool Solver::evaluate(Point& point) {
+bool GaussNewton::evaluate(Point& point) {
   ++evaluations_;
   if (!model_.residuals(view(point.x), view(point.residuals), {}, {})) return false;
   if (!point.residuals.allFinite()) return false;
@@ -118,7 +118,7 @@ bool Solver::evaluate(Point& point) {
 }
 
 /// Fills the Jacobians at `point`, per scaled variable; `next_` serves as scratch.
-void Solver::differentiate(const Point& point) {
+void GaussNewton::differentiate(const Point& point) {
   ++gradients_;
   model_.residuals(view(point.x), view(next_.residuals), view(jacobian_), view(local_slope_));
   jacobian_ *= scale_.head(globals_).asDiagonal();
@@ -133,7 +133,7 @@ void Solver::differentiate(const Point& point) {
 }
 
 /// The normal equations of the damped step with the local variables eliminated.
-void Solver::reduce_least_squares(double damping) {
+void GaussNewton::reduce_least_squares(double damping) {
   hessian_.noalias() = jacobian_.transpose() * jacobian_;
   gradient_.noalias() = jacobian_.transpose() * now_.residuals;
   if (locals_ > 0) {
@@ -159,7 +159,7 @@ void Solver::reduce_least_squares(double damping) {
 
 /// Madsen's step: the last unknown is the bound t ≥ 0 on all |rᵢ + Jᵢ dx|. In place of t it
 /// minimises t + t²/2m, m the largest residual now: as good where t ≥ 0, and strictly convex.
-void Solver::reduce_minimax(double damping) {
+void GaussNewton::reduce_minimax(double damping) {
   const double largest = std::max(largest_square(), 1e-300);
   const double size = std::max(now_.cost, 1e-300);
   hessian_.setZero(globals_ + 1, globals_ + 1);
@@ -172,7 +172,7 @@ void Solver::reduce_minimax(double damping) {
 
 /// Bounds and constraints of the step as rows A dx + b ≥ 0. Violated constraints are asked to mend
 /// `share` of their violation.
-void Solver::state_constraints(double share) {
+void GaussNewton::state_constraints(double share) {
   const Index unknowns = globals_ + (minimax_ ? 1 : 0);
   const Index most = 2 * globals_ + limits_ + (minimax_ ? 2 * rows_ : 0);
   qp_matrix_.setZero(most, unknowns);
@@ -204,7 +204,7 @@ void Solver::state_constraints(double share) {
   qp_offset_.conservativeResize(row);
 }
 
-bool Solver::find_step(double damping) {
+bool GaussNewton::find_step(double damping) {
   if (minimax_) {
     reduce_minimax(damping);
   } else {
@@ -223,7 +223,7 @@ bool Solver::find_step(double damping) {
   return false;
 }
 
-void Solver::step_locals(double damping) {
+void GaussNewton::step_locals(double damping) {
   for (Index local = 0; local < locals_; ++local) {
     const double along = local_rhs_[local] + local_rows_.row(local).dot(step_);
     local_step_[local] = -along / (local_square_[local] * (1 + damping) + 1e-300);
@@ -231,17 +231,17 @@ void Solver::step_locals(double damping) {
 }
 
 /// What the penalties make of constraints that are missed.
-double Solver::penalty(const VectorXd& constraints) const {
+double GaussNewton::penalty(const VectorXd& constraints) const {
   const Index others = limits_ - equalities_;
   return penalties_.head(equalities_).dot(constraints.head(equalities_).cwiseAbs()) +
          penalties_.tail(others).dot((-constraints.tail(others)).cwiseMax(0.0));
 }
 
-double Solver::merit(const Point& point) const {
+double GaussNewton::merit(const Point& point) const {
   return point.cost + penalty(point.constraints);
 }
 
-double Solver::linearised_merit() const {
+double GaussNewton::linearised_merit() const {
   VectorXd r = now_.residuals + jacobian_ * step_;
   for (Index row = 0; row < local_slope_.size(); ++row) {
     if (local_of_row_[row] >= 0) r[row] += local_slope_[row] * local_step_[local_of_row_[row]];
@@ -251,13 +251,13 @@ double Solver::linearised_merit() const {
   return cost + penalty(c);
 }
 
-void Solver::raise_penalties() {
+void GaussNewton::raise_penalties() {
   for (Index i = 0; i < limits_; ++i) {
     penalties_[i] = std::max(penalties_[i], 2 * std::abs(qp_.multipliers()[i]));
   }
 }
 
-Stop Solver::outside_stop() const {
+Stop GaussNewton::outside_stop() const {
   if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed)) {
     return Stop::interrupted;
   }
@@ -265,7 +265,7 @@ Stop Solver::outside_stop() const {
   return spent.count() > options_.time_limit ? Stop::time_limit : Stop::converged;
 }
 
-Solution Solver::finish(Stop stop, int iterations) const {
+Solution GaussNewton::finish(Stop stop, int iterations) const {
   if (stop == Stop::converged && now_.violation > options_.feasibility) stop = Stop::infeasible;
   Solution solution;
   solution.x.assign(now_.x.data(), now_.x.data() + now_.x.size());
@@ -283,7 +283,7 @@ Solution Solver::finish(Stop stop, int iterations) const {
   return solution;
 }
 
-Solution Solver::run() {
+Solution GaussNewton::run() {
   if (!evaluate(now_)) return finish(Stop::no_value, 0);
   if (globals_ + locals_ == 0) return finish(Stop::converged, 0);
   const double floor = 1e-32 * (1 + now_.cost);
@@ -331,7 +331,7 @@ Solution Solver::run() {
 
 Solution solve_gauss_newton(const Model& model, std::span<const double> start,
                             const Options& options) {
-  return Solver(model, start, options).run();
+  return GaussNewton(model, start, options).run();
 }
 
 }  // namespace cognate::synthesis

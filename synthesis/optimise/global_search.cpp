@@ -19,20 +19,20 @@ constexpr int kEvaluationsOfUnknown = 1000;
 /// never stand else. The descent that follows mends the rest.
 constexpr double kNearlyFeasible = 1e-3;
 
-NloptMethod method_of(Backend backend, const DenseModel& model) {
-  switch (backend) {
-    case Backend::ags:
+NloptMethod method_of(Solver solver, const DenseModel& model) {
+  switch (solver) {
+    case Solver::ags:
       return {NLOPT_GN_AGS, false, Known::few_inequalities, true};
-    case Backend::isres:
+    case Solver::isres:
       return {NLOPT_GN_ISRES, false, Known::all, true};
-    case Backend::mlsl:
+    case Solver::mlsl:
       // max |r| has kinks, which stop a descent along gradients.
       return model.minimax()
                  ? NloptMethod{NLOPT_G_MLSL_LDS, false, Known::none, true, NLOPT_LN_SBPLX}
                  : NloptMethod{NLOPT_G_MLSL_LDS, true, Known::none, true, NLOPT_LD_SLSQP};
     // Gablonsky's own code takes inequalities, but its time grows with the square of the number of
     // points that violate them.
-    case Backend::direct:
+    case Solver::direct:
       return {NLOPT_GN_DIRECT_L, false, Known::none, true};
     default:
       return {NLOPT_GN_CRS2_LM, false, Known::none, true};
@@ -50,7 +50,7 @@ NloptLimits box(const Program& program) {
   return limits;
 }
 
-Outcome run_search(Backend backend, DenseModel& model, const Options& options) {
+Outcome run_search(Solver solver, DenseModel& model, const Options& options) {
   Program program(model, Minimax::direct);
   NloptLimits limits = box(program);
   constexpr std::uint64_t kMost = std::numeric_limits<int>::max();
@@ -58,7 +58,7 @@ Outcome run_search(Backend backend, DenseModel& model, const Options& options) {
   const std::uint64_t wanted =
       options.search_evaluations > 0 ? options.search_evaluations : by_size;
   limits.evaluations = static_cast<int>(std::min(wanted, kMost));
-  return run_nlopt(method_of(backend, model), program, limits, options);
+  return run_nlopt(method_of(solver, model), program, limits, options);
 }
 
 bool better(const Solution& a, const Solution& b, double feasibility) {
@@ -69,14 +69,14 @@ bool better(const Solution& a, const Solution& b, double feasibility) {
 
 }  // namespace
 
-Solution search_globally(Backend backend, const Model& model, std::span<const double> start,
+Solution search_globally(Solver solver, const Model& model, std::span<const double> start,
                          const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   Options coarse = options;
   coarse.feasibility = std::max(options.feasibility, kNearlyFeasible);
   DenseModel dense(model, start, coarse);
   if (const auto stop = dense.stop_at_start()) return dense.finish(*stop, 0, {});
-  const Outcome outcome = run_search(backend, dense, coarse);
+  const Outcome outcome = run_search(solver, dense, coarse);
   const Solution found = dense.finish(outcome.stop, 0, {});
   Solution before = DenseModel(model, start, options).finish(outcome.stop, 0, {});
   if (found.stop != Stop::converged && found.stop != Stop::infeasible) {
@@ -89,7 +89,7 @@ Solution search_globally(Backend backend, const Model& model, std::span<const do
     Options left = options;
     left.time_limit -= spent.count();
     const bool minimax = model.objective() == Objective::max_abs;
-    Solution local = solve(minimax ? Backend::slsqp : Backend::gauss_newton, model, from, left);
+    Solution local = solve(minimax ? Solver::slsqp : Solver::gauss_newton, model, from, left);
     total.iterations += local.iterations;
     total.evaluations += local.evaluations;
     total.gradients += local.gradients;

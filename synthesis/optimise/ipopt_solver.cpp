@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "synthesis/optimise/backends.hpp"
+#include "synthesis/optimise/foreign_solvers.hpp"
 #include "synthesis/optimise/program.hpp"
 
 namespace cognate::synthesis {

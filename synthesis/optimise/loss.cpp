@@ -53,18 +53,17 @@ LossValue evaluate(Loss loss, double s) {
   return {s, 1};
 }
 
-Solution solve_by_loss(Backend backend, const Model& model, Loss loss, double scale, int block,
+Solution solve_by_loss(Solver solver, const Model& model, Loss loss, double scale, int block,
                        std::span<const double> start, const Options& options) {
-  if (loss == Loss::none) return solve(backend, model, start, options);
+  if (loss == Loss::none) return solve(solver, model, start, options);
   const RobustModel robust(model, loss, scale, block);
-  if (loss != Loss::tukey) return solve(backend, robust, start, options);
+  if (loss != Loss::tukey) return solve(solver, robust, start, options);
   const auto begin = std::chrono::steady_clock::now();
-  const Solution way =
-      solve(backend, RobustModel(model, Loss::huber, scale, block), start, options);
+  const Solution way = solve(solver, RobustModel(model, Loss::huber, scale, block), start, options);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   Options left = options;
   left.time_limit -= spent.count();
-  Solution solution = solve(backend, robust, way.x, left);
+  Solution solution = solve(solver, robust, way.x, left);
   solution.iterations += way.iterations;
   solution.evaluations += way.evaluations;
   solution.gradients += way.gradients;

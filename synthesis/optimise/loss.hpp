@@ -53,7 +53,7 @@ class RobustModel final : public Model {
 
 /// `solve` of `model` by `loss`; plainly where it is none. Tukey's has no slope where all errors
 /// are gross, as they are far from the minimum: there Huber's leads the way.
-Solution solve_by_loss(Backend backend, const Model& model, Loss loss, double scale, int block,
+Solution solve_by_loss(Solver solver, const Model& model, Loss loss, double scale, int block,
                        std::span<const double> start, const Options& options);
 
 }  // namespace cognate::synthesis

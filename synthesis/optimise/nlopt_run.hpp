@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "synthesis/optimise/backends.hpp"
+#include "synthesis/optimise/foreign_solvers.hpp"
 #include "synthesis/optimise/program.hpp"
 
 namespace cognate::synthesis {

@@ -5,17 +5,17 @@ namespace {
 
 using Known = NloptMethod::Constraints;
 
-NloptMethod method_of(Backend backend) {
-  switch (backend) {
+NloptMethod method_of(Solver solver) {
+  switch (solver) {
     // These two know inequalities, but NLopt 2.7 stops them anywhere when they start outside one
     // (Hock-Schittkowski 22 from (2, 2)).
-    case Backend::mma:
+    case Solver::mma:
       return {NLOPT_LD_MMA, true, Known::none};
-    case Backend::ccsaq:
+    case Solver::ccsaq:
       return {NLOPT_LD_CCSAQ, true, Known::none};
-    case Backend::cobyla:
+    case Solver::cobyla:
       return {NLOPT_LN_COBYLA, false, Known::all};
-    case Backend::bobyqa:
+    case Solver::bobyqa:
       return {NLOPT_LN_BOBYQA, false, Known::none};
     default:
       return {NLOPT_LD_SLSQP, true, Known::all};
@@ -24,11 +24,11 @@ NloptMethod method_of(Backend backend) {
 
 }  // namespace
 
-Outcome minimise_with_nlopt(Backend backend, DenseModel& model, const Options& options) {
-  NloptMethod method = method_of(backend);
+Outcome minimise_with_nlopt(Solver solver, DenseModel& model, const Options& options) {
+  NloptMethod method = method_of(solver);
   Program program(model);
   // Powell's quadratic models want two unknowns or more.
-  if (backend == Backend::bobyqa && program.size() < 2) method.algorithm = NLOPT_LN_COBYLA;
+  if (solver == Solver::bobyqa && program.size() < 2) method.algorithm = NLOPT_LN_COBYLA;
   return run_nlopt(method, program, {program.lower(), program.upper()}, options);
 }
 

@@ -52,14 +52,15 @@ struct Solution {
   std::uint64_t gradients = 0;    ///< of their Jacobian
 };
 
-/// The back ends: our own; Ceres; of NLopt first those that descend from the start, then the global
+/// The solvers: our own; Ceres; of NLopt first those that descend from the start, then the global
 /// searches (Johnson, "The NLopt nonlinear-optimization package"); Ipopt.
 ///
 /// Ceres minimises sums of squares within bounds and refuses models with other constraints or a
 /// minimax objective; AGS takes ten unknowns at most (`can_solve` says which models they take). The
 /// others take every model: constraints that an algorithm does not know enter its objective by an
 /// augmented Lagrangian.
-enum class Backend {
+enum class Solver {
+  automatic,  ///< Gauss-Newton, unless who asks knows better for the kind of problem
   gauss_newton,
   ceres,
   slsqp,   ///< Kraft 1988: sequential quadratic programming
@@ -74,22 +75,47 @@ enum class Backend {
   direct,  ///< Gablonsky & Kelley 2001: dividing rectangles, locally biased
   ipopt,
 };
+constexpr std::size_t kSolverCount = static_cast<std::size_t>(Solver::ipopt) + 1;
 
-/// As files name it: "gauss-newton".
-std::string_view name(Backend backend);
+/// As files name it: "auto", "gauss-newton"; empty for a number that is no solver.
+std::string_view name(Solver solver);
 
-/// Whether `backend` searches a box for its global minimum. The box is that of the variables'
+/// `solver`, or `otherwise` where it is automatic.
+constexpr Solver chosen(Solver solver, Solver otherwise = Solver::gauss_newton) {
+  return solver == Solver::automatic ? otherwise : solver;
+}
+
+/// Whether `solver` searches a box for its global minimum. The box is that of the variables'
 /// bounds; a bound that is infinite, or more than 100 scales from the start, is replaced by one 10
 /// scales from the start. Its best point is then refined: a sum of squares by Gauss-Newton, max |r|
 /// by SLSQP. The same seed gives the same result.
-bool is_global(Backend backend);
+bool is_global(Solver solver);
 
-/// Whether `backend` can honour everything that `model` requires.
-bool can_solve(Backend backend, const Model& model);
+/// What of a model can be beyond a solver.
+struct Requirements {
+  Objective objective = Objective::sum_of_squares;
+  bool constraints = false;  ///< other than bounds of variables
+  std::int64_t unknowns = 0;
+};
 
-/// The local minimum of `model` that `backend` reaches from `start` (clamped to the bounds), or the
+/// Whether `solver` can honour everything that is required.
+bool can_solve(Solver solver, const Requirements& required);
+bool can_solve(Solver solver, const Model& model);
+
+/// Whether `solver` sees an objective through its linearised residuals alone, which suits sums of
+/// squares and not an objective that is none.
+bool linearises_residuals(Solver solver);
+
+/// The most unknowns that `solver` can have.
+std::int64_t most_unknowns(Solver solver);
+
+/// Whether `solver` eliminates the local unknowns of a model (`Model::local_of_residual`), so that
+/// any number of them costs little. The matrices of the others are full.
+bool eliminates_locals(Solver solver);
+
+/// The local minimum of `model` that `solver` reaches from `start` (clamped to the bounds), or the
 /// best that a global search knows of, which is never worse than the start.
-Solution solve(Backend backend, const Model& model, std::span<const double> start,
+Solution solve(Solver solver, const Model& model, std::span<const double> start,
                const Options& options = {});
 
 }  // namespace cognate::synthesis

@@ -151,7 +151,7 @@ class ModelSearch {
     if (rules.has_value(next) && !rules.precedes(found, next)) found = std::move(next);
   }
 
-  Solution descend(const Minimum& of, std::span<const double> start, Backend solver,
+  Solution descend(const Minimum& of, std::span<const double> start, Solver solver,
                    double tolerance, int iterations) const {
     Solution solution = solve(solver, search_.rules().model_of(of), start,
                               until(deadline_, {.tolerance = tolerance,

@@ -60,9 +60,9 @@ struct SearchOptions {
   std::size_t reserve = 20;
 
   /// Solver and iterations for every start, and for the best minima.
-  Backend solver = Backend::gauss_newton;
+  Solver solver = Solver::gauss_newton;
   int exploring_iterations = 100;
-  Backend finisher = Backend::gauss_newton;
+  Solver finisher = Solver::gauss_newton;
   int finishing_iterations = 2000;
   double tolerance = 1e-13;   ///< see `Options`, of the finisher
   double feasibility = 1e-9;  ///< largest violation of a constraint that counts as met

@@ -91,7 +91,8 @@ TEST(ExactFunction, KeepsTheScaleOfAGivenFrame) {
 /// Li & Xu 2011, example 7-1 with cos 45° as it is; the transmission angle of 135° is active.
 TEST(RefinedFunction, CrankRockerParabolaByEverySolver) {
   FunctionProblem problem = from_library("crank-rocker-parabola.toml");
-  for (const auto solver : {SolverChoice::automatic, SolverChoice::slsqp, SolverChoice::ipopt}) {
+  for (const auto solver :
+       {synthesis::Solver::automatic, synthesis::Solver::slsqp, synthesis::Solver::ipopt}) {
     problem.solve.solver = solver;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Result result = solve(problem, {.seed = seed});

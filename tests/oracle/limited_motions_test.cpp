@@ -141,7 +141,7 @@ TEST(PartedStations, GiveEachPoseItsOwnAngleWhereThatIsBetter) {
     double error = 1;
     for (int round = 0; round < 12; ++round) {
       const auto solution =
-          synthesis::solve(synthesis::Backend::gauss_newton, MotionModel(problem, motion.form),
+          synthesis::solve(synthesis::Solver::gauss_newton, MotionModel(problem, motion.form),
                            motion.x, {.tolerance = 1e-14, .max_iterations = 400});
       error = solution.objective;
       motion.x = solution.x;

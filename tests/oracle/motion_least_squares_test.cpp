@@ -259,9 +259,9 @@ TEST(MotionLeastSquares, OtherSolversFinishAtTheSameLinkage) {
   MotionProblem problem = eleven_poses();
   problem.solve.starts = 20;
   problem.solve.designs = 1;
-  for (const auto& [choice, name] : {std::pair{SolverChoice::ceres, "ceres"},
-                                     {SolverChoice::slsqp, "slsqp"},
-                                     {SolverChoice::cobyla, "cobyla"}}) {
+  for (const auto& [choice, name] : {std::pair{synthesis::Solver::ceres, "ceres"},
+                                     {synthesis::Solver::slsqp, "slsqp"},
+                                     {synthesis::Solver::cobyla, "cobyla"}}) {
     problem.solve.solver = choice;
     const Result result = solve(problem, {.seed = 1});
     ASSERT_EQ(result.status, Status::solved) << name;

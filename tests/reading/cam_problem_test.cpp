@@ -196,7 +196,7 @@ TEST(CamProblem, LimitsAndObjective) {
   EXPECT_EQ(problem.constraints.torque_max, 6);
   EXPECT_FALSE(problem.constraints.no_separation);
   EXPECT_EQ(problem.objective, CamObjective::torque);
-  EXPECT_EQ(problem.solve.solver, SolverChoice::slsqp);
+  EXPECT_EQ(problem.solve.solver, synthesis::Solver::slsqp);
   EXPECT_EQ(problem.solve.designs, 2);
 }
 

@@ -54,12 +54,12 @@ double by_half_planes(const cam::MotionProgramme& programme) {
       ->dimensions.base_radius;
 }
 
-double by_search(const problems::CamProblem& problem, synthesis::Backend backend) {
+double by_search(const problems::CamProblem& problem, synthesis::Solver solver) {
   const problems::CamVariables variables(problem);
   problems::Work work;
   const problems::Run run;
   const problems::Deadline deadline(run);
-  const auto end = search_cam(variables, {40, 1}, backend, deadline, work);
+  const auto end = search_cam(variables, {40, 1}, solver, deadline, work);
   return std::sqrt(end->x[0] * end->x[0] + end->x[1] * end->x[1]);
 }
 
@@ -126,9 +126,9 @@ void print() {
   std::vector<Case> cases{
       {.name = "half planes", .run = [&] { result = by_half_planes(programme); }},
       {.name = "exchange, SLSQP",
-       .run = [&] { result = by_search(problem, synthesis::Backend::slsqp); }},
+       .run = [&] { result = by_search(problem, synthesis::Solver::slsqp); }},
       {.name = "exchange, Ipopt",
-       .run = [&] { result = by_search(problem, synthesis::Backend::ipopt); }},
+       .run = [&] { result = by_search(problem, synthesis::Solver::ipopt); }},
       {.name = "golden sections", .run = [&] { result = by_golden_sections(programme); }}};
   for (const int points : {360, 10'000, 1'000'000}) {
     cases.push_back({.name = fmt::format("grid of {}", points),

@@ -84,12 +84,12 @@ void lanes(benchmark::State& state, InstructionSet set) {
   report(state, costs);
 }
 
-void with_backend(benchmark::State& state, synthesis::Backend backend) {
+void with_solver(benchmark::State& state, synthesis::Solver solver) {
   std::vector<double> costs;
   for (auto _ : state) {
     costs.clear();
     for (const Start& start : starts()) {
-      const auto solution = solve(backend, start.model, start.x,
+      const auto solution = solve(solver, start.model, start.x,
                                   {.tolerance = kTolerance, .max_iterations = kIterations});
       costs.push_back(solution.objective);
     }
@@ -171,9 +171,9 @@ const bool listed = [] {
     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
   };
   add("ceres, one block, normal equations",
-      [](benchmark::State& state) { with_backend(state, synthesis::Backend::ceres); });
+      [](benchmark::State& state) { with_solver(state, synthesis::Solver::ceres); });
   add("constrained Gauss-Newton",
-      [](benchmark::State& state) { with_backend(state, synthesis::Backend::gauss_newton); });
+      [](benchmark::State& state) { with_solver(state, synthesis::Solver::gauss_newton); });
   for (const InstructionSet set : instruction_sets()) {
     add(std::string("lanes, ") + name(set), [set](benchmark::State& state) { lanes(state, set); });
   }

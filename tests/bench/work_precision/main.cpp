@@ -18,7 +18,7 @@
 
 #include "problems/basics/names.hpp"
 #include "problems/read.hpp"
-#include "problems/search/backend_choice.hpp"
+#include "problems/search/solver_origin.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "tests/bench/work_precision/contest.hpp"
 #include "tests/oracle/records.hpp"
@@ -27,7 +27,7 @@ namespace cognate::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using problems::SolverChoice;
+using synthesis::Solver;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 /// What counts as having reached the least error known.
@@ -68,7 +68,7 @@ void note(std::vector<Improvement>& history, double seconds, double error) {
   }
 }
 
-std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend, Starts how,
+std::vector<Improvement> race(const Contest& contest, synthesis::Solver solver, Starts how,
                               std::uint64_t seed, double seconds) {
   constexpr int kIterations = 1000;
   std::vector<Improvement> history;
@@ -78,8 +78,8 @@ std::vector<Improvement> race(const Contest& contest, synthesis::Backend backend
   while (spent(begin) < seconds) {
     const auto attempt = draw(random);
     if (!attempt) continue;
-    if (!can_solve(backend, *attempt->model)) return {};
-    const auto solution = solve(backend, *attempt->model, attempt->start,
+    if (!can_solve(solver, *attempt->model)) return {};
+    const auto solution = solve(solver, *attempt->model, attempt->start,
                                 {.tolerance = 1e-13,
                                  .max_iterations = kIterations,
                                  .time_limit = seconds - spent(begin),
@@ -103,15 +103,14 @@ std::vector<Improvement> race_of_auto(const Contest& contest, std::uint64_t seed
 
 std::vector<History> run(const Contest& contest, const Settings& settings) {
   std::vector<History> histories;
-  for (const auto& [name, solver] : problems::names<SolverChoice>()) {
+  for (const auto& [name, solver] : problems::names<synthesis::Solver>()) {
     for (const auto how : {Starts::screened, Starts::random}) {
-      const bool automatic = solver == SolverChoice::automatic;
+      const bool automatic = solver == synthesis::Solver::automatic;
       if (automatic && how == Starts::random) continue;
       History history{std::string(name), how == Starts::random ? "random" : "screened", {}};
       for (int seed = 1; seed <= settings.seeds; ++seed) {
-        history.seeds.push_back(
-            automatic ? race_of_auto(contest, seed, settings.seconds)
-                      : race(contest, problems::backend_of(solver), how, seed, settings.seconds));
+        history.seeds.push_back(automatic ? race_of_auto(contest, seed, settings.seconds)
+                                          : race(contest, solver, how, seed, settings.seconds));
       }
       if (std::isfinite(history.least())) histories.push_back(std::move(history));
     }

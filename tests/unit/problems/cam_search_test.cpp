@@ -10,7 +10,7 @@ namespace cognate {
 namespace {
 
 using problems::CamProblem;
-using problems::SolverChoice;
+using synthesis::Solver;
 
 double base_radius(const problems::CamResult& result) {
   return result.designs.at(0).cam.system.follower.dimensions.base_radius;
@@ -45,7 +45,7 @@ void compare(CamProblem problem, int index) {
   ASSERT_EQ(exact.designs.at(0).origin, "exact:half-planes") << index;
   ASSERT_TRUE(exact.designs.at(0).proof);
   EXPECT_TRUE(problems::all_satisfied(exact.designs[0].constraints)) << index;
-  for (const auto solver : {SolverChoice::slsqp, SolverChoice::ipopt}) {
+  for (const auto solver : {synthesis::Solver::slsqp, synthesis::Solver::ipopt}) {
     problem.solve.solver = solver;
     problem.solve.starts = 2;
     const auto general = solve(problem, {.threads = 1});

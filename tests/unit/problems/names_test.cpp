@@ -11,10 +11,10 @@ namespace {
 template <class Enum>
 class EnumNamesTest : public testing::Test {};
 
-using Enums = testing::Types<Assembly, MobilityClass, RequiredClass, SolverChoice, synthesis::Loss,
-                             Timing, CrankReference, CrankSense, PointOrder, FunctionStart,
-                             FunctionObjective, Status, Defect, cam::FollowerType, cam::ArmSide,
-                             cam::Closure, cam::MotionLaw, CamObjective>;
+using Enums = testing::Types<Assembly, MobilityClass, RequiredClass, synthesis::Solver,
+                             synthesis::Loss, Timing, CrankReference, CrankSense, PointOrder,
+                             FunctionStart, FunctionObjective, Status, Defect, cam::FollowerType,
+                             cam::ArmSide, cam::Closure, cam::MotionLaw, CamObjective>;
 TYPED_TEST_SUITE(EnumNamesTest, Enums);
 
 TYPED_TEST(EnumNamesTest, EveryNameLeadsBackToItsValue) {
@@ -39,7 +39,7 @@ TYPED_TEST(EnumNamesTest, WhatIsNoNameHasNoValue) {
 // The contract with users, word for word.
 TEST(NamesTest, SpellingsOfTheContract) {
   EXPECT_EQ(to_string(RequiredClass::crank_rocker), "crank-rocker");
-  EXPECT_EQ(to_string(SolverChoice::automatic), "auto");
+  EXPECT_EQ(to_string(synthesis::Solver::automatic), "auto");
   EXPECT_EQ(to_string(FunctionStart::outer_dead_centre), "outer-dead-centre");
   EXPECT_EQ(to_string(FunctionObjective::least_squares), "least-squares");
   EXPECT_EQ(to_string(Status::no_solution), "no-solution");

@@ -144,9 +144,9 @@ class WithoutHessian final : public Model {
 TEST(SecondDerivatives, SaveIpoptIterations) {
   const PathModel model(path(Timing::prescribed, CrankReference::first), kLinkage.assembly, false);
   const auto start = model.variables_of(kLinkage, kAngles);
-  const auto exact = solve(synthesis::Backend::ipopt, model, start);
-  const auto approximate = solve(synthesis::Backend::ipopt, WithoutHessian(model), start);
-  const auto other = solve(synthesis::Backend::gauss_newton, model, start);
+  const auto exact = solve(synthesis::Solver::ipopt, model, start);
+  const auto approximate = solve(synthesis::Solver::ipopt, WithoutHessian(model), start);
+  const auto other = solve(synthesis::Solver::gauss_newton, model, start);
   EXPECT_EQ(exact.stop, synthesis::Stop::converged);
   EXPECT_NEAR(exact.objective, other.objective, 1e-12);
   EXPECT_LT(exact.iterations, approximate.iterations);

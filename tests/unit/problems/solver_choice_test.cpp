@@ -13,7 +13,7 @@
 namespace cognate::problems {
 namespace {
 
-class SolverChoiceTest : public testing::TestWithParam<SolverChoice> {
+class SolverChoiceTest : public testing::TestWithParam<synthesis::Solver> {
  protected:
   template <class Problem>
   Result solved(Problem problem) const {
@@ -27,12 +27,12 @@ class SolverChoiceTest : public testing::TestWithParam<SolverChoice> {
     if (one.designs.empty() || three.designs.empty()) return one;
     EXPECT_EQ(one.designs.front().error.sum_of_squares, three.designs.front().error.sum_of_squares);
     EXPECT_EQ(one.designs.front().crank_angles, three.designs.front().crank_angles);
-    const bool other = GetParam() != SolverChoice::automatic;
+    const bool other = GetParam() != synthesis::Solver::automatic;
     const std::string name(other ? to_string(GetParam()) : "gauss-newton");
     EXPECT_NE(one.designs.front().origin.find(name), std::string::npos);
     // The solver named goes on from what Gauss-Newton has found.
-    if (other && GetParam() != SolverChoice::gauss_newton) {
-      problem.solve.solver = SolverChoice::gauss_newton;
+    if (other && GetParam() != synthesis::Solver::gauss_newton) {
+      problem.solve.solver = synthesis::Solver::gauss_newton;
       const Result without = solve(problem, {.seed = 5, .threads = 1});
       EXPECT_GT(one.work.positions, without.work.positions);
     }
@@ -115,9 +115,9 @@ TEST_P(SolverChoiceTest, MeasuresAFunctionGeneratorGivenWhole) {
   EXPECT_NEAR(result.designs.front().error.sum_of_squares, squares, 1e-12);
 }
 
-std::vector<SolverChoice> all_solvers() {
-  std::vector<SolverChoice> all;
-  for (const auto& named : names<SolverChoice>()) all.push_back(named.value);
+std::vector<synthesis::Solver> all_solvers() {
+  std::vector<synthesis::Solver> all;
+  for (const auto& named : names<synthesis::Solver>()) all.push_back(named.value);
   return all;
 }
 

@@ -88,8 +88,8 @@ TEST(FunctionFit, EndsAtMinimaThatCeresFinds) {
       if (!std::isfinite(error)) continue;
       ++closing;
       EXPECT_NEAR(error, state.cost, 1e-3 * error);  // 2 tan(e/2) is e but for its cube
-      const auto further = solve(synthesis::Backend::ceres, model, model.variables_of(reached),
-                                 {.tolerance = 1e-15});
+      const auto further =
+          solve(synthesis::Solver::ceres, model, model.variables_of(reached), {.tolerance = 1e-15});
       EXPECT_NEAR(further.objective, error, 1e-4 * error);
     }
     EXPECT_GT(closing, 10);
@@ -107,7 +107,7 @@ TEST(FunctionFit, KeepsTransmissionWithinItsLimits) {
   model.constraints(x, c, {});
   EXPECT_GT(*std::ranges::min_element(c), -0.02);
   const auto exact =
-      solve(synthesis::Backend::slsqp, model, model.variables_of(from[0]), {.tolerance = 1e-13});
+      solve(synthesis::Solver::slsqp, model, model.variables_of(from[0]), {.tolerance = 1e-13});
   EXPECT_LE(exact.violation, 1e-9);
   EXPECT_NEAR(state.cost, exact.objective, 0.2 * exact.objective);
 }

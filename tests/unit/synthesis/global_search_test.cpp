@@ -28,7 +28,7 @@ FunctionModel::Parts rastrigin_parts() {
 
 const std::vector<double> kFarStart = {3.9, -2.9};
 
-class GlobalSearch : public ::testing::TestWithParam<Backend> {
+class GlobalSearch : public ::testing::TestWithParam<Solver> {
  protected:
   /// The best of four seeds: some of the searches find it by chance.
   Solution search(const FunctionModel::Parts& parts) const {
@@ -42,7 +42,7 @@ class GlobalSearch : public ::testing::TestWithParam<Backend> {
 };
 
 TEST_P(GlobalSearch, FindsTheLeastOfManyMinima) {
-  const Solution local = solve(Backend::gauss_newton, FunctionModel(rastrigin_parts()), kFarStart);
+  const Solution local = solve(Solver::gauss_newton, FunctionModel(rastrigin_parts()), kFarStart);
   EXPECT_GT(local.objective, 1);
   const Solution solution = search(rastrigin_parts());
   EXPECT_EQ(solution.stop, Stop::converged);
@@ -131,15 +131,15 @@ TEST_P(GlobalSearch, KeepsToItsEvaluations) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solver, GlobalSearch,
-                         ::testing::Values(Backend::ags, Backend::isres, Backend::crs,
-                                           Backend::mlsl, Backend::direct),
+                         ::testing::Values(Solver::ags, Solver::isres, Solver::crs, Solver::mlsl,
+                                           Solver::direct),
                          [](const auto& info) { return std::string(name(info.param)); });
 
 TEST(Ags, RefusesMoreThanTenUnknowns) {
   const FunctionModel eleven({free_variables(11), rastrigin});
-  EXPECT_FALSE(can_solve(Backend::ags, eleven));
-  EXPECT_EQ(solve(Backend::ags, eleven, std::vector<double>(11, 1.0)).stop, Stop::failed);
-  EXPECT_TRUE(can_solve(Backend::ags, FunctionModel({free_variables(10), rastrigin})));
+  EXPECT_FALSE(can_solve(Solver::ags, eleven));
+  EXPECT_EQ(solve(Solver::ags, eleven, std::vector<double>(11, 1.0)).stop, Stop::failed);
+  EXPECT_TRUE(can_solve(Solver::ags, FunctionModel({free_variables(10), rastrigin})));
 }
 
 }  // namespace

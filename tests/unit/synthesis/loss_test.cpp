@@ -143,9 +143,9 @@ TEST(RobustModel, HasTheMinimumOfCeres) {
     ceres::Solve(options, &problem, &summary);
 
     const synthesis::RobustModel robust(line, loss, 1, 1);
-    for (const auto backend : {synthesis::Backend::gauss_newton, synthesis::Backend::ceres,
-                               synthesis::Backend::slsqp, synthesis::Backend::crs}) {
-      const auto solution = solve(backend, robust, std::vector{1.0, 2.0});
+    for (const auto solver : {synthesis::Solver::gauss_newton, synthesis::Solver::ceres,
+                              synthesis::Solver::slsqp, synthesis::Solver::crs}) {
+      const auto solution = solve(solver, robust, std::vector{1.0, 2.0});
       EXPECT_NEAR(solution.objective, 2 * summary.final_cost, 1e-9);
       EXPECT_NEAR(solution.x[0], expected[0], 1e-5);
       EXPECT_NEAR(solution.x[1], expected[1], 1e-5);

@@ -107,10 +107,10 @@ TEST(PathFit, EndsAtMinimaThatCeresFinds) {
       const auto x = model.variables_of(states[i], from[i]);
       const double reached = objective(model, x);
       EXPECT_NEAR(reached, states[i].cost, 1e-9 * reached);
-      const auto further = solve(synthesis::Backend::ceres, model, x, {.tolerance = 1e-15});
+      const auto further = solve(synthesis::Solver::ceres, model, x, {.tolerance = 1e-15});
       EXPECT_GE(further.objective, reached * (1 - 1e-6)) << "start " << i;
     }
-    const auto ceres = solve(synthesis::Backend::ceres, model, from[0], {.tolerance = 1e-15});
+    const auto ceres = solve(synthesis::Solver::ceres, model, from[0], {.tolerance = 1e-15});
     EXPECT_NEAR(states[0].cost, ceres.objective, 1e-6 * ceres.objective);
   }
 }
@@ -203,7 +203,7 @@ TEST(PathFit, StartsWithinItsBounds) {
   const PathFitOptions exact{.most_iterations = 400, .tolerance = 1e-15};
   const auto states = fitted(model, {outside, within}, exact);
   EXPECT_EQ(states[0].value, states[1].value);
-  const auto best = solve(synthesis::Backend::slsqp, model, within, {.tolerance = 1e-14});
+  const auto best = solve(synthesis::Solver::slsqp, model, within, {.tolerance = 1e-14});
   EXPECT_NEAR(states[0].cost, best.objective, 1e-6 * best.objective);
 }
 

@@ -15,18 +15,18 @@
 namespace cognate::synthesis::testing {
 namespace {
 
-constexpr Backend all_backends[] = {
-    Backend::gauss_newton, Backend::ceres,  Backend::slsqp, Backend::mma,   Backend::ccsaq,
-    Backend::cobyla,       Backend::bobyqa, Backend::ags,   Backend::isres, Backend::crs,
-    Backend::mlsl,         Backend::direct, Backend::ipopt};
+constexpr Solver all_solvers[] = {
+    Solver::gauss_newton, Solver::ceres,  Solver::slsqp, Solver::mma,   Solver::ccsaq,
+    Solver::cobyla,       Solver::bobyqa, Solver::ags,   Solver::isres, Solver::crs,
+    Solver::mlsl,         Solver::direct, Solver::ipopt};
 
 /// Evaluations of a global search where only what refines its best point matters.
 constexpr std::uint64_t kShortSearch = 300;
 
 /// Models that are not those of Newton creep along a curved valley, sometimes beyond any limit.
-bool creeps(Backend backend) {
-  return backend == Backend::mma || backend == Backend::ccsaq || backend == Backend::cobyla ||
-         backend == Backend::bobyqa;
+bool creeps(Solver solver) {
+  return solver == Solver::mma || solver == Solver::ccsaq || solver == Solver::cobyla ||
+         solver == Solver::bobyqa;
 }
 
 /// What each solver is good for, measured on these problems and rounded up.
@@ -37,30 +37,31 @@ struct Accuracy {
   int iterations;    ///< that it may need
 };
 
-Accuracy accuracy(Backend backend, const Problem& problem) {
+Accuracy accuracy(Solver solver, const Problem& problem) {
   const bool minimax = problem.model.objective() == Objective::max_abs;
-  switch (backend) {
-    case Backend::gauss_newton:
+  switch (solver) {
+    case Solver::automatic:
+    case Solver::gauss_newton:
       // Its minimax iteration ends at about half the digits.
       return minimax ? Accuracy{1e-10, 0, 1e-5, 200} : Accuracy{1e-9, 1e-26, 3e-6, 400};
-    case Backend::ceres:
+    case Solver::ceres:
       return {1e-9, 1e-22, 3e-6, 200};
-    case Backend::ags:
-    case Backend::isres:
-    case Backend::crs:
-    case Backend::mlsl:
-    case Backend::direct:
+    case Solver::ags:
+    case Solver::isres:
+    case Solver::crs:
+    case Solver::mlsl:
+    case Solver::direct:
       // They may end whole turns away.
       return minimax ? Accuracy{1e-9, 1e-22, 0, 400} : Accuracy{1e-9, 1e-26, 0, 400};
-    case Backend::slsqp:
+    case Solver::slsqp:
       return {1e-9, 1e-22, 3e-6, 400};
-    case Backend::mma:
-    case Backend::ccsaq:
+    case Solver::mma:
+    case Solver::ccsaq:
       return {1e-6, 1e-7, 3e-2, 20000};
-    case Backend::cobyla:
-    case Backend::bobyqa:
+    case Solver::cobyla:
+    case Solver::bobyqa:
       return {1e-6, 1e-7, 3e-2, 50000};
-    case Backend::ipopt:
+    case Solver::ipopt:
       return {1e-8, 1e-13, 1e-5, 400};
   }
   return {};
@@ -125,7 +126,7 @@ std::vector<double> clamped(const Model& model, std::vector<double> x) {
          << static_cast<int>(solution.stop);
 }
 
-class EverySolver : public ::testing::TestWithParam<Backend> {};
+class EverySolver : public ::testing::TestWithParam<Solver> {};
 
 TEST_P(EverySolver, ReachesTheKnownMinima) {
   int solved = 0;
@@ -217,8 +218,7 @@ TEST_P(EverySolver, CountsWhatItAsksOfTheModel) {
 }
 
 TEST_P(EverySolver, SaysWhatIsInfeasible) {
-  if (GetParam() == Backend::ceres)
-    GTEST_SKIP() << "refuses constraints, as a test of its own says";
+  if (GetParam() == Solver::ceres) GTEST_SKIP() << "refuses constraints, as a test of its own says";
   const FunctionModel model({boxes({{-5, 5}, {-5, 5}}), rosenbrock, [](Point x) -> Values {
                                return {x[0] + x[1] - 3.0, 1.0 - x[0] - x[1]};
                              }});
@@ -230,8 +230,7 @@ TEST_P(EverySolver, SaysWhatIsInfeasible) {
 }
 
 TEST_P(EverySolver, SaysWhichEqualitiesContradict) {
-  if (GetParam() == Backend::ceres)
-    GTEST_SKIP() << "refuses constraints, as a test of its own says";
+  if (GetParam() == Solver::ceres) GTEST_SKIP() << "refuses constraints, as a test of its own says";
   FunctionModel::Parts parts{boxes({{-5, 5}, {-5, 5}}), rosenbrock, [](Point x) -> Values {
                                return {x[0] + x[1] - 3.0, x[0] + x[1] - 1.0};
                              }};
@@ -262,7 +261,7 @@ TEST_P(EverySolver, LeavesAFullyFixedModelAlone) {
   EXPECT_DOUBLE_EQ(solution.objective, 100 * 1.75 * 1.75 + 0.25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solver, EverySolver, ::testing::ValuesIn(all_backends),
+INSTANTIATE_TEST_SUITE_P(Solver, EverySolver, ::testing::ValuesIn(all_solvers),
                          [](const auto& info) {
                            std::string out(name(info.param));
                            std::erase(out, '-');
@@ -272,8 +271,8 @@ INSTANTIATE_TEST_SUITE_P(Solver, EverySolver, ::testing::ValuesIn(all_backends),
 TEST(Ceres, RefusesConstraintsAndMinimax) {
   for (const auto& problems : {constrained_problems(), minimax_problems()}) {
     const Problem& problem = problems.front();
-    EXPECT_FALSE(can_solve(Backend::ceres, problem.model));
-    const Solution solution = solve(Backend::ceres, problem.model, problem.starts.front());
+    EXPECT_FALSE(can_solve(Solver::ceres, problem.model));
+    const Solution solution = solve(Solver::ceres, problem.model, problem.starts.front());
     EXPECT_EQ(solution.stop, Stop::failed);
     EXPECT_EQ(solution.x, problem.starts.front());
     EXPECT_DOUBLE_EQ(solution.objective, objective_at(problem.model, problem.starts.front()));
@@ -285,7 +284,7 @@ TEST(Ceres, RefusesConstraintsAndMinimax) {
 TEST(Ipopt, GivesMultipliers) {
   const Problem hs43 = constrained_problems()[1];
   ASSERT_EQ(hs43.name, "hs43");
-  const Solution solution = solve(Backend::ipopt, hs43.model, hs43.starts.front());
+  const Solution solution = solve(Solver::ipopt, hs43.model, hs43.starts.front());
   ASSERT_EQ(solution.multipliers.size(), 3u);
   EXPECT_NEAR(solution.multipliers[0], 1, 1e-5);
   EXPECT_NEAR(solution.multipliers[1], 0, 1e-5);
@@ -296,7 +295,7 @@ TEST(Ipopt, GivesMultipliers) {
 /// over [−1, 1] with b ≥ β is (1 + β + β²/4)/2, so λ = 1/2 + β/4.
 TEST(Ipopt, GivesMultipliersOfMinimax) {
   const Problem problem = minimax_problems().back();
-  const Solution solution = solve(Backend::ipopt, problem.model, problem.starts.front());
+  const Solution solution = solve(Solver::ipopt, problem.model, problem.starts.front());
   ASSERT_EQ(solution.multipliers.size(), 1u);
   EXPECT_NEAR(solution.multipliers[0], 0.5 + 0.5 / 4, 1e-6);
 }
@@ -306,8 +305,8 @@ TEST(Ipopt, GivesMultipliersOfMinimax) {
 TEST(Multipliers, OfEqualitiesHaveTheirSign) {
   const Problem hs42 = equality_problems()[2];
   ASSERT_EQ(hs42.name, "hs42");
-  for (const Backend backend : {Backend::ipopt, Backend::gauss_newton}) {
-    const Solution solution = solve(backend, hs42.model, hs42.starts.front());
+  for (const Solver solver : {Solver::ipopt, Solver::gauss_newton}) {
+    const Solution solution = solve(solver, hs42.model, hs42.starts.front());
     ASSERT_EQ(solution.multipliers.size(), 2u);
     EXPECT_NEAR(solution.multipliers[0], 2, 1e-5);
     EXPECT_NEAR(solution.multipliers[1], 1 - 5 / std::sqrt(2.0), 1e-5);
@@ -318,10 +317,10 @@ TEST(Multipliers, OfEqualitiesHaveTheirSign) {
 TEST(Ipopt, StartsWarm) {
   for (const Problem& problem : constrained_problems()) {
     SCOPED_TRACE(problem.name);
-    const Solution cold = solve(Backend::ipopt, problem.model, problem.starts.front());
-    const Solution again = solve(Backend::ipopt, problem.model, cold.x);
+    const Solution cold = solve(Solver::ipopt, problem.model, problem.starts.front());
+    const Solution again = solve(Solver::ipopt, problem.model, cold.x);
     const Solution warm =
-        solve(Backend::ipopt, problem.model, cold.x, {.multipliers = cold.multipliers});
+        solve(Solver::ipopt, problem.model, cold.x, {.multipliers = cold.multipliers});
     EXPECT_NEAR(warm.objective, problem.minima.front().objective,
                 1e-8 * problem.minima.front().objective);
     EXPECT_LT(warm.iterations, again.iterations);
@@ -337,7 +336,7 @@ TEST(Ipopt, ServesTwoThreadsAtOnce) {
       threads.emplace_back([&] {
         for (int i = 0; i < 20; ++i) {
           const Problem& problem = problems[i % problems.size()];
-          const Solution solution = solve(Backend::ipopt, problem.model, problem.starts.front());
+          const Solution solution = solve(Solver::ipopt, problem.model, problem.starts.front());
           const double minimum = problem.minima.front().objective;
           if (!(std::abs(solution.objective - minimum) <= 1e-8 * minimum)) ++wrong;
         }
