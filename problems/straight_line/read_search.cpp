@@ -116,11 +116,8 @@ void check_scale(TableReader& target, const StraightLineProblem& problem) {
 
 StraightLineProblem read_straight_line_search(TableReader& document) {
   StraightLineProblem problem;
-  TableReader target = document.table("target");
-  TableReader mechanism = document.table("mechanism");
-  TableReader bounds = document.table("bounds");
-  TableReader constraints = document.table("constraints");
-  TableReader solve = document.table("solve");
+  LinkageTables tables(document);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
 
   target.know({"method"});
   problem.goal = read_goal(target);
@@ -147,7 +144,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   constexpr int kAlongFront = 12;
   if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
 
-  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  tables.finish();
   return problem;
 }
 
