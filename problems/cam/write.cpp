@@ -6,7 +6,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/cam/problem.hpp"
+#include "problems/cam/keys.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -127,20 +127,10 @@ TableWriter written_follower(const CamProblem& problem) {
 TableWriter written_constraints(const CamProblem& problem) {
   const CamConstraints& given = problem.constraints;
   TableWriter table;
-  table.set_deg("pressure_angle_deg_max", given.pressure_angle_max)
-      .set_deg("pressure_angle_deg_max_rise", given.pressure_angle_max_rise)
-      .set_deg("pressure_angle_deg_max_return", given.pressure_angle_max_return)
-      .set_deg("pressure_angle_deg_max_rise_working", given.pressure_angle_max_rise_working)
-      .set_deg("pressure_angle_deg_max_return_working", given.pressure_angle_max_return_working)
+  write_keys(given, kPressureAngleKeys, table)
       .set("curvature_radius_min", given.curvature_radius_min)
-      .set("no_undercut", given.curvature_radius_min.has_value())
-      .set("concave_radius_min", given.concave_radius_min)
-      .set("face_width_max", given.face_width_max)
-      .set("profile_radius_min", given.profile_radius_min)
-      .set("profile_radius_max", given.profile_radius_max)
-      .set("contact_force_max", given.contact_force_max)
-      .set("torque_max", given.torque_max)
-      .set("contact_stress_max", given.contact_stress_max);
+      .set("no_undercut", given.curvature_radius_min.has_value());
+  write_keys(given, kProfileKeys, table);
   const bool may_separate = problem.has_operation && problem.second.closure == cam::Closure::force;
   if (may_separate) table.set("no_separation", given.no_separation);
   return table;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/gear/keys.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
 #include "problems/linkage/write_linkage.hpp"
@@ -18,10 +19,7 @@ Node count_node(double teeth) {
 
 TableWriter rack_writer(const gear::BasicRack& rack) {
   TableWriter table;
-  return table.set_deg("pressure_angle_deg", rack.pressure_angle)
-      .set("addendum", rack.addendum)
-      .set("clearance", rack.clearance)
-      .set("tip_radius", rack.corner_radius);
+  return write_keys(rack, kRackKeys, table);
 }
 
 void set_unless_zero(TableWriter& table, std::string_view key, double value) {
@@ -102,15 +100,8 @@ TableWriter pair_bounds_writer(const GearPairProblem& problem) {
 TableWriter pair_constraints_writer(const GearPairProblem& problem) {
   const GearConstraints& given = problem.constraints;
   TableWriter table;
-  if (problem.gearing != Gearing::worm) {
-    table.set("contact_ratio_min", given.contact_ratio_min)
-        .set("no_interference", given.no_interference)
-        .set("hunting", given.hunting)
-        .set("sliding_max", given.sliding_max)
-        .set("tip_clearance_min", given.tip_clearance_min);
-  }
-  return table.set("tip_thickness_min", given.tip_thickness_min)
-      .set("no_undercut", given.no_undercut);
+  if (problem.gearing != Gearing::worm) write_keys(given, kMeshKeys, table);
+  return write_keys(given, kToothKeys, table);
 }
 
 TableWriter pair_target_writer(const GearPairProblem& problem) {

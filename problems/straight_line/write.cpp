@@ -1,6 +1,6 @@
 /// A straight-line problem written down, and checked by reading what was written.
 #include "problems/linkage/write_linkage.hpp"
-#include "problems/straight_line/problem.hpp"
+#include "problems/straight_line/keys.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -47,14 +47,6 @@ TableWriter searched_mechanism(const StraightLineProblem& problem) {
   return slider_crank_writer(problem.given, problem.slider_offset, problem.given.frame_angle);
 }
 
-TableWriter goal_writer(const StraightLineGoal& goal) {
-  TableWriter table;
-  return table.set("length", goal.length)
-      .set("deviation", goal.deviation)
-      .set("deviation_relative", goal.deviation_relative)
-      .set_deg("direction_deg", goal.direction);
-}
-
 }  // namespace
 }  // namespace reading
 
@@ -63,10 +55,9 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
   TableWriter document = document_writer(kWord, problem.title);
   TableWriter constraints = constraints_writer(problem.constraints);
   if (problem.goal) {
-    constraints.set_deg("crank_range_deg", problem.segment.crank_range)
-        .set("size_over_length_max", problem.segment.size_over_length_max)
-        .set("speed_variation_max", problem.segment.speed_variation_max);
-    document.set("target", goal_writer(*problem.goal))
+    write_keys(problem.segment, kSegmentKeys, constraints);
+    TableWriter target;
+    document.set("target", write_keys(*problem.goal, kGoalKeys, target))
         .set("mechanism", searched_mechanism(problem))
         .set("bounds", bounds_writer(problem.bounds))
         .set("constraints", constraints)
