@@ -52,7 +52,7 @@ struct AsJson {
             {"variables", variables}, {"metrics", study.metrics}};
   }
   ordered_json operator()(const problems::Task& task) const {
-    return visit_kind(task, [](auto kind, const auto& problem) { return kind.to_json(problem); });
+    return std::visit([](const auto& problem) { return problem_json(problem); }, task);
   }
 };
 

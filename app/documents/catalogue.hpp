@@ -25,6 +25,23 @@ struct Metric {
   std::string_view meaning;
 };
 
+template <class List>
+inline constexpr std::size_t kSizeOf = std::tuple_size_v<List>;
+template <class Row, std::size_t n>
+inline constexpr std::size_t kSizeOf<Row[n]> = n;
+
+/// The names and meanings in `lists` of entries or of declared keys, one after the other.
+template <class... Lists>
+constexpr auto entries_of(const Lists&... lists) {
+  std::array<Entry, (kSizeOf<Lists> + ...)> all{};
+  auto next = all.begin();
+  const auto append = [&](const auto& list) {
+    for (const auto& key : list) *next++ = {key.name, key.meaning};
+  };
+  (append(lists), ...);
+  return all;
+}
+
 /// A list with the declared quantities over the cycle between its parts.
 template <class Row, std::size_t First, std::size_t Last, class Declared>
 constexpr auto with_cycle_quantities(const Row (&first)[First], const Declared& declared,

@@ -10,6 +10,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/quantity.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/toml/document.hpp"
 
 namespace cognate::app {
 
@@ -27,6 +28,10 @@ nlohmann::ordered_json to_json_deg(const problems::Range& range);
 
 /// [[xmin, ymin], [xmax, ymax]]; where a side is infinite, {"x": range, "y": range}.
 nlohmann::ordered_json to_json(const problems::Box& box);
+
+/// The tables of a problem file, their arrays of two numbers or two points as `to_json` writes
+/// ranges and boxes.
+nlohmann::ordered_json to_json(const problems::reading::Table& document);
 
 /// Each quantity under its name in `table`; one named "a.b" in its table "a" under "b".
 void add_quantities(nlohmann::ordered_json& table, std::span<const problems::Quantity> quantities);

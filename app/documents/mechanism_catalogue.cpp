@@ -1,6 +1,5 @@
 #include "app/documents/mechanism_catalogue.hpp"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -10,14 +9,7 @@ namespace cognate::app {
 namespace {
 
 template <class Type>
-constexpr auto kKeysOf = [] {
-  constexpr auto& keys = problems::TypeTraits<Type>::kKeys;
-  std::array<Entry, std::size(keys)> entries;
-  std::ranges::transform(keys, entries.begin(), [](const auto& key) {
-    return Entry{key.name, key.meaning};
-  });
-  return entries;
-}();
+constexpr auto kKeysOf = entries_of(problems::TypeTraits<Type>::kKeys);
 
 template <>
 constexpr std::array<Entry, 3> kKeysOf<problems::ChainDescription> = {

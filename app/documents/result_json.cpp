@@ -10,8 +10,8 @@
 
 #include "app/documents/json_values.hpp"
 #include "app/documents/version.hpp"
-#include "app/kinds/evaluation/problem_json.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/evaluation/write.hpp"
 
 namespace cognate::app {
 namespace {
@@ -138,6 +138,10 @@ tl::expected<ordered_json, std::string> finished_document(ordered_json document,
     return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
   }
   return document;
+}
+
+ordered_json mechanism_json(const problems::NamedMechanism& mechanism) {
+  return to_json(problems::reading::mechanism_writer(mechanism).take());
 }
 
 ordered_json design_json(const problems::Design& design, bool angular) {

@@ -21,6 +21,10 @@ tl::expected<nlohmann::ordered_json, std::string> finished_document(
     nlohmann::ordered_json document, const std::vector<std::string>& notes,
     const problems::Work& work);
 
+/// The `[mechanism]` table of a mechanism in the file's own terms. Of a chain it holds the tables
+/// `pivot`, `crank` or `slider`, `dyad` and `point` too.
+nlohmann::ordered_json mechanism_json(const problems::NamedMechanism& mechanism);
+
 /// An entry of `designs`. Errors are in the target's unit, of an `angular` one in radians and
 /// besides as `rms_deg`, `max_deg`. `cognate_of` and `mirror_of` are indices into `designs` from 0.
 /// What has no value is left out, but for `metrics.time_ratio`, which is then null; so are

@@ -10,11 +10,14 @@
 
 #include "app/console/screen.hpp"
 #include "app/console/table_text.hpp"
+#include "app/documents/json_values.hpp"
 #include "app/documents/list_section.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/report/report.hpp"
+#include "problems/basics/kind.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/study/metric_names.hpp"
+#include "problems/toml/document.hpp"
 #include "problems/toml/fault.hpp"
 
 namespace cognate::app {
@@ -33,8 +36,6 @@ struct Evaluated {
 /// - `refusal(problem, command)`, why a command does not take it; empty where it does;
 /// - `run(problem, run)`, its result;
 /// - `describe(problem)`, what it asks for in a line;
-/// - `to_json(problem)`, the tables of its file under their own keys with every default filled in,
-///   angles in degrees where the key ends in `_deg`; what has no value is left out;
 /// - `design_json(problem, result, i)`, entry i of `designs` in the result document;
 /// - `table(problem, result, screen)`, what the terminal shows;
 /// - `page(problem)` and `report_data(problem, result)`, the report and what it draws;
@@ -108,6 +109,13 @@ struct KindBase {
   static std::vector<MetricList> metric_lists() { return {}; }
 };
 
+/// The tables of the file of a problem under their own keys with every default filled in, angles in
+/// degrees where the key ends in `_deg`; what has no value is left out.
+template <class Problem>
+nlohmann::ordered_json problem_json(const Problem& problem) {
+  return to_json(problems::KindTraits<Problem>::written(problem).document);
+}
+
 /// The document `cognate-result/1` of a run: `format`, `version`, `seed`, `status`, `problem`,
 /// `designs` (best first), what the kind has besides, `notes`, `work`, as
 /// `schema/cognate-result-1.schema.json` describes. Angles are in degrees under keys that end in
@@ -119,7 +127,7 @@ tl::expected<nlohmann::ordered_json, std::string> result_document(const Problem&
                                                                   const ResultOf<Problem>& result,
                                                                   std::uint64_t seed) {
   using K = Kind<Problem>;
-  auto document = document_head(result.status, seed, K::to_json(problem));
+  auto document = document_head(result.status, seed, problem_json(problem));
   auto& designs = document["designs"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < K::design_count(result); ++i) {
     designs.push_back(K::design_json(problem, result, i));

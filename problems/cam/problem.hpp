@@ -105,6 +105,7 @@ template <>
 struct KindTraits<CamProblem> {
   static constexpr std::string_view kWord = "cam";
   static CamProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const CamProblem& problem);
   static tl::expected<CamProblem, std::vector<std::string>> checked(const CamProblem& problem);
 };
 

@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "problems/cam/keys.hpp"
 #include "problems/cam/read_follower.hpp"
 #include "problems/cam/read_operation.hpp"
-#include "problems/cam/rules.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -12,25 +12,7 @@ namespace {
 using cam::FollowerType;
 
 constexpr std::string_view kCurvature = "curvature_radius_min", kUndercut = "no_undercut",
-                           kConcave = "concave_radius_min", kFace = "face_width_max",
-                           kForce = "contact_force_max", kTorque = "torque_max",
-                           kStress = "contact_stress_max", kSeparation = "no_separation",
-                           kLeast = "profile_radius_min", kGreatest = "profile_radius_max";
-
-void read_angle(TableReader& table, std::string_view key, std::optional<double>& angle) {
-  const auto degrees = table.number(key, kPressureLimit);
-  if (degrees) angle = radians(*degrees);
-}
-
-void read_pressure_angles(TableReader& table, CamConstraints& constraints) {
-  read_angle(table, "pressure_angle_deg_max", constraints.pressure_angle_max);
-  read_angle(table, "pressure_angle_deg_max_rise", constraints.pressure_angle_max_rise);
-  read_angle(table, "pressure_angle_deg_max_return", constraints.pressure_angle_max_return);
-  read_angle(table, "pressure_angle_deg_max_rise_working",
-             constraints.pressure_angle_max_rise_working);
-  read_angle(table, "pressure_angle_deg_max_return_working",
-             constraints.pressure_angle_max_return_working);
-}
+                           kSeparation = "no_separation";
 
 void read_undercut(TableReader& table, CamConstraints& constraints) {
   const auto radius = table.number(kCurvature, kRadiusOrNone);
@@ -51,16 +33,12 @@ void refuse_where(TableReader& table, std::string_view key, bool meaningless, Fo
   table.fault(key, fmt::format("is given, but {} {}; remove it", in_words(follower), why));
 }
 
-void read_profile(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
+void check_profile(TableReader& table, const CamProblem& problem) {
   const bool flat = is_flat(problem.follower);
-  constraints.concave_radius_min = table.number(kConcave, kLinkLength);
   refuse_where(table, kConcave, flat, problem.follower, "touches no concave profile");
-  constraints.face_width_max = table.number(kFace, kLinkLength);
   refuse_where(table, kFace, !flat, problem.follower, "has no face");
-  constraints.profile_radius_min = table.number(kLeast, kLinkLength);
-  constraints.profile_radius_max = table.number(kGreatest, kLinkLength);
-  const auto& least = constraints.profile_radius_min;
-  const auto& greatest = constraints.profile_radius_max;
+  const auto& least = problem.constraints.profile_radius_min;
+  const auto& greatest = problem.constraints.profile_radius_max;
   if (least && greatest && *least > *greatest) {
     table.fault(kLeast,
                 fmt::format("is {}, more than profile_radius_max = {}; expected at most that",
@@ -105,9 +83,6 @@ void check_contact_objective(TableReader& target, std::string_view key, const Ca
 }
 
 void read_forces(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
-  constraints.contact_force_max = table.number(kForce, kPositive);
-  constraints.torque_max = table.number(kTorque, kPositive);
-  constraints.contact_stress_max = table.number(kStress, kPositive);
   check_contact(table, kForce, problem, false);
   check_known(table, kTorque, problem, false);
   const bool knife = problem.follower == FollowerType::translating_knife;
@@ -134,9 +109,10 @@ bool has_no_pressure_angle(const CamProblem& problem) {
 }  // namespace
 
 void read_cam_constraints(TableReader& constraints, CamProblem& problem) {
-  read_pressure_angles(constraints, problem.constraints);
+  read_keys(constraints, kPressureAngleKeys, problem.constraints);
   read_undercut(constraints, problem.constraints);
-  read_profile(constraints, problem, problem.constraints);
+  read_keys(constraints, kProfileKeys, problem.constraints);
+  check_profile(constraints, problem);
   read_forces(constraints, problem, problem.constraints);
 }
 

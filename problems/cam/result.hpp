@@ -58,8 +58,4 @@ struct CamResult {
 /// The best cams for `problem`; with all dimensions given, what the one given is like.
 CamResult solve(const CamProblem& problem, const Run& run);
 
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
-std::vector<std::string> validate(const CamProblem& problem);
-
 }  // namespace cognate::problems

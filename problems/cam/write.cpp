@@ -6,8 +6,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/cam/problem.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/cam/keys.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -118,30 +117,20 @@ TableWriter written_follower(const CamProblem& problem) {
   const cam::Operation& operation = problem.operation;
   write_force(table, oscillating ? "inertia" : "mass", operation.inertia, false);
   write_force(table, "spring_rate", operation.spring_rate, problem.has_operation);
-  write_force(table, "load", operation.load, problem.has_operation);
   // A form closed follower has the preload 0, whether anything else presses it or not.
   const bool formal = problem.second.closure != cam::Closure::force && problem.preload == 0.0;
   if (problem.has_operation || !formal) table.set("preload", problem.preload);
+  write_force(table, "load", operation.load, problem.has_operation);
   return table;
 }
 
 TableWriter written_constraints(const CamProblem& problem) {
   const CamConstraints& given = problem.constraints;
   TableWriter table;
-  table.set_deg("pressure_angle_deg_max", given.pressure_angle_max)
-      .set_deg("pressure_angle_deg_max_rise", given.pressure_angle_max_rise)
-      .set_deg("pressure_angle_deg_max_return", given.pressure_angle_max_return)
-      .set_deg("pressure_angle_deg_max_rise_working", given.pressure_angle_max_rise_working)
-      .set_deg("pressure_angle_deg_max_return_working", given.pressure_angle_max_return_working)
+  write_keys(given, kPressureAngleKeys, table)
       .set("curvature_radius_min", given.curvature_radius_min)
-      .set("no_undercut", given.curvature_radius_min.has_value())
-      .set("concave_radius_min", given.concave_radius_min)
-      .set("face_width_max", given.face_width_max)
-      .set("profile_radius_min", given.profile_radius_min)
-      .set("profile_radius_max", given.profile_radius_max)
-      .set("contact_force_max", given.contact_force_max)
-      .set("torque_max", given.torque_max)
-      .set("contact_stress_max", given.contact_stress_max);
+      .set("no_undercut", given.curvature_radius_min.has_value());
+  write_keys(given, kProfileKeys, table);
   const bool may_separate = problem.has_operation && problem.second.closure == cam::Closure::force;
   if (may_separate) table.set("no_separation", given.no_separation);
   return table;
@@ -173,7 +162,7 @@ void write_lengths(const CamProblem& problem, TableWriter& document) {
     }
   }
   mechanism.set("rotation", problem.clockwise ? "cw" : "ccw");
-  document.add("mechanism", node(mechanism)).add("bounds", node(bounds));
+  document.set("mechanism", mechanism).set("bounds", bounds);
 }
 
 /// Materials of which the sum of moduli could have been made.
@@ -185,15 +174,15 @@ ContactMaterials equivalent_materials(double modulus_sum) {
 
 void write_contact(const CamProblem& problem, TableWriter& document) {
   if (problem.operation.speed != 0) {
-    document.add("drive", node(TableWriter{}.set("speed", problem.operation.speed)));
+    document.set("drive", TableWriter{}.set("speed", problem.operation.speed));
   }
   if (!problem.materials && !problem.has_contact) return;
   const ContactMaterials materials =
       problem.materials.value_or(equivalent_materials(problem.operation.modulus_sum));
-  document.add("contact", node(TableWriter{}
-                                   .set("width", problem.operation.width)
-                                   .set("elasticity", materials.elasticity)
-                                   .set("poisson", materials.poisson)));
+  document.set("contact", TableWriter{}
+                              .set("width", problem.operation.width)
+                              .set("elasticity", materials.elasticity)
+                              .set("poisson", materials.poisson));
 }
 
 void check_free_motion(const CamProblem& problem, std::vector<std::string>& faults) {
@@ -203,24 +192,6 @@ void check_free_motion(const CamProblem& problem, std::vector<std::string>& faul
     faults.push_back(fmt::format("free_motion[{}] is of segment {}; expected one from 0 to {}",
                                  i + 1, segment, std::ssize(problem.motion) - 1));
   }
-}
-
-Written written(const CamProblem& problem) {
-  Written all;
-  check_free_motion(problem, all.faults);
-  TableWriter document = document_writer("cam", problem.title);
-  Array motion;
-  for (std::size_t i = 0; i < problem.motion.size(); ++i) {
-    motion.push_back(node(segment_writer(problem, i)));
-  }
-  document.add("follower", node(written_follower(problem))).set("motion", motion);
-  write_lengths(problem, document);
-  document.add("target", node(TableWriter{}.set_name("objective", problem.objective)))
-      .add("constraints", node(written_constraints(problem)));
-  write_contact(problem, document);
-  document.add("solve", node(solve_writer(problem.solve)));
-  all.document = document.take();
-  return all;
 }
 
 /// What the reader makes of what stands in the file.
@@ -245,24 +216,34 @@ void complete(const CamProblem& read, CamProblem& problem) {
   }
 }
 
-tl::expected<CamProblem, std::vector<std::string>> checked(const CamProblem& problem) {
-  const auto read = read_back<CamProblem>(written(problem));
-  if (!read) return tl::unexpected(read.error());
-  CamProblem whole = problem;
-  complete(*read, whole);
-  return whole;
-}
-
 }  // namespace
 }  // namespace reading
 
-tl::expected<CamProblem, std::vector<std::string>> KindTraits<CamProblem>::checked(
-    const CamProblem& problem) {
-  return reading::checked(problem);
+reading::Written KindTraits<CamProblem>::written(const CamProblem& problem) {
+  using namespace reading;
+  Written all;
+  check_free_motion(problem, all.faults);
+  Array motion;
+  for (std::size_t i = 0; i < problem.motion.size(); ++i) {
+    motion.push_back(node(segment_writer(problem, i)));
+  }
+  TableWriter document = document_writer(kWord, problem.title);
+  document.set("follower", written_follower(problem)).set("motion", motion);
+  write_lengths(problem, document);
+  document.set("target", TableWriter{}.set_name("objective", problem.objective))
+      .set("constraints", written_constraints(problem));
+  write_contact(problem, document);
+  all.document = document.set("solve", solve_writer(problem.solve)).take();
+  return all;
 }
 
-std::vector<std::string> validate(const CamProblem& problem) {
-  return faults_of(reading::checked(problem));
+tl::expected<CamProblem, std::vector<std::string>> KindTraits<CamProblem>::checked(
+    const CamProblem& problem) {
+  return reading::read_back(problem).map([&](const CamProblem& read) {
+    CamProblem whole = problem;
+    reading::complete(read, whole);
+    return whole;
+  });
 }
 
 }  // namespace cognate::problems

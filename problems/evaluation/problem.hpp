@@ -54,6 +54,7 @@ template <>
 struct KindTraits<AnalysisProblem> {
   static constexpr std::string_view kWord = "analysis";
   static AnalysisProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const AnalysisProblem& problem);
   static tl::expected<AnalysisProblem, std::vector<std::string>> checked(
       const AnalysisProblem& problem);
 };

@@ -58,8 +58,4 @@ struct AnalysisResult {
 /// Evaluates the mechanism over its drive.
 AnalysisResult analyse(const AnalysisProblem& problem, const Run& run);
 
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
-std::vector<std::string> validate(const AnalysisProblem& problem);
-
 }  // namespace cognate::problems

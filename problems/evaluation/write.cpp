@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "problems/evaluation/problem.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -69,24 +68,25 @@ TableWriter output_writer(const AnalysisProblem& problem, std::vector<std::strin
   return table;
 }
 
-Written written(const AnalysisProblem& problem) {
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<AnalysisProblem>::written(const AnalysisProblem& problem) {
+  using namespace reading;
   Written all;
-  TableWriter document = document_writer("analysis", problem.title);
-  write_mechanism(problem, document, all.faults);
-  document.add("drive", node(sweep_writer(problem)))
-      .add("output", node(output_writer(problem, all.faults)));
-  Array loads;
-  for (const LoadRule& load : problem.loads) {
-    check_load(problem, load, all.faults);
-    loads.push_back(node(load_writer(problem, load)));
-  }
-  document.set("load", loads);
-  all.document = document.take();
+  all.document = document_writer(kWord, problem.title)
+                     .set("mechanism", mechanism_writer(problem.mechanism))
+                     .set("drive", sweep_writer(problem))
+                     .set("output", output_writer(problem, all.faults))
+                     .append(body_tables(problem, {}, all.faults))
+                     .take();
   return all;
 }
 
-tl::expected<AnalysisProblem, std::vector<std::string>> checked(const AnalysisProblem& problem) {
-  const auto read = read_back<AnalysisProblem>(written(problem));
+tl::expected<AnalysisProblem, std::vector<std::string>> KindTraits<AnalysisProblem>::checked(
+    const AnalysisProblem& problem) {
+  using namespace reading;
+  const auto read = read_back(problem);
   if (!read) return tl::unexpected(read.error());
   std::vector<std::string> faults;
   check_same_mechanism(problem.mechanism, read->mechanism, faults);
@@ -94,18 +94,6 @@ tl::expected<AnalysisProblem, std::vector<std::string>> checked(const AnalysisPr
   AnalysisProblem complete = problem;
   if (complete.inertias.empty()) complete.inertias = read->inertias;
   return complete;
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<AnalysisProblem, std::vector<std::string>> KindTraits<AnalysisProblem>::checked(
-    const AnalysisProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const AnalysisProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

@@ -12,9 +12,10 @@ TableWriter mechanism_writer(const NamedMechanism& mechanism);
 /// `[[load]]`.
 TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load);
 
-/// Adds `mechanism`, `link`, and `gravity`, and the indices out of range to `all.faults`.
-void write_mechanism(const AnalysisProblem& problem, TableWriter& document,
-                     std::vector<std::string>& faults);
+/// `link`, `load` (those that `more_loads` holds behind those of the problem) and `gravity`, and
+/// what of them no document can say.
+Table body_tables(const AnalysisProblem& problem, const Array& more_loads,
+                  std::vector<std::string>& faults);
 
 /// Adds to `faults` a load on a body that there is not.
 void check_load(const AnalysisProblem& problem, const LoadRule& load,

@@ -227,10 +227,9 @@ TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load) {
   return table;
 }
 
-void write_mechanism(const AnalysisProblem& problem, TableWriter& document,
-                     std::vector<std::string>& faults) {
+Table body_tables(const AnalysisProblem& problem, const Array& more_loads,
+                  std::vector<std::string>& faults) {
   const auto& bodies = problem.mechanism.bodies;
-  document.add("mechanism", node(mechanism_writer(problem.mechanism)));
   if (!problem.inertias.empty() && problem.inertias.size() != bodies.size()) {
     faults.push_back(fmt::format("inertias has {} entries for {} bodies; expected one for each",
                                  problem.inertias.size(), bodies.size()));
@@ -245,7 +244,13 @@ void write_mechanism(const AnalysisProblem& problem, TableWriter& document,
                              .set("centre", without_rounding(inertia.centre))
                              .set("inertia", inertia.moment)));
   }
-  document.set("link", links).set("gravity", problem.gravity);
+  Array loads;
+  for (const LoadRule& load : problem.loads) {
+    check_load(problem, load, faults);
+    loads.push_back(node(load_writer(problem, load)));
+  }
+  loads.insert(loads.end(), more_loads.begin(), more_loads.end());
+  return TableWriter{}.set("link", links).set("load", loads).set("gravity", problem.gravity).take();
 }
 
 void check_load(const AnalysisProblem& problem, const LoadRule& load,

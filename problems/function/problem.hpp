@@ -83,6 +83,7 @@ template <>
 struct KindTraits<FunctionProblem> {
   static constexpr std::string_view kWord = "function-generation";
   static FunctionProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const FunctionProblem& problem);
   static tl::expected<FunctionProblem, std::vector<std::string>> checked(
       const FunctionProblem& problem);
 };
@@ -94,10 +95,6 @@ struct Run;
 /// problem and seed give the same designs whatever the number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const FunctionProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid.
-std::vector<std::string> validate(const FunctionProblem& problem);
 
 template <>
 std::span<const Named<FunctionStart>> names<FunctionStart>();

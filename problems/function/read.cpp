@@ -262,11 +262,8 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                                                   const std::filesystem::path& /*folder*/) {
   using namespace reading;
   FunctionProblem problem;
-  TableReader target = document.table("target");
-  TableReader mechanism = document.table("mechanism");
-  TableReader bounds = document.table("bounds");
-  TableReader constraints = document.table("constraints");
-  TableReader solve = document.table("solve");
+  LinkageTables tables(document);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
 
   read_type(mechanism, problem);
   const bool target_read = read_target(target, solve, problem);
@@ -293,7 +290,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                    .needs_full_turn = false},
                   problem.constraints, problem.solve);
 
-  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  tables.finish();
   return problem;
 }
 

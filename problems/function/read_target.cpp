@@ -100,7 +100,8 @@ std::optional<FunctionOfX> read_expression(TableReader& target) {
 
 std::optional<FunctionOfX> read_table(TableReader& target) {
   constexpr std::string_view kKey = "table";
-  refuse(target, {"domain"}, "the domain of a table is its own x");
+  constexpr std::string_view kDomain = "domain";
+  const auto domain = target.range(kDomain, kNumber);
   const auto rows = target.each_two(kKey, kNumber, "[x, y]", {.min = 3, .of = "rows"});
   bool sorted = true;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -116,6 +117,10 @@ std::optional<FunctionOfX> read_table(TableReader& target) {
   FunctionOfX function;
   for (const auto& [x, y] : *all) function.table.emplace_back(x, y);
   function.domain = {function.table.front().first, function.table.back().first};
+  const auto& [first, last] = function.domain;
+  if (domain && (domain->min != first || domain->max != last)) {
+    target.fault(kDomain, "is given, but the domain of a table is its own x; remove it");
+  }
   function.y = interpolate(function.table);
   return function;
 }

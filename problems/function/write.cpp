@@ -7,7 +7,6 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -37,11 +36,11 @@ Pairs values_of_own(const FunctionOfX& function) {
 /// `function.y` is there.
 void write_values(const FunctionOfX& function, bool slider, TableWriter& table) {
   if (!function.text.empty()) {
-    table.set("function", function.text).set("domain", function.domain);
+    table.set("function", function.text);
   } else {
     table.set("table", function.table.empty() ? values_of_own(function) : function.table);
   }
-  table.set_deg("input_range_deg", function.input_range);
+  table.set("domain", function.domain).set_deg("input_range_deg", function.input_range);
   if (slider) {
     table.set("output_range", function.output_range);
   } else {
@@ -79,8 +78,7 @@ TableWriter written_target(const FunctionProblem& problem) {
 }
 
 TableWriter written_mechanism(const FunctionProblem& problem) {
-  TableWriter table = given_writer(problem.given);
-  table.set_name("type", problem.type);
+  TableWriter table = given_writer(problem.given, to_string(problem.type));
   const bool exact = problem.objective == FunctionObjective::exact;
   const bool given = problem.input_start && problem.output_start;
   // A start that an exact synthesis leaves free is said to be: three pairs alone have none.
@@ -97,20 +95,6 @@ TableWriter written_bounds(const FunctionProblem& problem) {
   table.set_deg("input_start_deg", problem.input_start_bounds);
   if (is_slider(problem)) return table.set("output_start", problem.output_start_bounds);
   return table.set_deg("output_start_deg", problem.output_start_bounds);
-}
-
-Written written(const FunctionProblem& problem) {
-  Written all;
-  check_objective_members(problem.constraints, problem.solve, all.faults);
-  TableWriter document = document_writer("function-generation", problem.title);
-  document.add("target", node(written_target(problem)))
-      .add("mechanism", node(written_mechanism(problem)))
-      .add("bounds", node(written_bounds(problem)))
-      .add("constraints", node(constraints_writer(problem.constraints)))
-      .add("solve", node(solve_writer(problem.solve).set_name("best_by", problem.best_by)));
-  write_operation(problem.constraints, problem.solve, document);
-  all.document = document.take();
-  return all;
 }
 
 /// What is wrong with the function itself, whose values need not be those of the document.
@@ -133,26 +117,33 @@ std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
   return std::nullopt;
 }
 
-tl::expected<FunctionProblem, std::vector<std::string>> checked(const FunctionProblem& problem) {
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& problem) {
+  using namespace reading;
+  Written all;
+  all.document = document_writer(kWord, problem.title)
+                     .set("target", written_target(problem))
+                     .set("mechanism", written_mechanism(problem))
+                     .set("bounds", written_bounds(problem))
+                     .set("constraints", constraints_writer(problem.constraints))
+                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
+                     .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
+                     .take();
+  return all;
+}
+
+tl::expected<FunctionProblem, std::vector<std::string>> KindTraits<FunctionProblem>::checked(
+    const FunctionProblem& problem) {
+  using namespace reading;
   if (auto fault = fault_of_function(problem)) return tl::unexpected(std::vector{*fault});
-  const auto read = read_back<FunctionProblem>(written(problem));
+  const auto read = read_back(problem);
   if (!read) return tl::unexpected(read.error());
   FunctionProblem complete = problem;
   if (complete.sample_at.empty()) complete.sample_at = read->sample_at;
   if (!complete.given.crank) complete.given.crank = read->given.crank;
   return complete;
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<FunctionProblem, std::vector<std::string>> KindTraits<FunctionProblem>::checked(
-    const FunctionProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const FunctionProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

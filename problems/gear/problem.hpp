@@ -31,6 +31,7 @@ template <>
 struct KindTraits<GearProblem> {
   static constexpr std::string_view kWord = "gear";
   static GearProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const GearProblem& problem);
   static tl::expected<GearProblem, std::vector<std::string>> checked(const GearProblem& problem);
 };
 
@@ -86,6 +87,7 @@ template <>
 struct KindTraits<GearPairProblem> {
   static constexpr std::string_view kWord = "gear-pair";
   static GearPairProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const GearPairProblem& problem);
   static tl::expected<GearPairProblem, std::vector<std::string>> checked(
       const GearPairProblem& problem);
 };

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/gear/rules.hpp"
+#include "problems/gear/keys.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kHelixKey = "helix_deg", kTipRadius = "tip_radius";
+constexpr std::string_view kHelixKey = "helix_deg";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are told by the pair that they are one of.
@@ -50,10 +50,7 @@ gear::BasicRack read_rack(TableReader& document) {
   TableReader table = document.table("rack");
   const std::size_t before = document.faults().size();
   gear::BasicRack rack;
-  rack.pressure_angle = radians(table.number("pressure_angle_deg", kRackAngle).value_or(20));
-  rack.addendum = table.number("addendum", kRackAddendum).value_or(rack.addendum);
-  rack.clearance = table.number("clearance", kRackClearance).value_or(rack.clearance);
-  rack.corner_radius = table.number(kTipRadius, kRackTipRadius);
+  read_keys(table, kRackKeys, rack);
   table.finish();
   if (document.faults().size() > before) return rack;
   const double greatest = gear::greatest_tip_radius(rack);
@@ -64,7 +61,7 @@ gear::BasicRack read_rack(TableReader& document) {
                             "pressure_angle_deg",
                             kPi / 4 / std::tan(rack.pressure_angle)));
   } else if (rack.corner_radius && *rack.corner_radius > greatest) {
-    table.fault(kTipRadius,
+    table.fault("tip_radius",
                 fmt::format("is {:g}, so that the tip's corners overlap; at most {:.6g}, "
                             "which rounds it fully, is allowed",
                             *rack.corner_radius, greatest));

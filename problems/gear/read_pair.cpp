@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
+#include "problems/gear/keys.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
 #include "problems/gear/read_pair_bounds.hpp"
-#include "problems/gear/rules.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -123,21 +123,13 @@ void refuse_search(TableReader& document, Gearing gearing) {
 
 void read_constraints(TableReader& table, Gearing gearing, GearConstraints& constraints) {
   if (gearing == Gearing::worm) {
-    refuse_keys(
-        table,
-        {"contact_ratio_min", "no_interference", "hunting", "sliding_max", "tip_clearance_min"},
-        "of a worm and its wheel it is not known");
+    for (const auto& key : kMeshKeys) {
+      refuse_keys(table, {key.in_table()}, "of a worm and its wheel it is not known");
+    }
   } else {
-    constraints.contact_ratio_min =
-        table.number("contact_ratio_min", kContactRatio).value_or(constraints.contact_ratio_min);
-    constraints.no_interference = table.boolean("no_interference").value_or(true);
-    constraints.hunting = table.boolean("hunting").value_or(false);
-    constraints.sliding_max = table.number("sliding_max", kSliding);
-    constraints.tip_clearance_min = table.number("tip_clearance_min", kModules);
+    read_keys(table, kMeshKeys, constraints);
   }
-  constraints.tip_thickness_min =
-      table.number("tip_thickness_min", kModules).value_or(constraints.tip_thickness_min);
-  constraints.no_undercut = table.boolean("no_undercut").value_or(true);
+  read_keys(table, kToothKeys, constraints);
   table.finish();
 }
 

@@ -40,18 +40,10 @@ struct GearPairResult {
 
 GearResult analyse(const GearProblem& problem, const Run& run);
 
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
-std::vector<std::string> validate(const GearProblem& problem);
-
 /// Whether nothing is left to find.
 bool is_whole(const GearPairProblem& problem);
 
 /// The best pairs for `problem`; of one that is whole, what it is like.
 GearPairResult solve(const GearPairProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
-std::vector<std::string> validate(const GearPairProblem& problem);
 
 }  // namespace cognate::problems

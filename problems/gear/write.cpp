@@ -2,21 +2,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/gear/keys.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
 namespace reading {
 namespace {
 
+/// Numbers of teeth are whole; others are written for the reader to refuse.
+Node count_node(double teeth) {
+  const bool is_whole = std::abs(teeth) <= kMostTeeth && teeth == std::round(teeth);
+  return is_whole ? node(static_cast<int>(teeth)) : node(teeth);
+}
+
 TableWriter rack_writer(const gear::BasicRack& rack) {
   TableWriter table;
-  return table.set_deg("pressure_angle_deg", rack.pressure_angle)
-      .set("addendum", rack.addendum)
-      .set("clearance", rack.clearance)
-      .set("tip_radius", rack.corner_radius);
+  return write_keys(rack, kRackKeys, table);
 }
 
 void set_unless_zero(TableWriter& table, std::string_view key, double value) {
@@ -39,8 +42,8 @@ void write_cylindrical(const GearPairProblem& problem, TableWriter& table) {
 }
 
 void write_worm(const GearPairProblem& problem, TableWriter& table) {
-  table.set("starts", problem.worm.starts)
-      .set("wheel_teeth", problem.worm.wheel_teeth)
+  table.add("starts", count_node(problem.worm.starts))
+      .add("wheel_teeth", count_node(problem.worm.wheel_teeth))
       .set("diameter_quotient", problem.worm.diameter_quotient)
       .set("wheel_shift", problem.worm.wheel_shift)
       .set("friction", problem.friction);
@@ -97,15 +100,8 @@ TableWriter pair_bounds_writer(const GearPairProblem& problem) {
 TableWriter pair_constraints_writer(const GearPairProblem& problem) {
   const GearConstraints& given = problem.constraints;
   TableWriter table;
-  if (problem.gearing != Gearing::worm) {
-    table.set("contact_ratio_min", given.contact_ratio_min)
-        .set("no_interference", given.no_interference)
-        .set("hunting", given.hunting)
-        .set("sliding_max", given.sliding_max)
-        .set("tip_clearance_min", given.tip_clearance_min);
-  }
-  return table.set("tip_thickness_min", given.tip_thickness_min)
-      .set("no_undercut", given.no_undercut);
+  if (problem.gearing != Gearing::worm) write_keys(given, kMeshKeys, table);
+  return write_keys(given, kToothKeys, table);
 }
 
 TableWriter pair_target_writer(const GearPairProblem& problem) {
@@ -117,47 +113,51 @@ TableWriter pair_target_writer(const GearPairProblem& problem) {
   return table.set_name("objective", problem.objective);
 }
 
-Written written(const GearProblem& problem) {
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<GearProblem>::written(const GearProblem& problem) {
+  using namespace reading;
   const gear::SpurGear& gear = problem.gear.normal;
-  TableWriter document = document_writer("gear", problem.title);
   TableWriter mechanism;
   mechanism.set_name("gearing", problem.gearing)
-      .set("teeth", gear.teeth)
+      .add("teeth", count_node(gear.teeth))
       .set("module", gear.module)
-      .set("profile_shift", gear.profile_shift)
-      .set("tip_reduction", gear.tip_reduction);
+      .set("profile_shift", gear.profile_shift);
   if (problem.gearing == Gearing::helical || problem.gear.helix != 0) {
     mechanism.set_deg("helix_deg", problem.gear.helix);
   }
   set_unless_zero(mechanism, "face_width", problem.gear.face_width);
-  document.add("mechanism", node(mechanism))
-      .add("rack", node(rack_writer(gear.rack)))
-      .add("output", node(TableWriter{}.set("points", problem.points)));
-  return {document.take(), {}};
+  mechanism.set("tip_reduction", gear.tip_reduction);
+  return {document_writer(kWord, problem.title)
+              .set("mechanism", mechanism)
+              .set("rack", rack_writer(gear.rack))
+              .set("output", TableWriter{}.set("points", problem.points))
+              .take(),
+          {}};
 }
 
-Written written(const GearPairProblem& problem) {
-  TableWriter document = document_writer("gear-pair", problem.title);
-  document.add("mechanism", node(pair_writer(problem)))
-      .add("rack", node(rack_writer(problem.rack)));
+reading::Written KindTraits<GearPairProblem>::written(const GearPairProblem& problem) {
+  using namespace reading;
+  TableWriter document = document_writer(kWord, problem.title);
+  document.set("mechanism", pair_writer(problem)).set("rack", rack_writer(problem.rack));
   const bool searched = problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
   if (searched) {
-    document.add("bounds", node(pair_bounds_writer(problem)))
-        .add("target", node(pair_target_writer(problem)))
-        .add("solve", node(TableWriter{}.set("designs", problem.solve.designs)));
+    document.set("bounds", pair_bounds_writer(problem))
+        .set("target", pair_target_writer(problem))
+        .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
-  document.add("constraints", node(pair_constraints_writer(problem)));
-  return {document.take(), {}};
+  return {document.set("constraints", pair_constraints_writer(problem)).take(), {}};
 }
 
-tl::expected<GearProblem, std::vector<std::string>> checked(const GearProblem& problem) {
-  const auto read = read_back<GearProblem>(written(problem));
-  if (!read) return tl::unexpected(read.error());
-  return problem;
+tl::expected<GearProblem, std::vector<std::string>> KindTraits<GearProblem>::checked(
+    const GearProblem& problem) {
+  return reading::read_back(problem).map([&](const auto&) { return problem; });
 }
 
-tl::expected<GearPairProblem, std::vector<std::string>> checked(const GearPairProblem& problem) {
-  const auto read = read_back<GearPairProblem>(written(problem));
+tl::expected<GearPairProblem, std::vector<std::string>> KindTraits<GearPairProblem>::checked(
+    const GearPairProblem& problem) {
+  const auto read = reading::read_back(problem);
   if (!read) return tl::unexpected(read.error());
   GearPairProblem whole = problem;
   whole.modules = read->modules;  // in order, each once
@@ -166,27 +166,6 @@ tl::expected<GearPairProblem, std::vector<std::string>> checked(const GearPairPr
   whole.worm.module = read->worm.module;
   whole.worm.rack = problem.rack;
   return whole;
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<GearProblem, std::vector<std::string>> KindTraits<GearProblem>::checked(
-    const GearProblem& problem) {
-  return reading::checked(problem);
-}
-
-tl::expected<GearPairProblem, std::vector<std::string>> KindTraits<GearPairProblem>::checked(
-    const GearPairProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const GearProblem& problem) {
-  return faults_of(reading::checked(problem));
-}
-
-std::vector<std::string> validate(const GearPairProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

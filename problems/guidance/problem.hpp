@@ -55,6 +55,7 @@ template <>
 struct KindTraits<MotionProblem> {
   static constexpr std::string_view kWord = "motion-generation";
   static MotionProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const MotionProblem& problem);
   static tl::expected<MotionProblem, std::vector<std::string>> checked(
       const MotionProblem& problem);
 };
@@ -78,10 +79,6 @@ struct Run;
 /// problem and seed give the same designs whatever the number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const MotionProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid.
-std::vector<std::string> validate(const MotionProblem& problem);
 
 template <>
 std::span<const Named<MotionMethod>> names<MotionMethod>();

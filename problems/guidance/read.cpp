@@ -296,11 +296,8 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
                                               const std::filesystem::path& /*folder*/) {
   using namespace reading;
   MotionProblem problem;
-  TableReader target = document.table("target");
-  TableReader mechanism = document.table("mechanism");
-  TableReader bounds = document.table("bounds");
-  TableReader constraints = document.table("constraints");
-  TableReader solve = document.table("solve");
+  LinkageTables tables(document);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
 
   read_target(target, problem);
   read_method(target, problem);
@@ -356,7 +353,7 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
                               "[\"RR\"] as well"},
       problem.constraints, problem.solve);
 
-  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  tables.finish();
   return problem;
 }
 

@@ -5,7 +5,6 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -39,23 +38,6 @@ TableWriter written_mechanism(const MotionProblem& problem) {
   return table;
 }
 
-Written written(const MotionProblem& problem) {
-  Written all;
-  check_objective_members(problem.constraints, problem.solve, all.faults);
-  TableWriter document = document_writer("motion-generation", problem.title);
-  TableWriter bounds = bounds_writer(problem.bounds);
-  bounds.set("moving_pivot_a", problem.moving_bounds[0])
-      .set("moving_pivot_d", problem.moving_bounds[1]);
-  document.add("target", node(written_target(problem)))
-      .add("mechanism", node(written_mechanism(problem)))
-      .add("bounds", node(bounds))
-      .add("constraints", node(constraints_writer(problem.constraints)))
-      .add("solve", node(solve_writer(problem.solve)));
-  write_operation(problem.constraints, problem.solve, document);
-  all.document = document.take();
-  return all;
-}
-
 /// Whether the poses are those that the segments tell; angles may be whole turns apart.
 bool are_poses_of_segments(const std::vector<synthesis::Pose>& poses,
                            const std::vector<synthesis::Pose>& told) {
@@ -71,8 +53,30 @@ bool are_poses_of_segments(const std::vector<synthesis::Pose>& poses,
   return true;
 }
 
-tl::expected<MotionProblem, std::vector<std::string>> checked(const MotionProblem& problem) {
-  auto read = read_back<MotionProblem>(written(problem));
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem) {
+  using namespace reading;
+  Written all;
+  TableWriter bounds = bounds_writer(problem.bounds);
+  bounds.set("moving_pivot_a", problem.moving_bounds[0])
+      .set("moving_pivot_d", problem.moving_bounds[1]);
+  all.document = document_writer(kWord, problem.title)
+                     .set("target", written_target(problem))
+                     .set("mechanism", written_mechanism(problem))
+                     .set("bounds", bounds)
+                     .set("constraints", constraints_writer(problem.constraints))
+                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
+                     .set("solve", solve_writer(problem.solve))
+                     .take();
+  return all;
+}
+
+tl::expected<MotionProblem, std::vector<std::string>> KindTraits<MotionProblem>::checked(
+    const MotionProblem& problem) {
+  using namespace reading;
+  const auto read = read_back(problem);
   if (!read) return tl::unexpected(read.error());
   MotionProblem complete = problem;
   if (complete.dyads.empty()) complete.dyads = read->dyads;
@@ -83,18 +87,6 @@ tl::expected<MotionProblem, std::vector<std::string>> checked(const MotionProble
   return tl::unexpected(std::vector<std::string>{
       "poses are not those of the segments; expected them as synthesis::poses_of_segment gives "
       "them, or none"});
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<MotionProblem, std::vector<std::string>> KindTraits<MotionProblem>::checked(
-    const MotionProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const MotionProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

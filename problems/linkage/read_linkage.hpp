@@ -7,6 +7,25 @@
 
 namespace cognate::problems::reading {
 
+/// The tables of a file that asks for a linkage.
+struct LinkageTables {
+  TableReader target, mechanism, bounds, constraints, solve;
+
+  explicit LinkageTables(TableReader& document)
+      : target(document.table("target")),
+        mechanism(document.table("mechanism")),
+        bounds(document.table("bounds")),
+        constraints(document.table("constraints")),
+        solve(document.table("solve")) {}
+
+  /// Faults every key that was never requested.
+  void finish() {
+    for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) {
+      table->finish();
+    }
+  }
+};
+
 /// Whether `point` lies in `box` or on its edge.
 bool contains(const Box& box, Vec2d point);
 

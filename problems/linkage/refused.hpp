@@ -18,10 +18,4 @@ AnyResult refused(std::vector<std::string> faults) {
   return result;
 }
 
-/// The faults of a problem that was `checked`; none where it is valid.
-template <class Checked>
-std::vector<std::string> faults_of(Checked checked) {
-  return checked ? std::vector<std::string>{} : std::move(checked.error());
-}
-
 }  // namespace cognate::problems

@@ -65,15 +65,30 @@ bool is_asked(const Constraints& constraints, const Solve& solve,
   return has_objective(solve, objective_of(quantity.id)) || (most && *most != kInfinity);
 }
 
+/// What no file can leave out: the member of `constraints` that an objective is measured by.
+void check_objective_members(const Constraints& constraints, const Solve& solve,
+                             std::vector<std::string>& faults) {
+  for (const CycleDeclaration& quantity : kCycleQuantities) {
+    if (!has_objective(solve, objective_of(quantity.id))) continue;
+    if (constraints.cycle_max[quantity.id]) continue;
+    faults.push_back(
+        fmt::format("constraints.{} is empty, but \"{}\" is an objective; expected "
+                    "the greatest value allowed, infinity where there is none",
+                    quantity.limit_key, quantity.key()));
+  }
+}
+
 }  // namespace
 
 TableWriter document_writer(std::string_view kind, const std::string& title) {
   TableWriter document;
-  return document.set("kind", kind).set("title", title);
+  document.set("kind", kind);
+  return title.empty() ? document : document.set("title", title);
 }
 
-TableWriter given_writer(const Given& given) {
+TableWriter given_writer(const Given& given, std::string_view type) {
   TableWriter table;
+  table.set("type", type);
   for (const LinkKey& link : kLinkKeys) table.set(link.key, given.*link.given);
   table.set_deg("frame_angle_deg", given.frame_angle);
   for (const BoundedPlaceKey& place : kPlaceKeys) table.set(place.key, given.*place.given);
@@ -133,7 +148,10 @@ TableWriter solve_writer(const Solve& solve) {
   return table;
 }
 
-void write_operation(const Constraints& constraints, const Solve& solve, TableWriter& document) {
+Table operation_tables(const Constraints& constraints, const Solve& solve,
+                       std::vector<std::string>& faults) {
+  check_objective_members(constraints, solve, faults);
+  TableWriter document;
   bool any = false, by_forces = false, by_flywheel = false, by_fluctuation = false;
   for (const CycleDeclaration& quantity : kCycleQuantities) {
     if (!is_asked(constraints, solve, quantity)) continue;
@@ -142,15 +160,15 @@ void write_operation(const Constraints& constraints, const Solve& solve, TableWr
     by_flywheel |= quantity.by_flywheel;
     by_fluctuation |= quantity.by_fluctuation;
   }
-  if (!any) return;
+  if (!any) return {};
   const Operation& operation = constraints.operation;
-  document.set("drive", Table{TableWriter{}.set("speed", operation.speed).take()});
-  if (!by_forces) return;
+  document.set("drive", TableWriter{}.set("speed", operation.speed));
+  if (!by_forces) return document.take();
   TableWriter flywheel;
   if (by_flywheel && operation.flywheel != 0) flywheel.set("inertia", operation.flywheel);
   if (by_fluctuation && operation.fluctuation != 0)
     flywheel.set("fluctuation", operation.fluctuation);
-  document.add("flywheel", node(flywheel));
+  if (!flywheel.empty()) document.set("flywheel", flywheel);
   Array links, loads;
   for (std::size_t i = 0; i < operation.links.size(); ++i) {
     const LinkMass& mass = operation.links.at(i);
@@ -160,19 +178,7 @@ void write_operation(const Constraints& constraints, const Solve& solve, TableWr
   for (const WorkingLoad& load : operation.loads) loads.push_back(node(load_writer(load)));
   if (!links.empty()) document.set("link", links);
   if (!loads.empty()) document.set("load", loads);
-  document.set("gravity", operation.gravity);
-}
-
-void check_objective_members(const Constraints& constraints, const Solve& solve,
-                             std::vector<std::string>& faults) {
-  for (const CycleDeclaration& quantity : kCycleQuantities) {
-    if (!has_objective(solve, objective_of(quantity.id))) continue;
-    if (constraints.cycle_max[quantity.id]) continue;
-    faults.push_back(
-        fmt::format("constraints.{} is empty, but \"{}\" is an objective; expected "
-                    "the greatest value allowed, infinity where there is none",
-                    quantity.limit_key, quantity.key()));
-  }
+  return document.set("gravity", operation.gravity).take();
 }
 
 }  // namespace cognate::problems::reading

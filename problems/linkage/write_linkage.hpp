@@ -13,16 +13,16 @@ namespace cognate::problems::reading {
 /// `kind` and `title`, to which the tables of the file are added.
 TableWriter document_writer(std::string_view kind, const std::string& title);
 
-TableWriter given_writer(const Given& given);
+/// `type`: that of the mechanism.
+TableWriter given_writer(const Given& given, std::string_view type = "four-bar");
 TableWriter bounds_writer(const Bounds& bounds);
 TableWriter constraints_writer(const Constraints& constraints);
 TableWriter solve_writer(const Solve& solve);
 
-/// `drive`, `flywheel`, `link`, `load` and `gravity`, where limits or objectives depend on them.
-void write_operation(const Constraints& constraints, const Solve& solve, TableWriter& document);
-
-/// What no file can leave out: the member of `constraints` that an objective is measured by.
-void check_objective_members(const Constraints& constraints, const Solve& solve,
-                             std::vector<std::string>& faults);
+/// `drive`, `flywheel`, `link`, `load` and `gravity`, where limits or objectives depend on them. A
+/// fault is what no file can leave out: the member of `constraints` that an objective is measured
+/// by.
+Table operation_tables(const Constraints& constraints, const Solve& solve,
+                       std::vector<std::string>& faults);
 
 }  // namespace cognate::problems::reading

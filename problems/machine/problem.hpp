@@ -89,6 +89,7 @@ template <>
 struct KindTraits<MachineProblem> {
   static constexpr std::string_view kWord = "machine";
   static MachineProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const MachineProblem& problem);
   static tl::expected<MachineProblem, std::vector<std::string>> checked(
       const MachineProblem& problem);
 };

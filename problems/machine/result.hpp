@@ -31,8 +31,4 @@ struct MachineResult {
 /// What the machine does, as far as it was requested.
 MachineResult run_machine(const MachineProblem& problem, const Run& run);
 
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid. Of an invalid one nothing is computed: its faults are notes beside Status::invalid.
-std::vector<std::string> validate(const MachineProblem& problem);
-
 }  // namespace cognate::problems

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/machine/problem.hpp"
 
@@ -100,15 +99,10 @@ TableWriter run_writer(const MachineRunRequest& run) {
       .set("tolerance", run.tolerance);
 }
 
-void write_parts(const MachineProblem& problem, TableWriter& document,
-                 std::vector<std::string>& faults) {
+/// The loads that are functions.
+Array function_loads(const MachineProblem& problem, std::vector<std::string>& faults) {
   const AnalysisProblem& given = *problem.mechanism;
-  write_mechanism(given, document, faults);
   Array loads;
-  for (const LoadRule& load : given.loads) {
-    check_load(given, load, faults);
-    loads.push_back(node(load_writer(given, load)));
-  }
   for (const MachineLoad& load : problem.loads) {
     check_load(given, load.rule, faults);
     TableWriter table = load_writer(given, load.rule);
@@ -120,29 +114,38 @@ void write_parts(const MachineProblem& problem, TableWriter& document,
     write_interpolation(load.value, table);
     loads.push_back(node(table));
   }
-  document.set("load", loads);
+  return loads;
 }
 
-Written written(const MachineProblem& problem) {
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<MachineProblem>::written(const MachineProblem& problem) {
+  using namespace reading;
   Written all;
-  TableWriter document = document_writer("machine", problem.title);
-  if (problem.mechanism) write_parts(problem, document, all.faults);
-  if (problem.inertia || problem.torque) {
-    document.add("equivalent", node(equivalent_writer(problem, all.faults)));
+  TableWriter document = document_writer(kWord, problem.title);
+  if (problem.mechanism) {
+    const Array loads = function_loads(problem, all.faults);
+    document.set("mechanism", mechanism_writer(problem.mechanism->mechanism))
+        .append(body_tables(*problem.mechanism, loads, all.faults));
   }
-  if (problem.motor) document.add("motor", node(motor_writer(*problem.motor, all.faults)));
+  if (problem.inertia || problem.torque) {
+    document.set("equivalent", equivalent_writer(problem, all.faults));
+  }
+  if (problem.motor) document.set("motor", motor_writer(*problem.motor, all.faults));
   TableWriter flywheel;
   flywheel.set("fluctuation", problem.fluctuation);
   if (problem.flywheel != 0) flywheel.set("inertia", problem.flywheel);
-  if (problem.fluctuation || problem.flywheel != 0) document.add("flywheel", node(flywheel));
-  if (problem.brake) document.add("brake", node(TableWriter{}.set("torque", *problem.brake)));
-  document.add("run", node(run_writer(problem.run)));
-  all.document = document.take();
+  if (!flywheel.empty()) document.set("flywheel", flywheel);
+  if (problem.brake) document.set("brake", TableWriter{}.set("torque", *problem.brake));
+  all.document = document.set("run", run_writer(problem.run)).take();
   return all;
 }
 
-tl::expected<MachineProblem, std::vector<std::string>> checked(const MachineProblem& problem) {
-  const auto read = read_back<MachineProblem>(written(problem));
+tl::expected<MachineProblem, std::vector<std::string>> KindTraits<MachineProblem>::checked(
+    const MachineProblem& problem) {
+  using namespace reading;
+  const auto read = read_back(problem);
   if (!read) return tl::unexpected(read.error());
   MachineProblem complete = problem;
   if (!problem.mechanism) return complete;
@@ -153,18 +156,6 @@ tl::expected<MachineProblem, std::vector<std::string>> checked(const MachineProb
     complete.mechanism->inertias = read->mechanism->inertias;
   complete.mechanism->drive = read->mechanism->drive;
   return complete;
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<MachineProblem, std::vector<std::string>> KindTraits<MachineProblem>::checked(
-    const MachineProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const MachineProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

@@ -81,6 +81,7 @@ template <>
 struct KindTraits<PathProblem> {
   static constexpr std::string_view kWord = "path-generation";
   static PathProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const PathProblem& problem);
   static tl::expected<PathProblem, std::vector<std::string>> checked(const PathProblem& problem);
 };
 
@@ -91,10 +92,6 @@ struct Run;
 /// problem and seed give the same designs whatever the number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const PathProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid.
-std::vector<std::string> validate(const PathProblem& problem);
 
 template <>
 std::span<const Named<Timing>> names<Timing>();

@@ -254,11 +254,8 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
                                           const std::filesystem::path& folder) {
   using namespace reading;
   PathProblem problem;
-  TableReader target = document.table("target");
-  TableReader mechanism = document.table("mechanism");
-  TableReader bounds = document.table("bounds");
-  TableReader constraints = document.table("constraints");
-  TableReader solve = document.table("solve");
+  LinkageTables tables(document);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
 
   problem.method = holder("method", target, solve)
                        .choice<PathMethod>("method")
@@ -311,7 +308,7 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
     check_exact_path(target, mechanism, solve, problem);
   }
 
-  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  tables.finish();
   return problem;
 }
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
 
@@ -37,12 +36,13 @@ TableWriter written_curve(const PathProblem& problem) {
     table.set("svg_path", curve.svg_path);
   }
   table.set("samples", static_cast<int>(problem.points.size())).set_name("place", curve.place);
+  // What no closed curve has is written for the reader to refuse.
   if (!problem.crank_angles.empty()) table.set("crank_deg", written_crank_angles(problem));
   if (!problem.pose_angles.empty()) table.set("poses", problem.pose_angles);
   if (problem.method != PathMethod::least_squares) table.set_name("method", problem.method);
-  return table.set_name("timing", problem.timing)
-      .set_name("order", problem.order)
-      .set_name("crank_sense", problem.crank_sense);
+  if (problem.timing != Timing::free) table.set_name("timing", problem.timing);
+  if (problem.order != PointOrder::cyclic) table.set_name("order", problem.order);
+  return table.set_name("crank_sense", problem.crank_sense);
 }
 
 TableWriter written_target(const PathProblem& problem) {
@@ -60,10 +60,13 @@ TableWriter written_target(const PathProblem& problem) {
   }
   if (!pose_rows.empty()) table.set("poses", pose_rows);
   if (pose_rows.empty() || !points.empty()) table.set("points", points);
-  table.set_name("method", problem.method).set_name("timing", problem.timing);
-  table.set_name("order", problem.order).set_name("crank_sense", problem.crank_sense);
+  if (problem.method != PathMethod::least_squares) table.set_name("method", problem.method);
+  table.set_name("timing", problem.timing);
+  const bool ordered = problem.timing == Timing::free || problem.order != PointOrder::cyclic;
+  if (ordered) table.set_name("order", problem.order);
   if (!problem.crank_angles.empty()) table.set("crank_deg", written_crank_angles(problem));
   if (problem.timing != Timing::free) table.set_name("crank_reference", problem.crank_reference);
+  table.set_name("crank_sense", problem.crank_sense);
   const bool weighted = problem.method == PathMethod::least_squares && !problem.weights.empty();
   if (weighted) table.set("weights", problem.weights);
   return table;
@@ -101,26 +104,34 @@ void check_sizes(const PathProblem& problem, std::vector<std::string>& faults) {
   }
 }
 
-Written written(const PathProblem& problem) {
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
+  using namespace reading;
   Written all;
   check_sizes(problem, all.faults);
-  check_objective_members(problem.constraints, problem.solve, all.faults);
-  TableWriter document = document_writer("path-generation", problem.title);
   TableWriter constraints = constraints_writer(problem.constraints);
   if (problem.curve) constraints.set("no_extra_loop", problem.constraints.no_extra_loop);
   TableWriter solve = solve_writer(problem.solve);
-  document.add("target", node(written_target(problem)))
-      .add("mechanism", node(given_writer(problem.given)))
-      .add("bounds", node(bounds_writer(problem.bounds)))
-      .add("constraints", node(constraints))
-      .add("solve", node(solve));
-  write_operation(problem.constraints, problem.solve, document);
-  all.document = document.take();
+  if (problem.atlas) solve.set("atlas", problem.atlas->name);
+  all.document = document_writer(kWord, problem.title)
+                     .set("target", written_target(problem))
+                     .set("mechanism", given_writer(problem.given))
+                     .set("bounds", bounds_writer(problem.bounds))
+                     .set("constraints", constraints)
+                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
+                     .set("solve", solve)
+                     .take();
   return all;
 }
 
-tl::expected<PathProblem, std::vector<std::string>> checked(const PathProblem& problem) {
-  const auto read = read_back<PathProblem>(written(problem));
+tl::expected<PathProblem, std::vector<std::string>> KindTraits<PathProblem>::checked(
+    const PathProblem& problem) {
+  using namespace reading;
+  PathProblem without_files = problem;
+  without_files.atlas.reset();
+  const auto read = read_back(without_files);
   if (!read) return tl::unexpected(read.error());
   if (problem.curve) {
     std::vector<std::string> faults;
@@ -131,18 +142,6 @@ tl::expected<PathProblem, std::vector<std::string>> checked(const PathProblem& p
   const bool weighted = problem.method == PathMethod::least_squares && !problem.curve;
   if (!weighted || problem.weights.empty()) complete.weights = read->weights;
   return complete;
-}
-
-}  // namespace
-}  // namespace reading
-
-tl::expected<PathProblem, std::vector<std::string>> KindTraits<PathProblem>::checked(
-    const PathProblem& problem) {
-  return reading::checked(problem);
-}
-
-std::vector<std::string> validate(const PathProblem& problem) {
-  return faults_of(reading::checked(problem));
 }
 
 }  // namespace cognate::problems

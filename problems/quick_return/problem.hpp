@@ -43,6 +43,7 @@ struct KindTraits<QuickReturnProblem> {
   static constexpr std::string_view kWord = "quick-return";
   static QuickReturnProblem read(reading::TableReader& document,
                                  const std::filesystem::path& folder);
+  static reading::Written written(const QuickReturnProblem& problem);
   static tl::expected<QuickReturnProblem, std::vector<std::string>> checked(
       const QuickReturnProblem& problem);
 };
@@ -54,10 +55,6 @@ struct Run;
 /// problem and seed give the same designs whatever the number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const QuickReturnProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid.
-std::vector<std::string> validate(const QuickReturnProblem& problem);
 
 template <>
 std::span<const Named<QuickReturnType>> names<QuickReturnType>();

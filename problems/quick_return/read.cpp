@@ -22,11 +22,6 @@ constexpr NumberRule kPressureAngle{[](double x) { return x >= 1e-3 && x <= 89.9
 // All solutions, unless the file asks for fewer.
 constexpr int kMostDesigns = 100;
 
-/// The tables of the file.
-struct Tables {
-  TableReader target, mechanism, bounds, constraints, solve;
-};
-
 std::optional<double> required(TableReader& table, std::string_view key, const NumberRule& rule) {
   if (!table.has(key)) table.fault(key, fmt::format("is missing; expected {}", rule.allowed));
   return table.number(key, rule);
@@ -64,7 +59,7 @@ void read_pivot_line(TableReader& mechanism, QuickReturnProblem& problem) {
   problem.crank_pivot_line = synthesis::PivotLine{(*line)[0], (*line)[1], (*line)[2]};
 }
 
-void read_four_bar(Tables& tables, QuickReturnProblem& problem) {
+void read_four_bar(LinkageTables& tables, QuickReturnProblem& problem) {
   auto& [target, mechanism, bounds, constraints, solve] = tables;
   Given& given = problem.given;
   given.rocker = required(mechanism, "rocker", kLength);
@@ -84,7 +79,7 @@ void read_pressure_angle(TableReader& constraints, QuickReturnProblem& problem) 
   if (degrees) problem.pressure_angle_max = radians(*degrees);
 }
 
-void read_slider_crank(Tables& tables, QuickReturnProblem& problem) {
+void read_slider_crank(LinkageTables& tables, QuickReturnProblem& problem) {
   TableReader& mechanism = tables.mechanism;
   problem.stroke = required(holder("stroke", mechanism, tables.target), "stroke", kLength);
   problem.offset = mechanism.number("offset", kNumber);
@@ -109,12 +104,12 @@ void read_guide(TableReader& mechanism, QuickReturnProblem& problem) {
   at_most_one(mechanism, {"frame", "crank"});
 }
 
-void read_guide_bar(Tables& tables, QuickReturnProblem& problem) {
+void read_guide_bar(LinkageTables& tables, QuickReturnProblem& problem) {
   read_guide(tables.mechanism, problem);
   problem.offset = tables.mechanism.number("offset", kNumber);
 }
 
-void read_shaper(Tables& tables, QuickReturnProblem& problem) {
+void read_shaper(LinkageTables& tables, QuickReturnProblem& problem) {
   TableReader& mechanism = tables.mechanism;
   problem.stroke = required(holder("stroke", mechanism, tables.target), "stroke", kLength);
   read_guide(mechanism, problem);
@@ -128,7 +123,7 @@ void read_shaper(Tables& tables, QuickReturnProblem& problem) {
                          kLength.allowed));
 }
 
-void read_mechanism(Tables& tables, QuickReturnProblem& problem) {
+void read_mechanism(LinkageTables& tables, QuickReturnProblem& problem) {
   switch (problem.type) {
     case QuickReturnType::four_bar:
       return read_four_bar(tables, problem);
@@ -142,7 +137,7 @@ void read_mechanism(Tables& tables, QuickReturnProblem& problem) {
 }
 
 // Without a type nothing can be said of the other keys.
-void know_all(Tables& tables) {
+void know_all(LinkageTables& tables) {
   tables.target.know({"swing_deg", "stroke"});
   tables.mechanism.know({"crank", "coupler", "rocker", "frame", "swing_deg", "stroke", "offset",
                          "rod", "ram_height", "crank_pivot_line"});
@@ -161,8 +156,7 @@ QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& do
                                                         const std::filesystem::path& /*folder*/) {
   using namespace reading;
   QuickReturnProblem problem;
-  Tables tables{document.table("target"), document.table("mechanism"), document.table("bounds"),
-                document.table("constraints"), document.table("solve")};
+  LinkageTables tables(document);
   problem.time_ratio = required(tables.target, "time_ratio", kTimeRatio).value_or(1);
   const auto type = tables.mechanism.choice<QuickReturnType>("type");
   problem.type = type.value_or(QuickReturnType::four_bar);
@@ -173,10 +167,7 @@ QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& do
   }
   problem.solve = read_solve(tables.solve, problem.constraints, false);
   if (!tables.solve.has("designs")) problem.solve.designs = kMostDesigns;
-  for (TableReader* table :
-       {&tables.target, &tables.mechanism, &tables.bounds, &tables.constraints, &tables.solve}) {
-    table->finish();
-  }
+  tables.finish();
   return problem;
 }
 

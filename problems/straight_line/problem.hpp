@@ -77,6 +77,7 @@ struct KindTraits<StraightLineProblem> {
   static constexpr std::string_view kWord = "straight-line";
   static StraightLineProblem read(reading::TableReader& document,
                                   const std::filesystem::path& folder);
+  static reading::Written written(const StraightLineProblem& problem);
   static tl::expected<StraightLineProblem, std::vector<std::string>> checked(
       const StraightLineProblem& problem);
 };
@@ -88,9 +89,5 @@ struct Run;
 /// problem and seed give the same designs whatever the number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const StraightLineProblem& problem, const Run& run);
-
-/// Everything that is wrong with `problem`, as the reader of files would say it; empty where it is
-/// valid.
-std::vector<std::string> validate(const StraightLineProblem& problem);
 
 }  // namespace cognate::problems

@@ -6,6 +6,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
+#include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/problem.hpp"
 #include "problems/straight_line/read_search.hpp"
 #include "problems/toml/table_reader.hpp"
@@ -14,20 +15,20 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kCrankAngle = "crank_deg";
-constexpr std::string_view kGoalKeys[] = {"length", "deviation", "deviation_relative",
-                                          "direction_deg", "constant_velocity"};
 
 /// Whether the file asks for the theory of contact.
 bool read_method(TableReader& target) {
   constexpr std::string_view kMethods[] = {"exact"};
   target.choice_of("method", kMethods);
   if (!target.has("method")) return false;
-  for (const std::string_view key : kGoalKeys) {
-    if (!target.has(key)) continue;
+  const auto refuse_goal = [&](std::string_view key) {
+    if (!target.has(key)) return;
     target.fault(key,
                  "is given with method = \"exact\", which knows curvature alone; remove it, or "
                  "remove method for a search");
-  }
+  };
+  for (const auto& key : kGoalKeys) refuse_goal(key.in_table());
+  refuse_goal("constant_velocity");
   return true;
 }
 

@@ -8,7 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/mechanism/quantity_rules.hpp"
+#include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/segment.hpp"
 
 namespace cognate::problems::reading {
@@ -18,29 +18,13 @@ namespace {
 constexpr double kLinkRatio = 10;
 /// What `constant_velocity` allows the speed to vary by where the file says nothing.
 constexpr double kSpeedVariation = 0.1;
-/// A narrower range of the crank is no motion.
-constexpr double kLeastCrankRange = 1;
-
-constexpr NumberRule kRelativeDeviation{[](double x) { return x >= 1e-9 && x <= 0.1; },
-                                        "a share of the length from 1e-9 to 0.1"};
-constexpr NumberRule kSizeOverLength{[](double x) { return x >= 0.1 && x <= 100; },
-                                     "a ratio from 0.1 to 100"};
-constexpr NumberRule kVariation{[](double x) { return x >= 1e-6 && x <= 100; },
-                                "a share of the mean speed from 1e-6 to 100"};
-constexpr NumberRule kCrankRange{[](double x) { return x >= kLeastCrankRange && x <= 360; },
-                                 "an angle in degrees from 1 to 360"};
-
 StraightLineGoal read_goal(TableReader& target) {
   StraightLineGoal goal;
-  goal.length = target.number("length", kLinkLength);
-  goal.deviation = target.number("deviation", kLinkLength);
-  goal.deviation_relative = target.number("deviation_relative", kRelativeDeviation);
+  read_keys(target, kGoalKeys, goal);
   if (target.has("deviation") && target.has("deviation_relative")) {
     target.fault("deviation_relative",
                  "is given beside deviation; give the one in units of length or the other");
   }
-  const auto direction = target.number("direction_deg", kAngle);
-  if (direction) goal.direction = radians(*direction);
   if (goal.length && goal.deviation && *goal.deviation > 0.1 * *goal.length) {
     target.fault("deviation", fmt::format("is {}, more than a tenth of the length {}; expected a "
                                           "smaller one, such a segment is no line",
@@ -81,10 +65,7 @@ void read_slider_crank(TableReader& mechanism, TableReader& bounds, StraightLine
 
 SegmentConstraints read_segment_keys(TableReader& constraints, bool constant_velocity) {
   SegmentConstraints segment;
-  const auto range = constraints.range("crank_range_deg", kCrankRange);
-  if (range) segment.crank_range = Range{radians(range->min), radians(range->max)};
-  segment.size_over_length_max = constraints.number("size_over_length_max", kSizeOverLength);
-  segment.speed_variation_max = constraints.number("speed_variation_max", kVariation);
+  read_keys(constraints, kSegmentKeys, segment);
   if (constant_velocity && !segment.speed_variation_max) {
     segment.speed_variation_max = kSpeedVariation;
   }
@@ -116,11 +97,8 @@ void check_scale(TableReader& target, const StraightLineProblem& problem) {
 
 StraightLineProblem read_straight_line_search(TableReader& document) {
   StraightLineProblem problem;
-  TableReader target = document.table("target");
-  TableReader mechanism = document.table("mechanism");
-  TableReader bounds = document.table("bounds");
-  TableReader constraints = document.table("constraints");
-  TableReader solve = document.table("solve");
+  LinkageTables tables(document);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
 
   target.know({"method"});
   problem.goal = read_goal(target);
@@ -147,7 +125,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   constexpr int kAlongFront = 12;
   if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
 
-  for (TableReader* table : {&target, &mechanism, &bounds, &constraints, &solve}) table->finish();
+  tables.finish();
   return problem;
 }
 

@@ -1,7 +1,6 @@
 /// A straight-line problem written down, and checked by reading what was written.
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/write_linkage.hpp"
-#include "problems/straight_line/problem.hpp"
+#include "problems/straight_line/keys.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -14,22 +13,22 @@ std::string_view name_in(const std::array<std::string_view, n>& names, Enum valu
   return index < n ? names.at(index) : std::string_view{};
 }
 
-TableWriter slider_crank_writer(const StraightLineProblem& problem) {
-  const Given& given = problem.given;
+TableWriter slider_crank_writer(const Given& given, const std::optional<double>& offset,
+                                const std::optional<double>& direction) {
   TableWriter table;
   return table.set("type", "slider-crank")
       .set("pivot", given.pivot_a)
       .set("crank", given.crank)
       .set("coupler", given.coupler)
+      .set("offset", offset)
+      .set_deg("direction_deg", direction)
       .set("coupler_point", given.coupler_point)
       .set_name("assembly", given.assembly);
 }
 
 TableWriter exact_mechanism(const StraightLineProblem& problem) {
   if (problem.slider) {
-    return slider_crank_writer(problem)
-        .set("offset", problem.slider->offset)
-        .set_deg("direction_deg", problem.slider->direction)
+    return slider_crank_writer(problem.given, problem.slider->offset, problem.slider->direction)
         .set_deg("crank_deg", problem.crank_angle);
   }
   TableWriter table = given_writer(problem.given);
@@ -43,60 +42,38 @@ TableWriter exact_mechanism(const StraightLineProblem& problem) {
 
 TableWriter searched_mechanism(const StraightLineProblem& problem) {
   if (problem.type != MechanismType::slider_crank) {
-    return given_writer(problem.given).set_name("type", problem.type);
+    return given_writer(problem.given, to_string(problem.type));
   }
-  return slider_crank_writer(problem)
-      .set("offset", problem.slider_offset)
-      .set_deg("direction_deg", problem.given.frame_angle);
-}
-
-TableWriter goal_writer(const StraightLineGoal& goal) {
-  TableWriter table;
-  return table.set("length", goal.length)
-      .set("deviation", goal.deviation)
-      .set("deviation_relative", goal.deviation_relative)
-      .set_deg("direction_deg", goal.direction);
-}
-
-Written written(const StraightLineProblem& problem) {
-  TableWriter document = document_writer("straight-line", problem.title);
-  TableWriter constraints = constraints_writer(problem.constraints);
-  if (problem.goal) {
-    constraints.set_deg("crank_range_deg", problem.segment.crank_range)
-        .set("size_over_length_max", problem.segment.size_over_length_max)
-        .set("speed_variation_max", problem.segment.speed_variation_max);
-    document.add("target", node(goal_writer(*problem.goal)))
-        .add("mechanism", node(searched_mechanism(problem)))
-        .add("bounds", node(bounds_writer(problem.bounds)))
-        .add("constraints", node(constraints))
-        .add("solve", node(solve_writer(problem.solve)));
-  } else {
-    document
-        .add("target", node(TableWriter{}.set("method", "exact").set("contact", problem.contact)))
-        .add("mechanism", node(exact_mechanism(problem)))
-        .add("constraints", node(constraints))
-        .add("solve", node(TableWriter{}.set("designs", problem.solve.designs)));
-  }
-  return {document.take(), {}};
-}
-
-tl::expected<StraightLineProblem, std::vector<std::string>> checked(
-    const StraightLineProblem& problem) {
-  const auto read = read_back<StraightLineProblem>(written(problem));
-  if (!read) return tl::unexpected(read.error());
-  return problem;
+  return slider_crank_writer(problem.given, problem.slider_offset, problem.given.frame_angle);
 }
 
 }  // namespace
 }  // namespace reading
 
-tl::expected<StraightLineProblem, std::vector<std::string>>
-KindTraits<StraightLineProblem>::checked(const StraightLineProblem& problem) {
-  return reading::checked(problem);
+reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProblem& problem) {
+  using namespace reading;
+  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter constraints = constraints_writer(problem.constraints);
+  if (problem.goal) {
+    write_keys(problem.segment, kSegmentKeys, constraints);
+    TableWriter target;
+    document.set("target", write_keys(*problem.goal, kGoalKeys, target))
+        .set("mechanism", searched_mechanism(problem))
+        .set("bounds", bounds_writer(problem.bounds))
+        .set("constraints", constraints)
+        .set("solve", solve_writer(problem.solve));
+  } else {
+    document.set("target", TableWriter{}.set("method", "exact").set("contact", problem.contact))
+        .set("mechanism", exact_mechanism(problem))
+        .set("constraints", constraints)
+        .set("solve", TableWriter{}.set("designs", problem.solve.designs));
+  }
+  return {document.take(), {}};
 }
 
-std::vector<std::string> validate(const StraightLineProblem& problem) {
-  return faults_of(reading::checked(problem));
+tl::expected<StraightLineProblem, std::vector<std::string>>
+KindTraits<StraightLineProblem>::checked(const StraightLineProblem& problem) {
+  return reading::read_back(problem).map([&](const auto&) { return problem; });
 }
 
 }  // namespace cognate::problems

@@ -40,6 +40,13 @@ struct Entry {
 /// "a string", "an array", …: what `node` is, for messages.
 std::string_view type_name(const Node& node);
 
+/// A document, and what of a problem no document can say: sizes that disagree, functions that are
+/// missing.
+struct Written {
+  Table document;
+  std::vector<std::string> faults;
+};
+
 /// The document in `text`, its tables in the order of the file, or the first place where it is no
 /// TOML. Throws only std::bad_alloc.
 tl::expected<Table, Fault> parse_document(std::string_view text);

@@ -1,5 +1,8 @@
 #include "problems/toml/table_writer.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "problems/basics/degrees.hpp"
 
 namespace cognate::problems::reading {
@@ -50,6 +53,11 @@ Node node_deg(const Range& range) {
 
 TableWriter& TableWriter::add(std::string_view key, Node value) {
   table_.push_back({.key = std::string(key), .where = {}, .node = std::move(value)});
+  return *this;
+}
+
+TableWriter& TableWriter::append(Table entries) {
+  std::ranges::move(entries, std::back_inserter(table_));
   return *this;
 }
 

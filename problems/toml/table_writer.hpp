@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,13 +16,6 @@
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
-
-/// A document, and what of a problem no document can say: sizes that disagree, functions that are
-/// missing.
-struct Written {
-  Table document;
-  std::vector<std::string> faults;
-};
 
 /// A value as a document holds it.
 Node node(bool value);
@@ -102,7 +94,9 @@ class TableWriter {
   }
 
   TableWriter& add(std::string_view key, Node value);
+  TableWriter& append(Table entries);
   Table take() { return std::move(table_); }
+  bool empty() const { return table_.empty(); }
 
  private:
   Table table_;
@@ -112,15 +106,14 @@ inline Node node(TableWriter writer) {
   return node(writer.take());
 }
 
-/// The problem that the reader of its kind makes of its document, or every fault of both. Files
-/// that it names are looked for in `folder`.
+/// The problem that the reader of its kind makes of its document, or every fault of both.
 template <class Problem>
-tl::expected<Problem, std::vector<std::string>> read_back(
-    const Written& written, const std::filesystem::path& folder = {}) {
+tl::expected<Problem, std::vector<std::string>> read_back(const Problem& given) {
+  const Written written = KindTraits<Problem>::written(given);
   FaultList found;
   TableReader document(written.document, found);
   document.know({"kind", "title"});
-  Problem problem = KindTraits<Problem>::read(document, folder);
+  Problem problem = KindTraits<Problem>::read(document, {});
   document.finish();
   std::vector<std::string> faults = written.faults;
   for (Fault& fault : std::move(found).sorted()) faults.push_back(std::move(fault.message));

@@ -398,7 +398,7 @@ const std::vector<FaultCase> kFunctionCases = {
      table("[[0, 0], [2, 1], [1, 2], [1, 3]]"),
      {{3, 26, "row 3 of target.table has x = 1 after 2"}, {3, 34, "x = 1 after 1"}}},
     {"TableWithDomain",
-     table("[[0, 0], [1, 1], [2, 4]]", "domain = [0, 2]\n"),
+     table("[[0, 0], [1, 1], [2, 4]]", "domain = [0, 3]\n"),
      {{6, 10, "the domain of a table is its own x"}}},
     {"PairsTooFew", pairs("[[0, 0], [1, 1]]"), {{3, 13, "has 2 pairs"}}},
     {"ThreeEqualInputsExact",

@@ -7,6 +7,7 @@
 #include "app/console/text_table.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/cam/keys.hpp"
 
 namespace cognate::app {
 namespace {
@@ -90,21 +91,11 @@ constexpr Entry kTarget[] = {
      "\"contact-force\", "
      "\"torque\" or \"contact-stress\"; of conjugate cams neither contact force nor stress"}};
 
-constexpr Entry kConstraints[] = {
-    {"pressure_angle_deg_max", "of either sign, everywhere"},
-    {"pressure_angle_deg_max_rise", "of either sign, in the rises, their ends included"},
-    {"pressure_angle_deg_max_return", "of either sign, in the returns, their ends included"},
-    {"pressure_angle_deg_max_rise_working",
-     "in the rises, only on the side to which the cam pushes"},
-    {"pressure_angle_deg_max_return_working", "in the returns, only on the other side"},
+constexpr Entry kUndercut[] = {
     {"curvature_radius_min", "of the profile where it is convex (default 0)"},
-    {"no_undercut", "true (default); false allows it, without curvature_radius_min"},
-    {"concave_radius_min", "of the profile where it is concave (not flat faces)"},
-    {"face_width_max", "flat faces"},
-    {"profile_radius_min, profile_radius_max", "of the profile from the cam's centre"},
-    {"contact_force_max", "with masses, spring or load; not of rollers of constant breadth"},
-    {"torque_max", "that drives the cam, of either sense; with masses, spring or load"},
-    {"contact_stress_max", "with [contact] besides; not with constant breadth"},
+    {"no_undercut", "true (default); false allows it, without curvature_radius_min"}};
+
+constexpr Entry kSeparation[] = {
     {"no_separation", "true (default): the follower never lifts off; force closure"}};
 
 constexpr Entry kDrive[] = {
@@ -113,6 +104,9 @@ constexpr Entry kDrive[] = {
 constexpr Entry kContact[] = {{"width", "of the line of contact"},
                               {"elasticity", "[E1, E2] of cam and follower"},
                               {"poisson", "[nu1, nu2] (default 0.3 each)"}};
+
+constexpr auto kConstraints = entries_of(problems::reading::kPressureAngleKeys, kUndercut,
+                                         problems::reading::kProfileKeys, kSeparation);
 
 constexpr Entry kSolve[] = {{"solver, starts, tolerance", "as below; no solver for least squares"},
                             {"designs", "1 to 100 (default 1)"}};

@@ -39,7 +39,7 @@ CamProblem settled(const CamProblem& problem, const CamDesign& design) {
 /// Follower, every length it has, the motion with what was found of it, and a preload that was
 /// found.
 ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
-  const ordered_json tables = Kind<CamProblem>::to_json(settled(problem, design));
+  const ordered_json tables = problem_json(settled(problem, design));
   ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};
   for (const char* key : {"side", "closure", "breadth", "arms_deg"}) {
     if (tables["follower"].contains(key)) mechanism[key] = tables["follower"][key];

@@ -22,7 +22,6 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
   static std::string describe(const problems::CamProblem& problem);
 
   /// A segment's angle or share that is free is a range.
-  static Json to_json(const problems::CamProblem& problem);
 
   /// `mechanism` is a table of type "cam" that alone gives the design's cam, `crank_deg` empty and
   /// `error` 0, since a profile gives its motion exactly; besides `proof` of the size.

@@ -1,7 +1,6 @@
 /// @file What the program does with `kind = "analysis"`.
 #pragma once
 
-#include "app/kinds/evaluation/problem_json.hpp"
 #include "app/kinds/kind.hpp"
 #include "app/report/analysis_report_data.hpp"
 #include "problems/evaluation/result.hpp"
@@ -23,9 +22,6 @@ struct Kind<problems::AnalysisProblem>
 
   /// The title, the mechanism's type, and its drive.
   static std::string describe(const problems::AnalysisProblem& problem);
-
-  /// Links and loads are given in the axes of their bodies, whatever points the file named.
-  static Json to_json(const problems::AnalysisProblem& problem);
 
   /// The mechanism of the file, its origin `given`, with the drive's position at each row
   /// (`crank_deg`, or `slide` for a driving slider) and the quantities of its motion as `metrics`.

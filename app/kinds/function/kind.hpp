@@ -15,7 +15,6 @@ struct Kind<problems::FunctionProblem> : LinkageKind<problems::FunctionProblem> 
   static std::span<const Entry> keys();
   static std::string describe(const problems::FunctionProblem& problem);
   static ColumnChoice columns(const problems::FunctionProblem& problem);
-  static nlohmann::ordered_json to_json(const problems::FunctionProblem& problem);
   static nlohmann::ordered_json target_json(const problems::FunctionProblem& problem);
   static nlohmann::ordered_json reached_json(const problems::FunctionProblem& problem,
                                              const problems::Design& design);

@@ -1,14 +1,10 @@
 #include "app/kinds/gear/kind.hpp"
+#include "problems/gear/keys.hpp"
 
 namespace cognate::app {
 namespace {
 
-constexpr Entry kRack[] = {
-    {"pressure_angle_deg", "of the rack that cuts, of the normal section (default 20)"},
-    {"addendum", "below the pitch line, in modules (default 1)"},
-    {"clearance", "by how much its rounded tip is deeper, in modules (default 0.25)"},
-    {"tip_radius",
-     "of the tip's corners, in modules (default clearance/(1 - sin a), or less: the full round)"}};
+constexpr auto kRack = entries_of(problems::reading::kRackKeys);
 
 constexpr Entry kGear[] = {
     {"gearing", "\"spur\" (default) or \"helical\""},
@@ -52,14 +48,8 @@ constexpr Entry kTarget[] = {
      "\"balanced-sliding\" (its maximum minimised; default), \"contact-ratio\" "
      "(maximised) or \"size\" (the centre distance, minimised)"}};
 
-constexpr Entry kConstraints[] = {
-    {"contact_ratio_min", "1 (default) or more; of helical gears with the overlap"},
-    {"tip_thickness_min", "of each gear, in modules, across helical teeth (default 0)"},
-    {"no_undercut", "true (default)"},
-    {"no_interference", "true (default): no tip digs into the fillet or root of the other gear"},
-    {"hunting", "true: the numbers of teeth have no common divisor (default false)"},
-    {"sliding_max", "of the magnitude of specific sliding at the ends of the flanks"},
-    {"tip_clearance_min", "from each tip to the other root, in modules (default 0)"}};
+constexpr auto kConstraints =
+    entries_of(problems::reading::kMeshKeys, problems::reading::kToothKeys);
 
 constexpr Entry kSolve[] = {{"designs", "1 to 100 (default 3), one for each choice of teeth"}};
 

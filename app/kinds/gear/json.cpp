@@ -83,7 +83,7 @@ ordered_json gear_design_json(ordered_json mechanism, ordered_json metrics,
 }
 
 ordered_json mechanism_json(const GearProblem& problem) {
-  const ordered_json tables = Kind<GearProblem>::to_json(problem);
+  const ordered_json tables = problem_json(problem);
   ordered_json mechanism = {{"type", "gear"}};
   mechanism.update(tables["mechanism"]);
   mechanism["rack"] = tables["rack"];
@@ -91,7 +91,7 @@ ordered_json mechanism_json(const GearProblem& problem) {
 }
 
 ordered_json mechanism_json(const GearPairDesign& design) {
-  const ordered_json tables = Kind<GearPairProblem>::to_json(design.settled);
+  const ordered_json tables = problem_json(design.settled);
   ordered_json mechanism = {{"type", "gear-pair"}};
   mechanism.update(tables["mechanism"]);
   // Bevel gears have none; that of a worm and a wheel that cannot be may lie beyond the axes.

@@ -22,7 +22,6 @@ struct Kind<problems::GearProblem> : KindBase<problems::GearProblem, problems::G
 
   /// The title, the kind of gearing, teeth and module.
   static std::string describe(const problems::GearProblem& problem);
-  static Json to_json(const problems::GearProblem& problem);
 
   /// `mechanism` is a table of type "gear".
   static Json design_json(const problems::GearProblem& problem, const Result& result,
@@ -62,9 +61,6 @@ struct Kind<problems::GearPairProblem>
 
   /// The title, the kind of gearing, teeth and module, and what of them is free.
   static std::string describe(const problems::GearPairProblem& problem);
-
-  /// With `bounds`, `target`, `constraints` and `solve` where it is one that can be searched for.
-  static Json to_json(const problems::GearPairProblem& problem);
 
   /// `mechanism` is a table of type "gear-pair" with all that gives the pair.
   static Json design_json(const problems::GearPairProblem& problem, const Result& result,

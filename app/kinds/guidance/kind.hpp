@@ -13,7 +13,6 @@ struct Kind<problems::MotionProblem> : LinkageKind<problems::MotionProblem> {
   static std::span<const Entry> keys();
   static std::string describe(const problems::MotionProblem& problem);
   static ColumnChoice columns(const problems::MotionProblem& problem);
-  static nlohmann::ordered_json to_json(const problems::MotionProblem& problem);
   static nlohmann::ordered_json target_json(const problems::MotionProblem& problem);
   static nlohmann::ordered_json reached_json(const problems::MotionProblem& problem,
                                              const problems::Design& design);

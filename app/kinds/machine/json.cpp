@@ -13,6 +13,15 @@ using nlohmann::ordered_json;
 using problems::MachineProblem;
 using problems::MachineResult;
 
+/// What is written as the mechanism of the one design.
+ordered_json machine_mechanism_json(const MachineProblem& problem) {
+  const ordered_json tables = problem_json(problem);
+  if (problem.mechanism) return tables["mechanism"];
+  ordered_json table = {{"type", "equivalent"}};
+  table.update(tables.value("equivalent", ordered_json::object()));
+  return table;
+}
+
 ordered_json column_json(const problems::Column& column) {
   ordered_json values = ordered_json::array();
   for (const double value : column.values) {

@@ -24,7 +24,6 @@ struct Kind<problems::MachineProblem>
 
   /// What moves, what drives it, which motions are requested.
   static std::string describe(const problems::MachineProblem& problem);
-  static Json to_json(const problems::MachineProblem& problem);
 
   /// The mechanism is the file's, or where it has none a table of type "equivalent" with its
   /// inertia and torque; its origin `given`. Values that do not exist are missing in `metrics`.
@@ -54,8 +53,5 @@ struct Kind<problems::MachineProblem>
   static ExportOutcome export_design(const ResultDesign& design, const ExportOptions& wanted,
                                      const std::string& stem);
 };
-
-/// What is written as the mechanism of the one design.
-nlohmann::ordered_json machine_mechanism_json(const problems::MachineProblem& problem);
 
 }  // namespace cognate::app

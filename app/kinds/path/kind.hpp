@@ -14,7 +14,6 @@ struct Kind<problems::PathProblem> : LinkageKind<problems::PathProblem> {
   static std::span<const Entry> keys();
   static std::string describe(const problems::PathProblem& problem);
   static ColumnChoice columns(const problems::PathProblem& problem);
-  static nlohmann::ordered_json to_json(const problems::PathProblem& problem);
   static nlohmann::ordered_json target_json(const problems::PathProblem& problem);
   static std::vector<problems::Fault> faults(const problems::PathProblem& problem);
   static tl::expected<std::vector<problems::Design>, std::vector<problems::Fault>> known_designs(

@@ -14,7 +14,6 @@ struct Kind<problems::QuickReturnProblem> : LinkageKind<problems::QuickReturnPro
   static std::span<const Entry> keys();
   static std::string describe(const problems::QuickReturnProblem& problem);
   static ColumnChoice columns(const problems::QuickReturnProblem& problem);
-  static nlohmann::ordered_json to_json(const problems::QuickReturnProblem& problem);
   static nlohmann::ordered_json target_json(const problems::QuickReturnProblem& problem);
 };
 

@@ -10,20 +10,16 @@
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/normalised.hpp"
+
 namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
 using problems::StraightLineProblem;
 
-constexpr Entry kStraightLine[] = {
-    {"target.length",
-     "of the straight segment: deviation is minimised; with neither a Pareto front is searched"},
-    {"target.deviation",
-     "maximum distance from the line: length is maximised; both: size minimised"},
-    {"target.deviation_relative", "or: that over the length"},
-    {"target.direction_deg", "of the line, either way along it"},
+constexpr Entry kPlace[] = {
     {"target.constant_velocity", "true: constraints.speed_variation_max = 0.1 unless given"},
     {"target.method", "\"exact\": by the theory of contact; by default linkages are searched"},
     {"target.contact", "exact: 3, 4 or 5 coinciding points of path and line (default 5)"},
@@ -39,12 +35,12 @@ constexpr Entry kStraightLine[] = {
     {"mechanism.assembly", "\"open\" or \"crossed\"; both by default"},
     {"mechanism.pivot", "slider-crank: [x, y] of the crank's pivot"},
     {"mechanism.offset", "slider-crank: of the slide line (exact: default 0)"},
-    {"mechanism.direction_deg", "slider-crank: of the slide line (default 0)"},
-    {"constraints.crank_range_deg", "search: [min, max] of the crank's turn over the segment"},
-    {"constraints.size_over_length_max",
-     "search: maximum dimension of a link, coupler point included, over the length (default 2)"},
-    {"constraints.speed_variation_max", "search: (max - min)/mean of the speed along the line"},
-    {"constraints.link_ratio_max", "search: 10 by default"}};
+    {"mechanism.direction_deg", "slider-crank: of the slide line (default 0)"}};
+
+constexpr Entry kRatio[] = {{"constraints.link_ratio_max", "search: 10 by default"}};
+
+constexpr auto kStraightLine =
+    entries_of(problems::reading::kGoalKeys, kPlace, problems::reading::kSegmentKeys, kRatio);
 
 constexpr QuantityColumn kStraightLineQuantities[] = {
     {"contact_points", "points of contact"},

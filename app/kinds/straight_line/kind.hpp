@@ -15,7 +15,6 @@ struct Kind<problems::StraightLineProblem> : LinkageKind<problems::StraightLineP
   static std::span<const Entry> keys();
   static std::string describe(const problems::StraightLineProblem& problem);
   static ColumnChoice columns(const problems::StraightLineProblem& problem);
-  static nlohmann::ordered_json to_json(const problems::StraightLineProblem& problem);
   static nlohmann::ordered_json target_json(const problems::StraightLineProblem& problem);
   static nlohmann::ordered_json reached_json(const problems::StraightLineProblem& problem,
                                              const problems::Design& design);

@@ -76,13 +76,13 @@ std::string toml_of_analysis(const json& tables) {
 /// nothing is lost, no default changes the meaning.
 template <class Problem>
 void expect_reads_back(const Problem& problem) {
-  const json written = Kind<Problem>::to_json(problem);
+  const json written = problem_json(problem);
   const bool in_tables = std::is_same_v<Problem, problems::AnalysisProblem> ||
                          std::is_same_v<Problem, problems::MachineProblem>;
   const auto file = in_tables ? toml_of_analysis(written) : toml_of(written);
   const auto again = problems::parse_task<Problem>(file);
   ASSERT_TRUE(again.has_value()) << messages(again.error()) << file;
-  EXPECT_EQ(json(Kind<Problem>::to_json(*again)), written);
+  EXPECT_EQ(json(problem_json(*again)), written);
 }
 
 TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
@@ -97,6 +97,15 @@ TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
     ++count;
   }
   EXPECT_GE(count, 30);
+}
+
+TEST(ProblemJson, FunctionsGivenByTablesReadBack) {
+  const auto problem = problems::parse_task<problems::FunctionProblem>(
+      "kind = 'function-generation'\n[target]\ntable = [[0, 0], [1, 0.5], [2, 2.1], [3, 4]]\n"
+      "input_range_deg = 60\noutput_range_deg = 60\nobjective = 'least-squares'\n");
+  ASSERT_TRUE(problem.has_value()) << messages(problem.error());
+  EXPECT_EQ(problem_json(*problem)["target"]["domain"], json({0.0, 3.0}));
+  expect_reads_back(*problem);
 }
 
 // One shift free, bounds open to a side, a given shift outside the bounds that are the default.
@@ -221,8 +230,7 @@ TEST(ProblemJson, ACamWithEverythingReadsBack) {
     const auto problem = problems::parse_task<problems::CamProblem>(text);
     ASSERT_TRUE(problem.has_value()) << messages(problem.error());
     expect_reads_back(*problem);
-    const auto again = problems::parse_task<problems::CamProblem>(
-        toml_of(Kind<problems::CamProblem>::to_json(*problem)));
+    const auto again = problems::parse_task<problems::CamProblem>(toml_of(problem_json(*problem)));
     ASSERT_TRUE(again.has_value());
     for (std::size_t i = 0; i < std::size(problem->lengths); ++i) {
       EXPECT_EQ(problem->lengths[i].given, again->lengths[i].given);
@@ -337,7 +345,7 @@ TEST(ProblemJson, HoldsEveryKeyOfAPathProblem) {
     tolerance = 1e-10
   )");
   ASSERT_TRUE(problem.has_value()) << messages(problem.error());
-  const json written = Kind<problems::PathProblem>::to_json(*problem);
+  const json written = problem_json(*problem);
   const json target = {{"points", {{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}}},
                        {"timing", "prescribed"},
                        {"crank_deg", {10.0, 50.5, 123.4}},
@@ -408,7 +416,7 @@ TEST(ProblemJson, AMachineWithEverythingReadsBack) {
     tolerance = 1e-7
 )");
   ASSERT_TRUE(problem.has_value()) << messages(problem.error());
-  const json written = Kind<problems::MachineProblem>::to_json(*problem);
+  const json written = problem_json(*problem);
   EXPECT_EQ(written["flywheel"]["inertia"], 3.3);
   EXPECT_EQ(written["equivalent"]["inertia"][2][0], 393.3);
   EXPECT_EQ(written["load"][0]["interpolation"], "smooth");
