@@ -52,6 +52,10 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   if (given("--time-limit")) {
     allowed &= take(parse_time_limit(arguments.time_limit), options.time_limit);
   }
+  const bool solves = app.get_subcommands().front()->get_name() == "solve";
+  if (solves && given("--steps")) {
+    allowed &= take(parse_steps(arguments.steps), options.steps);
+  }
   if (given("--out")) allowed &= take(parse_folder(arguments.out), options.out);
   return allowed ? std::optional(options) : std::nullopt;
 }

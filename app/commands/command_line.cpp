@@ -111,9 +111,11 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   auto& starting = add_command("new", "Write a commented file to start from.", kNewFooter);
   starting.add_option("KIND", arguments.kind, "the kind of problem")->required();
   add_folder(starting, arguments);
-  add_folder(add_files_command("solve", "Find designs for a problem.", kSolveFooter,
-                               "problems, TOML files", {".toml"}),
-             arguments);
+  auto& solving = add_files_command("solve", "Find designs for a problem.", kSolveFooter,
+                                    "problems, TOML files", {".toml"});
+  add_folder(solving, arguments);
+  solving.add_option("--steps", arguments.steps, "of a cam's table over a turn (default 360)")
+      ->type_name("N");
   auto& analyzing =
       add_files_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
                         "TOML files of mechanisms, or results", {".toml", ".result.json"});

@@ -46,11 +46,12 @@ Examples:
   cognate new cam --out valves)";
 
 inline constexpr const char* kSolveFooter = R"(Output:
-  A table of the designs, best first, on standard output, and two files in DIR,
-  NAME being FILE's name without its ending:
+  A table of the designs, best first, on standard output, and files in DIR, NAME
+  being FILE's name without its ending:
     NAME.result.json   every number of the designs, for programs
     NAME.report.html   the linkages moving, their curves and errors, for a
                        browser
+    NAME.csv           of a cam: motion, angles, profile and forces over a turn
   With --json no files are written unless --out is given; of several files the
   documents follow one another.
   Ctrl-C ends the search and reports what was found; a second one ends at once.

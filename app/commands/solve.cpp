@@ -17,10 +17,13 @@ namespace fs = std::filesystem;
 
 /// The files of a result besides the document.
 template <class K, class Problem>
-std::vector<OutputFile> files_of(const Problem& problem, const typename K::Result& result) {
+std::vector<OutputFile> files_of(const Problem& problem, const typename K::Result& result,
+                                 const Options& options) {
   std::vector<OutputFile> files;
   if constexpr (requires { K::csv(result); }) {
     files.push_back({".csv", [&](const auto&) { return K::csv(result); }});
+  } else if constexpr (requires { K::csv(problem, result, options.steps); }) {
+    files.push_back({".csv", [&](const auto&) { return K::csv(problem, result, options.steps); }});
   }
   files.push_back({".report.html",
                    [&](const auto& document) { return report_html(document, problem, result); }});
@@ -41,7 +44,7 @@ ExitStatus compute_problem(const fs::path& file, const Problem& problem, const O
                         return result.status;
                       },
                   .document = [&] { return result_document(problem, result, options.seed); },
-                  .files = files_of<K>(problem, result),
+                  .files = files_of<K>(problem, result, options),
                   .when_interrupted = K::kWhenInterrupted,
                   .table = [&](const Screen& screen) { return K::table(problem, result, screen); },
                   .exit_status = [&] { return K::is_done(result) ? exit_done : exit_no_design; }});

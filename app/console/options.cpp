@@ -29,6 +29,13 @@ tl::expected<int, std::string> parse_threads(std::string_view text) {
   return *threads;
 }
 
+tl::expected<int, std::string> parse_steps(std::string_view text) {
+  constexpr int kMostSteps = 100'000;
+  const auto steps = parse_all<int>(text);
+  if (steps && *steps >= 1 && *steps <= kMostSteps) return *steps;
+  return refusal("--steps", text, fmt::format("a whole number from 1 to {}", kMostSteps));
+}
+
 tl::expected<double, std::string> parse_time_limit(std::string_view text) {
   const auto seconds = parse_all<double>(text);
   if (!seconds || !(*seconds > 0 && *seconds <= kLongestTime)) {

@@ -18,6 +18,7 @@ struct Options {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   std::optional<std::filesystem::path> out;
+  int steps = 360;  ///< of the table of a cam over its turn
 };
 
 /// The errors of these say what is wrong with the text and what is allowed.
@@ -30,6 +31,9 @@ tl::expected<int, std::string> parse_threads(std::string_view text);
 
 /// Seconds: more than 0, at most 10⁹.
 tl::expected<double, std::string> parse_time_limit(std::string_view text);
+
+/// A whole number from 1 to 100 000.
+tl::expected<int, std::string> parse_steps(std::string_view text);
 
 /// The name of a folder: not empty.
 tl::expected<std::filesystem::path, std::string> parse_folder(std::string_view text);

@@ -21,8 +21,6 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
   /// The title, the follower, the motion, and what of them is free.
   static std::string describe(const problems::CamProblem& problem);
 
-  /// A segment's angle or share that is free is a range.
-
   /// `mechanism` is a table of type "cam" that alone gives the design's cam, `crank_deg` empty and
   /// `error` 0, since a profile gives its motion exactly; besides `proof` of the size.
   static Json design_json(const problems::CamProblem& problem, const Result& result,
@@ -38,6 +36,8 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
   /// size of the best one, the notes, and the time. Angles are in degrees.
   static std::string table(const problems::CamProblem& problem, const Result& result,
                            const Screen& screen);
+  /// The best design over a turn, in `steps` equal steps of the cam angle.
+  static std::string csv(const problems::CamProblem& problem, const Result& result, int steps);
   static std::string page(const problems::CamProblem& /*problem*/) { return cam_page(); }
   static Json report_data(const problems::CamProblem& problem, const Result& result) {
     return cam_report_data(problem, result);

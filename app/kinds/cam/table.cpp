@@ -8,9 +8,11 @@
 #include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
+#include "app/documents/csv.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/cam/turn_table.hpp"
 
 namespace cognate::app {
 namespace {
@@ -128,6 +130,11 @@ std::string Kind<CamProblem>::table(const CamProblem& problem, const CamResult& 
                        .designs = designs_text(problem, shown_designs(result), screen),
                        .after = proof_line(result)},
                       result, screen);
+}
+
+std::string Kind<CamProblem>::csv(const CamProblem& problem, const CamResult& result, int steps) {
+  if (result.designs.empty()) return csv_text({});
+  return csv_text(problems::turn_table(problem, result.designs.front(), steps));
 }
 
 }  // namespace cognate::app

@@ -1,0 +1,136 @@
+"""The table of a cam over its turn, against closed forms and the geometry of roller and profile.
+
+Run as: cam_test.py PROGRAM, the built program.
+"""
+
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = ""
+
+CAM = """
+kind = "cam"
+[follower]
+type = "translating-roller"
+mass = 2
+spring_rate = 500
+preload = 40
+[[motion]]
+law = "cycloidal"
+over_deg = 120
+rise = 0.03
+[[motion]]
+law = "dwell"
+over_deg = 60
+[[motion]]
+law = "harmonic"
+over_deg = 180
+rise = -0.03
+[mechanism]
+base_radius = 0.06
+offset = 0.01
+roller_radius = 0.015
+{more}
+[drive]
+speed_rpm = 120
+"""
+
+SPEED = 4 * math.pi
+
+
+def motion(angle):
+    """Displacement and its derivatives by the cam angle, from the laws' definitions."""
+    rise, over = 0.03, math.radians(120)
+    if angle < over:
+        u, w = angle / over, 2 * math.pi
+        return (rise * (u - math.sin(w * u) / w), rise / over * (1 - math.cos(w * u)),
+                rise / over**2 * w * math.sin(w * u))
+    if angle < math.pi:
+        return (rise, 0, 0)
+    u = angle - math.pi
+    return (rise / 2 * (1 + math.cos(u)), -rise / 2 * math.sin(u), -rise / 2 * math.cos(u))
+
+
+class CamTable(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.at = pathlib.Path(self.folder.name)
+
+    def table(self, text, *options, status=0):
+        (self.at / "cam.toml").write_text(text)
+        ran = subprocess.run([PROGRAM, "solve", "cam.toml", "--quiet", *options], cwd=self.at,
+                             capture_output=True, text=True, timeout=60)
+        self.assertEqual(ran.returncode, status, ran.stderr)
+        if status == 2:
+            return ran.stderr
+        with open(self.at / "cam.csv", newline="") as file:
+            return [{key: float(cell) for key, cell in row.items() if cell}
+                    for row in csv.DictReader(file)]
+
+    def test_rows_follow_the_laws(self):
+        rows = self.table(CAM.format(more=""))
+        self.assertEqual([row["cam_deg"] for row in rows], list(range(361)))
+        for row in rows:
+            s, v, a = motion(math.radians(row["cam_deg"] % 360))
+            self.assertAlmostEqual(row["displacement"], s, delta=1e-15)
+            self.assertAlmostEqual(row["velocity_per_rad"], v, delta=1e-15)
+            if row["cam_deg"] != 360:
+                self.assertAlmostEqual(row["acceleration_per_rad2"], a, delta=1e-15)
+            self.assertAlmostEqual(row["velocity_per_s"], SPEED * v, delta=1e-14)
+            self.assertAlmostEqual(row["acceleration_per_s2"],
+                                   SPEED**2 * row["acceleration_per_rad2"], delta=1e-13)
+
+    def test_the_roller_touches_the_profile(self):
+        """At each row the roller's centre is where the follower has it, the contact a radius off,
+        square to the profile; force and torque agree with virtual work."""
+        for more, sense in (("", 1), ('rotation = "cw"', -1)):
+            rows = self.table(CAM.format(more=more), "--steps", "1440")
+            self.assertEqual(len(rows), 1441)
+            start = math.sqrt(0.06**2 - 0.01**2)
+            for before, row, after in zip(rows, rows[1:], rows[2:]):
+                angle = math.radians(row["cam_deg"])
+                s, v, a = motion(angle)
+                # The follower in the frame, the cam turned back by its angle.
+                x, y = 0.01, start + s
+                centre = (sense * (x * math.cos(angle) + y * math.sin(angle)),
+                          y * math.cos(angle) - x * math.sin(angle))
+                self.assertLess(math.dist(centre, (row["centre_x"], row["centre_y"])), 1e-15)
+                contact = (row["profile_x"], row["profile_y"])
+                self.assertAlmostEqual(math.dist(centre, contact), 0.015, delta=1e-15)
+                chord = (after["profile_x"] - before["profile_x"],
+                         after["profile_y"] - before["profile_y"])
+                normal = (centre[0] - contact[0], centre[1] - contact[1])
+                along = chord[0] * normal[0] + chord[1] * normal[1]
+                self.assertLess(abs(along), 1e-3 * math.hypot(*chord) * math.hypot(*normal))
+                push = 2 * SPEED**2 * a + 500 * s + 40
+                self.assertAlmostEqual(row["torque_N_m"], push * v, delta=1e-13)
+                self.assertAlmostEqual(
+                    row["contact_force_N"] * math.cos(math.radians(row["pressure_angle_deg"])), push,
+                    delta=1e-11)
+
+    def test_the_greatest_rows_are_the_metrics(self):
+        rows = self.table(CAM.format(more=""), "--steps", "7200")
+        metrics = json.loads((self.at / "cam.result.json").read_text())["designs"][0]["metrics"]
+        greatest = max(abs(row["pressure_angle_deg"]) for row in rows)
+        told = max(abs(metrics[key]) for key in ("pressure_angle_deg_max_rise",
+                                                 "pressure_angle_deg_max_return"))
+        self.assertLessEqual(greatest, told * (1 + 1e-12))
+        self.assertGreater(greatest, told * (1 - 1e-6))
+        least = min(row["curvature_radius"] for row in rows if row.get("curvature_radius", -1) > 0)
+        self.assertAlmostEqual(least, metrics["curvature_radius_min"], delta=1e-6)
+
+    def test_steps_are_checked(self):
+        for steps in ("0", "-3", "2.5", "many", "100001", ""):
+            self.assertIn("--steps", self.table(CAM.format(more=""), "--steps", steps, status=2))
+
+
+if __name__ == "__main__":
+    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()
