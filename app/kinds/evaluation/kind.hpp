@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/kinds/evaluation/problem_json.hpp"
-#include "app/kinds/kind.hpp"
+#include "app/kinds/basics/kind.hpp"
 #include "app/report/analysis_report_data.hpp"
 #include "problems/evaluation/result.hpp"
 

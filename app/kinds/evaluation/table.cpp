@@ -11,7 +11,7 @@
 #include "app/console/text_table.hpp"
 #include "app/documents/csv.hpp"
 #include "app/kinds/evaluation/kind.hpp"
-#include "app/kinds/quantity_table.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "problems/basics/degrees.hpp"

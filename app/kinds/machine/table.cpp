@@ -11,7 +11,7 @@
 #include "app/console/table_text.hpp"
 #include "app/documents/csv.hpp"
 #include "app/kinds/machine/kind.hpp"
-#include "app/kinds/quantity_table.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {

@@ -1,4 +1,4 @@
-#include "app/kinds/quantity_table.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
