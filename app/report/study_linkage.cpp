@@ -44,8 +44,8 @@ ordered_json* number_at(ordered_json& file, const problems::KeyPath& path) {
 
 std::optional<ordered_json> study_linkage(const problems::Study& study) {
   const auto base = problems::parse_task<problems::AnalysisProblem>(study.base_text);
-  if (!base || !base->mechanism.four_bar) return std::nullopt;
-  ordered_json file = {{"mechanism", dimensions(*base->mechanism.four_bar)}};
+  if (!base || !base->mechanism.four_bar()) return std::nullopt;
+  ordered_json file = {{"mechanism", dimensions(*base->mechanism.four_bar())}};
   for (std::size_t i = 0; i < study.variables.size(); ++i) {
     if (ordered_json* number = number_at(file, study.variables[i].path)) {
       *number = {{"variable", i}};

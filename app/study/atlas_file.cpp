@@ -44,9 +44,10 @@ struct Misfit {
 FourBar base_of(SqliteDatabase& database) {
   const auto base = problems::parse_task<problems::AnalysisProblem>(
       database.text("SELECT value FROM study WHERE name = 'base'"));
-  const bool traces = base && base->mechanism.four_bar && base->mechanism.four_bar->coupler_point;
+  const bool traces =
+      base && base->mechanism.four_bar() && base->mechanism.four_bar()->coupler_point;
   if (!traces) throw Misfit{"its base is no analysis of a four-bar with a coupler point"};
-  return *base->mechanism.four_bar;
+  return *base->mechanism.four_bar();
 }
 
 /// Reads the rows of a study of four-bars.

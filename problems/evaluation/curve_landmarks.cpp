@@ -108,12 +108,12 @@ std::vector<Landmark> curve_landmarks(const AnalysisProblem& problem,
                                       const AssemblyRanges& assembly_ranges,
                                       const Deadline& deadline) {
   const auto& mechanism = problem.mechanism;
-  if (!problem.output.curvature || !mechanism.four_bar || assembly_ranges.runs.empty()) return {};
+  if (!problem.output.curvature || !mechanism.four_bar() || assembly_ranges.runs.empty()) return {};
   CurveLandmarks landmarks(problem, assembly_ranges);
   for (std::size_t i = 0; i < mechanism.points.size() && !deadline.reached(); ++i) {
     const auto& [name, at] = mechanism.points[i];
     if (at.body != kCoupler || !is_reported(problem.output, static_cast<int>(i))) continue;
-    FourBar tracing = *mechanism.four_bar;
+    FourBar tracing = *mechanism.four_bar();
     tracing.coupler_point = at.at;
     if (const auto features = curve_features(tracing)) landmarks.add(*features, name);
   }

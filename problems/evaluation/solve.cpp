@@ -156,7 +156,7 @@ void append(std::vector<Landmark>& landmarks, std::vector<Landmark> more,
 
 /// Those that exist, of the mechanism where its drive starts.
 std::vector<Cognate> cognates(const AnalysisProblem& problem) {
-  const auto& four_bar = problem.mechanism.four_bar;
+  const FourBar* four_bar = problem.mechanism.four_bar();
   if (!problem.output.cognates || !four_bar) return {};
   const double start = problem.drive.start;
   std::vector<Cognate> all;

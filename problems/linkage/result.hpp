@@ -79,7 +79,7 @@ struct Design {
 
 /// The four-bar that `design` is. Only where its type is four_bar.
 inline const FourBar& four_bar(const Design& design) {
-  return *design.mechanism.four_bar;
+  return *design.mechanism.four_bar();
 }
 
 /// A curve of the plane that a synthesis found besides its designs: "centre-point curve".

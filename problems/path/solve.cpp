@@ -175,7 +175,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   Result result;
   Run scaled_run = run;
   for (Design& design : scaled_run.known) {
-    design.mechanism.four_bar = scale.into(four_bar(design));
+    design.mechanism.description = scale.into(four_bar(design));
   }
   const PathSearchResult found =
       search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,

@@ -62,7 +62,8 @@ LinkageSegment in_file_unit(LinkageSegment segment, double unit) {
 void mark_cognates(std::vector<Design>& designs) {
   for (std::size_t i = 1; i < designs.size(); ++i) {
     for (std::size_t k = 0; k < i && !designs[i].cognate_of; ++k) {
-      const auto &own = designs[i].mechanism.four_bar, &other = designs[k].mechanism.four_bar;
+      const FourBar *own = designs[i].mechanism.four_bar(),
+                    *other = designs[k].mechanism.four_bar();
       if (own && other && is_cognate(*other, *own, 1e-4)) {
         designs[i].cognate_of = static_cast<int>(k);
       }

@@ -19,7 +19,7 @@ struct FourBarPlan {
   std::vector<FourBarFilter> filters;  ///< by stage
   bool wants_swing = false;
 
-  const FourBar& linkage() const { return *base.mechanism.four_bar; }
+  const FourBar& linkage() const { return *base.mechanism.four_bar(); }
 
   /// Whether a column or a filter is of one of these stages.
   bool wants(FourBarStage from, FourBarStage to) const;

@@ -175,7 +175,7 @@ class FourBarBlocks {
                         .velocity = false,
                         .acceleration = false,
                         .transmission = false,
-                        .curve = problem.mechanism.four_bar->coupler_point.has_value()};
+                        .curve = problem.mechanism.four_bar()->coupler_point.has_value()};
       AnalysisResult result = analyse(problem, Run{.threads = 1});
       const bool solved = result.status == Status::solved;
       if (solved) quantities = std::move(result.quantities);

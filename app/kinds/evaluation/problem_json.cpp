@@ -162,7 +162,7 @@ ordered_json output_table(const AnalysisProblem& problem) {
 }  // namespace
 
 ordered_json mechanism_json(const NamedMechanism& mechanism) {
-  ordered_json table = {{"type", to_string(mechanism.type)}};
+  ordered_json table = {{"type", to_string(mechanism.type())}};
   table.update(std::visit([](const auto& described) { return tables_of(described); },
                           mechanism.description));
   if (mechanism.extra_points.empty()) return table;
