@@ -10,7 +10,6 @@
 #include "analysis/gear/spur_gear.hpp"
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/report/checks_json.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"

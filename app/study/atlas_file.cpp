@@ -123,6 +123,16 @@ class AtlasRows {
 
 }  // namespace
 
+tl::expected<std::vector<problems::AtlasCurve>, std::vector<problems::Fault>> problem_atlas(
+    const problems::PathProblem& problem) {
+  if (!problem.atlas) return {};
+  const auto& atlas = *problem.atlas;
+  return read_atlas(atlas.file).map_error([&](const std::string& why) {
+    return std::vector{problems::Fault{atlas.line, atlas.column,
+                                       fmt::format("solve.atlas is \"{}\": {}", atlas.name, why)}};
+  });
+}
+
 tl::expected<std::vector<AtlasCurve>, std::string> read_atlas(const std::filesystem::path& file) {
   const auto refused = [](const std::string& why) {
     return tl::unexpected(why +

@@ -17,8 +17,7 @@
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
 #include "problems/cam/variables.hpp"
-#include "problems/linkage/deadline.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/search/solver_origin.hpp"
 

@@ -7,7 +7,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/cam/problem.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {

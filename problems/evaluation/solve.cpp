@@ -18,17 +18,16 @@
 #include "problems/evaluation/drive_rows.hpp"
 #include "problems/evaluation/force_extremes.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
-#include "problems/evaluation/load_strokes.hpp"
+#include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/motion_quantities.hpp"
 #include "problems/evaluation/motion_summary.hpp"
-#include "problems/evaluation/open_rows.hpp"
 #include "problems/evaluation/output_travel.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/evaluation/sweep.hpp"
 #include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 namespace {

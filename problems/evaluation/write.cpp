@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "problems/evaluation/problem.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {

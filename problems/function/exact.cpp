@@ -13,12 +13,9 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/function/designs.hpp"
-#include "problems/function/exact_family.hpp"
 #include "problems/function/exact_generators.hpp"
-#include "problems/function/exact_notes.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
-#include "problems/function/respacing.hpp"
 #include "problems/linkage/prevailing_side.hpp"
 #include "problems/linkage/verify.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/function/extreme_crank_angle.hpp"
 #include "problems/function/model.hpp"
-#include "problems/linkage/extreme_crank_angle.hpp"
 #include "synthesis/optimise/closure_hessian.hpp"
 
 namespace cognate::problems {

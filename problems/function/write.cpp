@@ -7,7 +7,7 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {

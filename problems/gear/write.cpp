@@ -4,7 +4,7 @@
 
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {

@@ -5,7 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {

@@ -21,7 +21,6 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/load_breaks.hpp"
-#include "problems/evaluation/load_strokes.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 #include "problems/machine/load_travel.hpp"
 #include "problems/machine/problem.hpp"

@@ -11,7 +11,7 @@
 #include "analysis/machine/steady_state.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/quantity.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/machine/model.hpp"
 #include "problems/machine/motion_table.hpp"
 #include "problems/machine/notes.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/machine/problem.hpp"
 

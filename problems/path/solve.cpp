@@ -14,7 +14,6 @@
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/oddities.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"

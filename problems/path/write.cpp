@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
 

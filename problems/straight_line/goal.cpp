@@ -1,5 +1,3 @@
-#include "problems/straight_line/goal.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,13 +8,14 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/oddities.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/normalised.hpp"
 #include "problems/straight_line/search.hpp"
+#include "problems/straight_line/solutions.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -1,5 +1,5 @@
 /// A straight-line problem written down, and checked by reading what was written.
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/straight_line/problem.hpp"
 

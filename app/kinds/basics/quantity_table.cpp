@@ -3,7 +3,7 @@
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
-#include "app/study/metric_unit.hpp"
+#include "app/study/metrics.hpp"
 
 namespace cognate::app {
 

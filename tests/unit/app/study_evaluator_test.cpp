@@ -13,7 +13,6 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/study/design_values.hpp"
 #include "app/study/evaluator.hpp"
-#include "app/study/general_evaluator.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/study/design_points.hpp"
