@@ -22,7 +22,6 @@ namespace cognate::app {
 namespace {
 
 using problems::AtlasCurve;
-using problems::FourBarDimension;
 
 /// The names of the descriptors' columns end in these.
 struct Harmonic {
@@ -116,7 +115,7 @@ class AtlasRows {
   }
 
   FourBar base_;
-  std::vector<FourBarDimension> dimensions_;
+  std::vector<DesignVariable> dimensions_;
   SqliteStatement statement_;
   problems::FourBarDesigns designs_;
 };

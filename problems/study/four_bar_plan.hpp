@@ -14,7 +14,7 @@ namespace cognate::problems {
 
 struct FourBarPlan {
   AnalysisProblem base;
-  std::vector<FourBarDimension> dimensions;  ///< of each variable
+  std::vector<DesignVariable> dimensions;  ///< of each variable
   std::vector<FourBarQuantity> columns;
   std::vector<FourBarFilter> filters;  ///< by stage
   bool wants_swing = false;
