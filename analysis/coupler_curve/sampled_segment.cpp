@@ -75,8 +75,10 @@ SampledSegment SampledSegments::between(std::size_t from, std::size_t to) {
           along < 0 ? -strip.direction : strip.direction};
 }
 
-SampledSegment SampledSegments::longest(std::span<const Vec2d> curve, bool closed, double relative,
-                                        const SegmentLimits& limits) {
+template <class TooShort, class Wins>
+SampledSegment SampledSegments::best_of(std::span<const Vec2d> curve, bool closed,
+                                        const double& relative, const SegmentLimits& limits,
+                                        TooShort too_short, Wins wins) {
   lay_out(curve, closed);
   const std::size_t least_cells = std::max<std::size_t>(limits.least_cells, 1);
   const double width = 2 * limits.deviation;
@@ -85,40 +87,37 @@ SampledSegment SampledSegments::longest(std::span<const Vec2d> curve, bool close
     const double widest = std::min(width * width, 4 * relative * relative * squared_size_);
     for (std::size_t j = last_narrow(i, last_from(i, limits), widest); j >= i + least_cells; --j) {
       const double chord = squared_norm(points_[j] - points_[i]);
-      if (chord <= best.length * best.length) continue;
+      if (too_short(chord, best)) continue;
       const double most = std::min(width * width, 4 * relative * relative * chord);
       if (is_wider(i, j, most)) continue;
       const SampledSegment found = between(i, j);
-      const bool straight = found.deviation <= relative * found.length;
-      if (!straight || found.deviation > limits.deviation) continue;
-      if (found.length > best.length) best = found;
+      if (found.deviation <= limits.deviation && wins(found, best)) best = found;
     }
   }
   return best;
 }
 
+SampledSegment SampledSegments::longest(std::span<const Vec2d> curve, bool closed, double relative,
+                                        const SegmentLimits& limits) {
+  return best_of(
+      curve, closed, relative, limits,
+      [](double chord, const SampledSegment& best) { return chord <= best.length * best.length; },
+      [&](const SampledSegment& found, const SampledSegment& best) {
+        return found.deviation <= relative * found.length && found.length > best.length;
+      });
+}
+
 SampledSegment SampledSegments::straightest(std::span<const Vec2d> curve, bool closed,
                                             double length, double relative,
                                             const SegmentLimits& limits) {
-  lay_out(curve, closed);
-  const std::size_t least_cells = std::max<std::size_t>(limits.least_cells, 1);
-  const double width = 2 * limits.deviation;
-  SampledSegment best;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double widest = std::min(width * width, 4 * relative * relative * squared_size_);
-    for (std::size_t j = last_narrow(i, last_from(i, limits), widest); j >= i + least_cells; --j) {
-      const double chord = squared_norm(points_[j] - points_[i]);
-      if (chord < length * length || chord == 0) continue;
-      const double most = std::min(width * width, 4 * relative * relative * chord);
-      if (is_wider(i, j, most)) continue;
-      const SampledSegment found = between(i, j);
-      if (found.length < length || !(found.deviation < relative * found.length)) continue;
-      if (found.deviation > limits.deviation) continue;
-      relative = found.deviation / found.length;
-      best = found;
-    }
-  }
-  return best;
+  return best_of(
+      curve, closed, relative, limits,
+      [&](double chord, const SampledSegment&) { return chord < length * length || chord == 0; },
+      [&](const SampledSegment& found, const SampledSegment&) {
+        if (found.length < length || !(found.deviation < relative * found.length)) return false;
+        relative = found.deviation / found.length;  // what follows has to be straighter
+        return true;
+      });
 }
 
 }  // namespace cognate

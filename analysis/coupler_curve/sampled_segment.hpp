@@ -55,6 +55,11 @@ class SampledSegments {
   std::size_t last_narrow(std::size_t from, std::size_t last, double squared_width) const;
   bool is_wider(std::size_t from, std::size_t to, double squared_width) const;
   SampledSegment between(std::size_t from, std::size_t to);
+  /// The best by `wins` of the segments of the curve with δ ≤ `relative`·L at most, which may fall
+  /// on the way, but for those whose squared chord is `too_short`.
+  template <class TooShort, class Wins>
+  SampledSegment best_of(std::span<const Vec2d> curve, bool closed, const double& relative,
+                         const SegmentLimits& limits, TooShort too_short, Wins wins);
 
   std::size_t count_ = 0;            ///< samples of the curve
   double squared_size_ = 0;          ///< of the diagonal of the box that holds them

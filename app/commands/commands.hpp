@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/console/exit_status.hpp"
+#include "app/console/messages.hpp"
 #include "app/console/options.hpp"
 #include "app/export/export_options.hpp"
 

@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "app/console/exit_status.hpp"
+#include "app/console/messages.hpp"
 #include "app/console/options.hpp"
 #include "app/console/screen.hpp"
 #include "problems/linkage/result.hpp"

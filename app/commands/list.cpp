@@ -7,14 +7,133 @@
 #include "app/commands/commands.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
-#include "app/documents/problem_catalogue.hpp"
+#include "app/documents/catalogue.hpp"
+#include "app/documents/mechanism_catalogue.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/kinds.hpp"
-#include "app/study/catalogue.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
 namespace {
+
+constexpr Entry kFile[] = {
+    {"kind", "\"study\"; may be left out"},
+    {"title", "of the study"},
+    {"base", "the problem or mechanism file whose numbers vary, relative to this one"}};
+
+constexpr Entry kVary[] = {
+    {"key",
+     "the place of a number of the base: \"mechanism.crank\", \"target.points[2][0]\", entries "
+     "counted from 0"},
+    {"range", "[a, b], with steps, or with sampling and count"},
+    {"steps", "how many values, in equal steps, both ends included"},
+    {"values", "or: these, [x, ...]"},
+    {"sampling", "one of the samplings below, the same for all variables that are sampled"},
+    {"count", "how many samples, the same for all of these"},
+    {"scale", "of a range: \"linear\" (default), or \"log\": steps or samples of the logarithm"}};
+
+constexpr Entry kOutput[] = {
+    {"metrics", "names of 'cognate list --metrics', or places in a design of the result document"},
+    {"rows", "\"passed\" (default): those that pass the filters, or \"all\""}};
+
+constexpr Entry kFilter[] = {
+    {"METRIC or KEY",
+     "[min, max], {min = x}, {max = x}; of words \"a\", [\"a\", \"b\"], true, "
+     "false"}};
+
+constexpr Entry kObjective[] = {
+    {"minimize, maximize", "a metric or varied key, or a list of them: a Pareto front"}};
+
+constexpr KeyedEntry kTables[] = {
+    {"the file", "numbers of a base file vary; cognate sweep runs all designs", kFile},
+    {"[[vary]]", "a number of the base", kVary},
+    {"[output]", "what rows hold besides what varies", kOutput},
+    {"[filter]", "which rows are kept", kFilter},
+    {"[objective]", "which rows are best", kObjective}};
+
+constexpr Entry kSamplings[] = {
+    {"sobol", "Sobol's sequence, shifted at random by --seed (0: as published); best with 2^k"},
+    {"halton", "Halton's sequence, its digits permuted at random by --seed (0: as published)"},
+    {"latin", "a Latin hypercube: of count equal parts of every range each holds one sample"},
+    {"random", "independent and uniform"}};
+
+/// The keys of a study, table by table.
+std::span<const KeyedEntry> study_tables() {
+  return kTables;
+}
+
+/// The values of `vary.sampling`.
+std::span<const Entry> samplings() {
+  return kSamplings;
+}
+
+constexpr Entry kBounds[] = {
+    {"length", "[min, max] of every link; crank, coupler, rocker, frame: of one"},
+    {"pivot_a, pivot_d", "[[xmin, ymin], [xmax, ymax]]"},
+    {"coupler_point", "[[umin, vmin], [umax, vmax]]"},
+    {"frame_angle_deg, input_start_deg, output_start_deg, output_start", "[min, max]"}};
+
+constexpr Entry kDesignConstraints[] = {
+    {"class",
+     "\"crank-rocker\", \"double-crank\", \"rocker-crank\", \"double-rocker\", \"triple-rocker\", "
+     "\"grashof\" or \"non-grashof\""},
+    {"transmission_angle_deg", "[min, max] over the motion"},
+    {"link_ratio_max", "longest over shortest link"},
+    {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
+    {"rms_error_max", "paths and motions: the most root mean square of the distances"},
+    {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
+    {"max_error_deg_max", "functions by minimax: the maximum error allowed"},
+    {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
+    {"clearance",
+     "[[constraints.clearance]], over the full turn: point = \"coupler-point\", \"B\" or \"C\", "
+     "inside or outside = [[xmin, "
+     "ymin], [xmax, ymax]]"}};
+
+constexpr Entry kMotionConstraints[] = {
+    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
+    {"no_extra_loop",
+     "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
+
+constexpr auto kConstraints = with_cycle_quantities(
+    kDesignConstraints,
+    [](const problems::CycleDeclaration& of) {
+      return Entry{of.limit_key, of.limit_meaning};
+    },
+    kMotionConstraints);
+
+constexpr Entry kDrive[] = {
+    {"speed",
+     "of the crank, rad/s: constant (default 1), or the mean of a speed that may fluctuate; or "
+     "speed_rpm, in turns a minute"}};
+
+constexpr Entry kFlywheel[] = {{"inertia", "on the crank, for speed_fluctuation_max (default 0)"},
+                               {"fluctuation", "that it is to leave, for flywheel_inertia_max"}};
+
+constexpr Entry kLink[] = {
+    {"name, between",
+     "\"crank\", \"coupler\" or \"rocker\"; or two of its joints, as [\"B\", \"C\"]"},
+    {"mass_per_length", "of a slender rod as long as the link"},
+    {"mass, centre, inertia", "or: given once and for all, [u, v] in the link's axes"}};
+
+constexpr Entry kLoad[] = {
+    {"on, at", "\"coupler-point\", \"B\", \"C\", or a link and [u, v] in its axes"},
+    {"force, torque", "[fx, fy] and a torque"},
+    {"when",
+     "\"always\" (default); on the rocker of a crank-rocker \"advance\" (while it turns "
+     "counter-clockwise) or \"return\""}};
+
+constexpr KeyedEntry kCommon[] = {
+    {"[bounds]", "of what is sought", kBounds},
+    {"[constraints]", "on the designs", kConstraints},
+    {"[drive]", "for peak accelerations, torques, speeds and powers over the turn", kDrive},
+    {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
+    {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
+    {"[[load]]", "likewise", kLoad}};
+
+/// The tables with the same keys in every synthesis problem for which they have a meaning.
+std::span<const KeyedEntry> common_tables() {
+  return kCommon;
+}
 
 using nlohmann::ordered_json;
 using problems::KindTraits;

@@ -5,7 +5,7 @@
 #include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
-#include "app/export/result_linkage.hpp"
+#include "app/export/exported.hpp"
 #include "app/export/toml_text.hpp"
 #include "app/kinds/kinds.hpp"
 #include "problems/read.hpp"

@@ -88,8 +88,8 @@ std::string dimensions_text(const Design& design) {
 
 std::string coupler_point_text(const Design& design) {
   const auto& mechanism = design.mechanism;
-  if (mechanism.four_bar && mechanism.four_bar->coupler_point) {
-    const Vec2d& p = *mechanism.four_bar->coupler_point;
+  if (mechanism.four_bar() && mechanism.four_bar()->coupler_point) {
+    const Vec2d& p = *mechanism.four_bar()->coupler_point;
     return fmt::format("[{}, {}]", number(p.x, 6), number(p.y, 6));
   }
   if (mechanism.extra_points.empty()) return kNoValue;
@@ -123,13 +123,13 @@ class Columns : public DesignTable<Design> {
 
   void add_dimensions() {
     const auto type =
-        designs().empty() ? problems::MechanismType::four_bar : designs().front().mechanism.type;
+        designs().empty() ? problems::MechanismType::four_bar : designs().front().mechanism.type();
     const bool alike =
         type != problems::MechanismType::chain &&
-        std::ranges::all_of(designs(), [&](const Design& d) { return d.mechanism.type == type; });
+        std::ranges::all_of(designs(), [&](const Design& d) { return d.mechanism.type() == type; });
     if (!alike || type != problems::MechanismType::four_bar) {
       add("mechanism", Align::left,
-          [](const Design& d) { return std::string(problems::to_string(d.mechanism.type)); });
+          [](const Design& d) { return std::string(problems::to_string(d.mechanism.type())); });
     }
     if (!alike) {
       add("dimensions [length]", Align::left, dimensions_text);

@@ -78,7 +78,7 @@ List dimensions_of(const problems::ChainDescription& chain) {
 std::vector<Dimension> dimensions(const problems::NamedMechanism& mechanism) {
   List list = std::visit([](const auto& described) { return dimensions_of(described); },
                          mechanism.description);
-  if (mechanism.type != problems::MechanismType::chain) return list;
+  if (mechanism.type() != problems::MechanismType::chain) return list;
   for (const auto& point : mechanism.extra_points) {
     list.push_back({point.on.front(), std::hypot(point.at.x, point.at.y)});
   }

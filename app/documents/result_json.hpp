@@ -1,4 +1,4 @@
-/// @file Parts of the result document `cognate-result/1`; kinds/kind.hpp puts them together.
+/// @file Parts of the result document `cognate-result/1`; kinds/basics/kind.hpp puts them together.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ class PlanMaker {
 
   Plan make(const LinkageScene& linkage, const std::vector<PointPath>& paths) {
     plan_.title = linkage.problem.title.empty()
-                      ? std::string(problems::to_string(linkage.problem.mechanism.type))
+                      ? std::string(problems::to_string(linkage.problem.mechanism.type()))
                       : linkage.problem.title;
     plan_.layers = {{"FRAME", PlanColour::grey},
                     {"GUIDES", PlanColour::grey, true},

@@ -1,7 +1,12 @@
 #include <fmt/core.h>
 
-#include "app/drawing/cam_plan.hpp"
-#include "app/export/curve_table.hpp"
+#include <array>
+#include <limits>
+#include <string>
+
+#include "app/documents/csv.hpp"
+#include "app/drawing/cam_drawing.hpp"
+#include "app/drawing/plan.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/svg.hpp"
 #include "problems/basics/degrees.hpp"
@@ -9,6 +14,76 @@
 
 namespace cognate::app {
 namespace {
+
+/// Half a line of the mark at the cam's centre, as a share of the reach.
+constexpr double kCamCentreMark = 0.04;
+
+const char* layer_of(CamCurveKind kind) {
+  switch (kind) {
+    case CamCurveKind::pitch:
+      return "PITCH";
+    case CamCurveKind::cutter:
+      return "CUTTER";
+    default:
+      return "PROFILE";
+  }
+}
+
+PlanOutline outline_of(const CamOutline& curve, const char* layer) {
+  PlanOutline outline{layer, {}, true};
+  outline.corners.reserve(curve.points.size());
+  for (const auto& point : curve.points) outline.corners.push_back({point.at});
+  return outline;
+}
+
+/// Each curve a closed outline on the layer PROFILE, PITCH or CUTTER, the base circles on
+/// BASE_CIRCLE, and two crossing lines on CENTRE. It is called `title`, or "Cam" where that is
+/// empty.
+Plan cam_plan(const CamDrawing& drawing, const std::string& title) {
+  const char* layer = layer_of(drawing.kind);
+  const double reach = reach_of(drawing);
+  const PlanColour colour =
+      drawing.kind == CamCurveKind::profile ? PlanColour::foreground : PlanColour::accent;
+  Plan plan{
+      .title = title.empty() ? "Cam" : title,
+      .low = {-reach, -reach},
+      .high = {reach, reach},
+      .layers = {
+          {layer, colour}, {"BASE_CIRCLE", PlanColour::grey, true}, {"CENTRE", PlanColour::red}}};
+  for (const auto& curve : drawing.curves) {
+    plan.outlines.push_back(outline_of(curve, layer));
+    if (curve.base_radius > 0) plan.circles.push_back({"BASE_CIRCLE", {}, curve.base_radius});
+  }
+  const double arm = kCamCentreMark * reach;
+  plan.outlines.push_back(plan_line("CENTRE", {-arm, 0}, {arm, 0}));
+  plan.outlines.push_back(plan_line("CENTRE", {0, -arm}, {0, arm}));
+  return plan;
+}
+
+/// The points of `curve` as CSV: cam_deg, x, y, normal_x, normal_y (unit, away from the material),
+/// radius_of_curvature (negative where the curve is concave, empty where it is straight). Numbers
+/// read back to the same doubles.
+std::string curve_csv(const CamOutline& curve) {
+  std::array<problems::Column, 6> columns;
+  constexpr std::array kNames = {"cam_deg",  "x",        "y",
+                                 "normal_x", "normal_y", "radius_of_curvature"};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    columns[i].name = kNames[i];
+    columns[i].values.reserve(curve.points.size());
+  }
+  for (const auto& point : curve.points) {
+    const double radius =
+        point.curvature != 0 ? 1 / point.curvature : std::numeric_limits<double>::quiet_NaN();
+    const std::array row = {problems::degrees(point.angle),
+                            point.at.x,
+                            point.at.y,
+                            point.normal.x,
+                            point.normal.y,
+                            radius};
+    for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
+  }
+  return csv_text(columns);
+}
 
 using Refusal = std::optional<std::string>;
 
@@ -89,7 +164,7 @@ std::vector<ExportedFile> files_of(const CamDrawing& drawing, const std::string&
   std::vector<ExportedFile> files;
   for (const auto& curve : drawing.curves) {
     files.push_back(
-        {stem + (curve.name.empty() ? "" : "." + curve.name) + ".csv", csv_text(curve)});
+        {stem + (curve.name.empty() ? "" : "." + curve.name) + ".csv", curve_csv(curve)});
   }
   return files;
 }

@@ -3,21 +3,105 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
+#include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/csv.hpp"
 #include "app/documents/json_values.hpp"
 #include "app/documents/result_json.hpp"
-#include "app/drawing/drive_position.hpp"
+#include "app/drawing/link_shapes.hpp"
 #include "app/drawing/linkage_plan.hpp"
-#include "app/export/chain_sketch.hpp"
+#include "app/drawing/linkage_scene.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/linkage_json.hpp"
 #include "app/export/svg.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/evaluation/drive_rows.hpp"
 
 namespace cognate::app {
 namespace {
+
+/// `drive` plus whole turns, so that it lies in the sweep where it can.
+double in_sweep(const LinkageScene& linkage, double drive) {
+  const auto [low, high] = std::minmax(linkage.problem.drive.start, linkage.problem.drive.end);
+  if (is_driven_by_slider(linkage) || (low <= drive && drive <= high)) return drive;
+  const double least = drive + kTurn * std::ceil((low - drive) / kTurn);
+  return least <= high ? least : drive;
+}
+
+/// `drive` (radians, or a length for a driving slider) as people write it: degrees or a length.
+double shown_drive(const LinkageScene& linkage, double drive) {
+  return is_driven_by_slider(linkage) ? drive : problems::degrees(drive);
+}
+
+/// The drive coordinate at which `linkage` is drawn, and `motion` moved there: `wanted` (degrees,
+/// or a length), else the first of the stations, else the first row of the drive at which the
+/// linkage can be assembled. Empty where it cannot be assembled there.
+std::optional<double> drive_position(const LinkageScene& linkage, std::optional<double> wanted,
+                                     FollowedMotion<0>& motion) {
+  if (wanted) {
+    const double drive =
+        in_sweep(linkage, is_driven_by_slider(linkage) ? *wanted : *wanted * kTurn / 360);
+    return motion.move_to(drive) ? std::optional(drive) : std::nullopt;
+  }
+  for (const double station : linkage.stations) {
+    const double drive = in_sweep(linkage, station);
+    if (motion.move_to(drive)) return drive;
+  }
+  for (int row = 0; row < problems::row_count(linkage.problem.drive); ++row) {
+    const double drive = problems::drive_at(linkage.problem.drive, row);
+    if (motion.move_to(drive)) return drive;
+  }
+  return std::nullopt;
+}
+
+/// In quotes, as Graphviz reads it; a line break is a line break of the label.
+std::string graph_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n') {
+      out += "\\n";
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out + '"';
+}
+
+/// The link's name, and how far its joints are from one another.
+std::string label_of(const LinkShape& link) {
+  std::string text = link.name;
+  for (std::size_t i = 0; i < link.places.size(); ++i) {
+    for (std::size_t k = i + 1; k < link.places.size(); ++k) {
+      const LinkPlace &a = link.places[i], &b = link.places[k];
+      text += fmt::format("\n{}-{} {:.6g}", a.name, b.name, norm(b.at - a.at));
+    }
+  }
+  return text;
+}
+
+/// The chain in the language of Graphviz: a node for each link with the distances of its joints,
+/// the frame marked, and an edge for each joint, dashed where it slides.
+std::string chain_sketch(const std::string& title, const LinkShapes& shown) {
+  std::string text = "graph " + graph_text(title) +
+                     " {\n  node [shape=box, style=rounded];\n  edge [fontsize=11];\n";
+  for (std::size_t i = 0; i < shown.links.size(); ++i) {
+    text += fmt::format("  link{} [label={}{}];\n", i, graph_text(label_of(shown.links[i])),
+                        i == 0 ? ", peripheries=2, style=filled, fillcolor=lightgrey" : "");
+  }
+  for (const JointShape& joint : shown.joints) {
+    const bool slides = joint.type == JointType::prismatic;
+    text += fmt::format("  link{} -- link{} [label={}{}];\n", joint.first, joint.second,
+                        graph_text(slides ? joint.name + "\nslides" : joint.name),
+                        slides ? ", style=dashed" : "");
+  }
+  return text + "}\n";
+}
 
 using nlohmann::ordered_json;
 using Result = tl::expected<Exported, std::string>;

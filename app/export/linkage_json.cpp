@@ -93,7 +93,7 @@ ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
                           std::span<const BodyMotion<double, 0>> bodies, double drive,
                           const std::vector<PointPath>& paths) {
   const auto& mechanism = linkage.problem.mechanism;
-  ordered_json document = {{"type", problems::to_string(mechanism.type)},
+  ordered_json document = {{"type", problems::to_string(mechanism.type())},
                            {"dimensions", ordered_json::object()}};
   for (const auto& dimension : dimensions(mechanism)) {
     document["dimensions"][dimension.name] = dimension.value;

@@ -9,7 +9,6 @@
 #include "analysis/mechanism/motion_state.hpp"
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/linkage_paths.hpp"
-#include "app/export/part_layers.hpp"
 #include "app/export/part_sheet.hpp"
 #include "problems/evaluation/result.hpp"
 

@@ -1,5 +1,3 @@
-#include "app/export/part_layers.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "app/export/hull_distance.hpp"
+#include "app/export/part_sheet.hpp"
 
 namespace cognate::app {
 namespace {

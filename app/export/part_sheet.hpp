@@ -1,13 +1,25 @@
-/// @file Parts laid side by side on a sheet.
+/// @file Parts in layers, and laid side by side on a sheet.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/drawing/plan.hpp"
 #include "app/export/link_parts.hpp"
-#include "app/export/part_layers.hpp"
 
 namespace cognate::app {
+
+struct PartLayers {
+  std::vector<int> layers;  ///< of each part, from 1
+  int count = 0;            ///< how many there are
+  std::vector<std::string> notes;
+};
+
+/// The fewest layers in which parts that overlap anywhere on the way of the drive lie in different
+/// ones, and no pin that goes through a layer meets another part there: found by trying layers part
+/// by part, with positions at samples of the drive. Where that takes too many trials, or there is
+/// no such stack, a note says so, and the parts alone are kept apart.
+PartLayers part_layers(const LinkShapes& shown, const LinkParts& made, const PartOrder& order);
 
 /// Where a part lies on the sheet: its own point p at `at` + `direction`·p.
 struct PartPlace {

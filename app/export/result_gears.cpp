@@ -1,5 +1,3 @@
-#include "app/export/result_gears.hpp"
-
 #include <fmt/core.h>
 
 #include <array>
@@ -8,6 +6,7 @@
 #include <string_view>
 
 #include "analysis/gear/mesh.hpp"
+#include "app/export/exported.hpp"
 #include "app/export/toml_text.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/gear/pair_limits.hpp"

@@ -1,5 +1,3 @@
-#include "app/export/result_linkage.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/drive_span.hpp"
+#include "app/export/exported.hpp"
 #include "app/export/toml_text.hpp"
 #include "problems/read.hpp"
 

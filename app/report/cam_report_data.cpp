@@ -7,7 +7,6 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/cam_drawing.hpp"
 #include "app/report/cam_json.hpp"
-#include "app/report/checks_json.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"

@@ -102,8 +102,8 @@ Fineness fineness(std::size_t designs) {
 }
 
 ordered_json motion_of(const Design& design, const Fineness& fineness) {
-  return design.mechanism.four_bar ? linkage_motion(design, fineness.linkage)
-                                   : mechanism_motion(design, fineness.mechanism);
+  return design.mechanism.four_bar() ? linkage_motion(design, fineness.linkage)
+                                     : mechanism_motion(design, fineness.mechanism);
 }
 
 ordered_json reached_points(const Design& design) {

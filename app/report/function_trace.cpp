@@ -13,7 +13,7 @@ FunctionTrace function_trace(const problems::FunctionProblem& problem,
                              const problems::Design& design) {
   FunctionTrace trace;
   const auto &input_start = design.metrics.input_start, &output_start = design.metrics.output_start;
-  if (!input_start || !output_start || !design.mechanism.four_bar) return trace;
+  if (!input_start || !output_start || !design.mechanism.four_bar()) return trace;
   const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
   const auto& pairs = function ? wanted.range : wanted.samples;
   const double frame = frame_angle(four_bar(design));

@@ -3,7 +3,36 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/report/mechanism_json.hpp"
+
 namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A bound as the page writes it: null on a side where there is none.
+struct BoundJson {
+  ordered_json operator()(double value) const { return drawn(value); }
+  ordered_json operator()(const std::string& text) const { return text; }
+  ordered_json operator()(const problems::Range& range) const {
+    if (!std::isfinite(range.max)) return {{"min", drawn(range.min)}};
+    if (!std::isfinite(range.min)) return {{"max", drawn(range.max)}};
+    return {drawn(range.min), drawn(range.max)};
+  }
+};
+
+}  // namespace
+
+ordered_json constraints_json(const std::vector<problems::ConstraintCheck>& checks) {
+  ordered_json list = ordered_json::array();
+  for (const auto& check : checks) {
+    list.push_back({{"name", check.name},
+                    {"value", std::visit(BoundJson{}, check.value)},
+                    {"bound", std::visit(BoundJson{}, check.bound)},
+                    {"satisfied", check.satisfied}});
+  }
+  return list;
+}
 
 using nlohmann::ordered_json;
 

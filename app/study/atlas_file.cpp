@@ -22,7 +22,6 @@ namespace cognate::app {
 namespace {
 
 using problems::AtlasCurve;
-using problems::FourBarDimension;
 
 /// The names of the descriptors' columns end in these.
 struct Harmonic {
@@ -44,9 +43,10 @@ struct Misfit {
 FourBar base_of(SqliteDatabase& database) {
   const auto base = problems::parse_task<problems::AnalysisProblem>(
       database.text("SELECT value FROM study WHERE name = 'base'"));
-  const bool traces = base && base->mechanism.four_bar && base->mechanism.four_bar->coupler_point;
+  const bool traces =
+      base && base->mechanism.four_bar() && base->mechanism.four_bar()->coupler_point;
   if (!traces) throw Misfit{"its base is no analysis of a four-bar with a coupler point"};
-  return *base->mechanism.four_bar;
+  return *base->mechanism.four_bar();
 }
 
 /// Reads the rows of a study of four-bars.
@@ -115,12 +115,22 @@ class AtlasRows {
   }
 
   FourBar base_;
-  std::vector<FourBarDimension> dimensions_;
+  std::vector<DesignVariable> dimensions_;
   SqliteStatement statement_;
   problems::FourBarDesigns designs_;
 };
 
 }  // namespace
+
+tl::expected<std::vector<problems::AtlasCurve>, std::vector<problems::Fault>> problem_atlas(
+    const problems::PathProblem& problem) {
+  if (!problem.atlas) return {};
+  const auto& atlas = *problem.atlas;
+  return read_atlas(atlas.file).map_error([&](const std::string& why) {
+    return std::vector{problems::Fault{atlas.line, atlas.column,
+                                       fmt::format("solve.atlas is \"{}\": {}", atlas.name, why)}};
+  });
+}
 
 tl::expected<std::vector<AtlasCurve>, std::string> read_atlas(const std::filesystem::path& file) {
   const auto refused = [](const std::string& why) {

@@ -13,6 +13,10 @@
 
 namespace cognate::app {
 
+/// The unit of the metric or column `name`, "deg", as `cognate list --metrics` has it or as the
+/// name itself says ("..._deg", "..._N"); empty where it has none or it is not known.
+std::string metric_unit(std::string_view name);
+
 /// The names that a study of `base` may use: those of `cognate list --metrics`, and every number
 /// and word of the best design in the result document by its place there ("error.rms",
 /// "mechanism.coupler").

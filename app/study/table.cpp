@@ -6,7 +6,7 @@
 #include "app/console/paint.hpp"
 #include "app/console/rate_estimate.hpp"
 #include "app/console/text_table.hpp"
-#include "app/study/metric_unit.hpp"
+#include "app/study/metrics.hpp"
 #include "app/study/summary.hpp"
 
 namespace cognate::app {

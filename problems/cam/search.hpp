@@ -6,7 +6,6 @@
 
 #include "analysis/cam/cam.hpp"
 #include "problems/cam/variables.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 

@@ -167,7 +167,7 @@ void CurveValues::find_features() {
 }
 
 std::vector<Quantity> curve_quantities(const AnalysisProblem& problem) {
-  const auto& linkage = problem.mechanism.four_bar;
+  const FourBar* linkage = problem.mechanism.four_bar();
   if (!problem.output.curve || !linkage || !linkage->coupler_point) return {};
   if (!can_assemble(lengths(*linkage))) return {};
   CurveValues values;

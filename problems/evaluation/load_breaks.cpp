@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <variant>
 
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
+#include "analysis/mechanism/travel.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
+#include "problems/evaluation/whole_motion.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -60,6 +63,22 @@ void add_interval_ends(const AssemblyRanges& assembly_ranges, bool turns,
 }
 
 }  // namespace
+
+std::vector<Stroke> load_strokes(const AnalysisProblem& problem, const Deadline& deadline) {
+  const auto needs = [](const LoadRule& rule) { return rule.within_stroke.has_value(); };
+  if (std::ranges::none_of(problem.loads, needs)) return {};
+  const auto& mechanism = problem.mechanism.mechanism;
+  const AssemblyRanges assembly_ranges = whole_motion(problem, deadline);
+  const auto all = travels(mechanism);
+  std::vector<Stroke> strokes(problem.loads.size());
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (!needs(problem.loads[i])) continue;
+    const auto body = static_cast<std::size_t>(problem.loads[i].at.body);
+    const auto range = output_range(mechanism, assembly_ranges, all[body]);
+    if (range) strokes[i] = {range->least.value, range->greatest.value};
+  }
+  return strokes;
+}
 
 std::vector<double> load_breaks(const Mechanism<double>& mechanism,
                                 const AssemblyRanges& assembly_ranges, const LoadRule& rule,

@@ -182,8 +182,8 @@ double link_ratio(const LinkLengths& links) {
 std::vector<ConstraintCheck> check_constraints(const Constraints& constraints, const Bounds& bounds,
                                                const NamedMechanism& mechanism,
                                                const Metrics& metrics) {
-  if (mechanism.four_bar) {
-    return check_constraints(constraints, bounds, Given{}, *mechanism.four_bar, metrics);
+  if (mechanism.four_bar()) {
+    return check_constraints(constraints, bounds, Given{}, *mechanism.four_bar(), metrics);
   }
   MechanismChecks checks(mechanism, metrics);
   checks.lengths(bounds);

@@ -197,7 +197,7 @@ Metrics four_bar_metrics(const FourBar& linkage, States states, PointOrder order
 }  // namespace
 
 Metrics mechanism_metrics(const NamedMechanism& mechanism, States states, PointOrder order) {
-  if (mechanism.four_bar) return four_bar_metrics(*mechanism.four_bar, states, order);
+  if (mechanism.four_bar()) return four_bar_metrics(*mechanism.four_bar(), states, order);
   const AssemblyRanges whole = whole_assembly_ranges(mechanism.mechanism, states);
   const Passage passage(mechanism.mechanism, whole, states);
 

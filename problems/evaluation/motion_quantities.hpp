@@ -41,4 +41,9 @@ struct ForceSummary {
 ForceSummary force_quantities(const AnalysisProblem& problem, const Sweep& sweep,
                               const std::optional<ForceExtremes>& refined);
 
+/// A sentence for each run of rows whose first open dyad is the same: the drive's range, the dyad,
+/// and the distance that its links cannot span where it is worst; or that its position there is not
+/// determined. Some sentences only where there are many such runs.
+std::vector<std::string> open_row_notes(const AnalysisProblem& problem, const Sweep& sweep);
+
 }  // namespace cognate::problems

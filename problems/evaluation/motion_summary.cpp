@@ -137,7 +137,7 @@ class Summary {
       add_landmark("greatest transmission angle", names[i], angles->greatest.drive);
     }
     if (mechanism_.dyads.empty()) return;
-    if (problem_.mechanism.four_bar) all = by_diagonal(*problem_.mechanism.four_bar);
+    if (problem_.mechanism.four_bar()) all = by_diagonal(*problem_.mechanism.four_bar());
     summary_.transmission = all;
     if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);
   }

@@ -8,7 +8,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/result.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

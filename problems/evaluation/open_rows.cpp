@@ -1,5 +1,3 @@
-#include "problems/evaluation/open_rows.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "analysis/mechanism/assembly_fault.hpp"
 #include "problems/evaluation/drive_rows.hpp"
+#include "problems/evaluation/motion_quantities.hpp"
 #include "problems/mechanism/joint_names.hpp"
 
 namespace cognate::problems {

@@ -102,7 +102,7 @@ void check_without_mechanism(TableReader& document, TableReader& mechanism, Tabl
 /// What can be asked of four-bars with a coupler point alone.
 void check_coupler_curve(TableReader& output, TableReader& mechanism,
                          const AnalysisProblem& problem) {
-  if (problem.mechanism.type == MechanismType::four_bar && mechanism.has("coupler_point")) return;
+  if (problem.mechanism.type() == MechanismType::four_bar && mechanism.has("coupler_point")) return;
   if (problem.output.cognates) {
     output.fault(kCognates,
                  "is true; expected a four-bar with a coupler_point, no other has cognates");

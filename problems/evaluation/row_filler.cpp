@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "analysis/coupler_curve/path_curvature.hpp"
@@ -10,6 +11,65 @@
 
 namespace cognate::problems {
 namespace {
+
+double& value(ColumnPlan& plan, ColumnIndex column, std::size_t row) {
+  return plan.columns[static_cast<std::size_t>(column)].values[row];
+}
+
+using Bodies = std::span<const Placement>;
+
+double gap(Bodies bodies, const Attached<double>& a, const Attached<double>& b) {
+  return norm(place(bodies, a) - place(bodies, b));
+}
+
+/// The distance of a body's origin from its guide.
+double off_guide(Bodies bodies, int body, const Guide<double>& guide) {
+  const Vec2d u = bodies[static_cast<std::size_t>(guide.body)].direction * guide.direction;
+  const Vec2d along = place(bodies, {body, {}}) - place(bodies, {guide.body, guide.through});
+  return std::abs(cross(u, along) - guide.offset);
+}
+
+double residual(const Crank<double>& crank, Bodies bodies) {
+  return norm(bodies[1].origin - crank.pivot);
+}
+
+double residual(const DrivingSlider<double>& slider, Bodies bodies) {
+  return off_guide(bodies, 1, slider.guide);
+}
+
+double residual(const FloatingLink<double>& link, Bodies bodies) {
+  return std::max({off_guide(bodies, 2, link.first), off_guide(bodies, 3, link.second),
+                   gap(bodies, {1, {}}, {2, {}}), gap(bodies, {1, {link.length, 0}}, {3, {}})});
+}
+
+// The dyads, whose bodies are n and n + 1.
+
+double residual(const Rrr<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, dyad.first, {n, {}}), gap(bodies, dyad.second, {n + 1, {}}),
+                   gap(bodies, {n, {dyad.first_length, 0}}, {n + 1, {dyad.second_length, 0}})});
+}
+
+double residual(const Rrp<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, dyad.point, {n, {}}),
+                   gap(bodies, {n, {dyad.length, 0}}, {n + 1, {}}),
+                   off_guide(bodies, n + 1, dyad.guide)});
+}
+
+double residual(const Rpr<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, dyad.block, {n, {}}), gap(bodies, dyad.pivot, {n + 1, {}}),
+                   off_guide(bodies, n, {n + 1, {}, {1, 0}, dyad.offset})});
+}
+
+double residual(const Prp<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, {n, {}}, {n + 1, {}}), off_guide(bodies, n, dyad.first),
+                   off_guide(bodies, n + 1, dyad.second)});
+}
+
+double residual(const Rpp<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, dyad.point, {n, {}}),
+                   off_guide(bodies, n, {n + 1, {}, dyad.slot, 0}),
+                   off_guide(bodies, n + 1, dyad.guide)});
+}
 
 /// ẋ = x′·q̇.
 template <class Value>
@@ -24,6 +84,87 @@ Value acceleration(const Value& x1, const Value& x2, const DriveRate& rate) {
 }
 
 }  // namespace
+
+ForceFiller::ForceFiller(const AnalysisProblem& problem, std::span<const Stroke> strokes)
+    : problem_(problem),
+      joints_(joints(problem.mechanism.mechanism)),
+      loads_(problem.mechanism.mechanism, problem.loads, strokes),
+      dynamics_(problem.mechanism.mechanism, problem.inertias, problem.gravity),
+      forces_(dynamics_.forces()) {}
+
+PowerCheck ForceFiller::fill(ColumnPlan& plan, int row,
+                             std::span<const BodyMotion<double, 2>> bodies) {
+  const ColumnIndex drive_column = plan.drive_force, shaking = plan.shaking;
+  if (drive_column == kNone && shaking == kNone) return {};
+  const auto at = static_cast<std::size_t>(row);
+  const DriveRate& rate = problem_.drive.rate;
+  const auto loads = loads_.at<2>(drive_at(problem_.drive, row), rate.speed, bodies);
+  const double by_power = dynamics_.drive<2>(bodies, rate, loads);
+  if (shaking == kNone) {
+    value(plan, drive_column, at) = by_power;
+    return {};
+  }
+  if (!dynamics_.solve<2>(bodies, rate, loads, forces_)) return {};
+  write_reactions(plan, at, bodies);
+  if (drive_column != kNone) value(plan, drive_column, at) = forces_.drive;
+  return check(by_power, bodies);
+}
+
+void ForceFiller::write_reactions(ColumnPlan& plan, std::size_t row,
+                                  std::span<const BodyMotion<double, 2>> bodies) const {
+  for (const auto& [index, slides, first] : plan.joints) {
+    const Reaction& reaction = forces_.reactions[static_cast<std::size_t>(index)];
+    const Joint& joint = joints_.joints[static_cast<std::size_t>(index)];
+    if (slides) {
+      const auto& guide = bodies[static_cast<std::size_t>(joint.at.body)];
+      value(plan, first, row) = cross(guide.direction * joint.direction, reaction.force);
+      value(plan, first + 1, row) = reaction.moment;
+    } else {
+      value(plan, first, row) = reaction.force.x;
+      value(plan, first + 1, row) = reaction.force.y;
+    }
+  }
+  value(plan, plan.shaking, row) = forces_.shaking_force.x;
+  value(plan, plan.shaking + 1, row) = forces_.shaking_force.y;
+  value(plan, plan.shaking + 2, row) = forces_.shaking_moment;
+}
+
+PowerCheck ForceFiller::check(double by_power,
+                              std::span<const BodyMotion<double, 2>> bodies) const {
+  PowerCheck check{std::abs(forces_.drive - by_power),
+                   std::max(std::abs(forces_.drive), std::abs(by_power))};
+  for (std::size_t i = 0; i < joints_.joints.size(); ++i) {
+    const Joint& joint = joints_.joints[i];
+    const auto& body = bodies[static_cast<std::size_t>(joint.at.body)];
+    const auto motion = point_motion<double, 2>(body, joint.at.at);
+    check.scale = std::max(check.scale, norm(forces_.reactions[i].force) * norm(motion[1]));
+  }
+  return check;
+}
+
+Vec2d place(Bodies bodies, const Attached<double>& point) {
+  const Placement& body = bodies[static_cast<std::size_t>(point.body)];
+  return body.origin + body.direction * point.at;
+}
+
+double closure_residual(const Mechanism<double>& mechanism, Bodies bodies) {
+  double greatest =
+      std::visit([&](const auto& drive) { return residual(drive, bodies); }, mechanism.drive);
+  int body = first_body(mechanism, 0);
+  for (const auto& dyad : mechanism.dyads) {
+    greatest = std::max(
+        greatest,
+        std::visit([&](const auto& group) { return residual(group, bodies, body); }, dyad));
+    body += 2;
+  }
+  return greatest;
+}
+
+double extent(Bodies bodies) {
+  double greatest = 0;
+  for (const auto& body : bodies) greatest = std::max(greatest, norm(body.origin));
+  return greatest;
+}
 
 template <int Order>
 RowState RowFiller<Order>::fill(ColumnPlan& plan, int row) {

@@ -6,11 +6,61 @@
 #include <vector>
 
 #include "analysis/mechanism/followed_motion.hpp"
-#include "problems/evaluation/closure_residual.hpp"
+#include "analysis/mechanism/inverse_dynamics.hpp"
+#include "analysis/mechanism/joints.hpp"
+#include "analysis/mechanism/mechanism.hpp"
+#include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/column_plan.hpp"
-#include "problems/evaluation/force_filler.hpp"
 
 namespace cognate::problems {
+
+/// What the balance of power says of a row's forces.
+struct PowerCheck {
+  double residual = 0;  ///< |drive from the reactions − drive by virtual work|, N·m or N
+  double scale = 0;     ///< the drive, and the greatest that a reaction would need of it
+};
+
+/// Computes the driving torque or force and the reactions, as far as they are requested. One for
+/// each thread.
+class ForceFiller {
+ public:
+  /// `strokes`: one for each load, of the body it acts on.
+  ForceFiller(const AnalysisProblem& problem, std::span<const Stroke> strokes);
+
+  /// Writes the columns of forces at `row`, where the bodies move as `bodies` says. Where reactions
+  /// are requested the driving torque comes from them, and is held against virtual work; else it
+  /// comes from virtual work, and there is nothing to check.
+  PowerCheck fill(ColumnPlan& plan, int row, std::span<const BodyMotion<double, 2>> bodies);
+
+ private:
+  void write_reactions(ColumnPlan& plan, std::size_t row,
+                       std::span<const BodyMotion<double, 2>> bodies) const;
+  PowerCheck check(double drive, std::span<const BodyMotion<double, 2>> bodies) const;
+
+  const AnalysisProblem& problem_;
+  JointList joints_;
+  ActiveLoads loads_;
+  InverseDynamics dynamics_;
+  Forces forces_;
+};
+
+/// Where a body's axes stand.
+struct Placement {
+  Vec2d origin{};
+  Vec2d direction{1, 0};
+};
+
+/// Where `point` stands.
+Vec2d place(std::span<const Placement> bodies, const Attached<double>& point);
+
+/// The greatest distance between two pins that should be one, or of a slider's pin from its line,
+/// in the mechanism's unit of length. Computed from the links' lengths and the placements alone,
+/// with none of the closure's formulas.
+double closure_residual(const Mechanism<double>& mechanism, std::span<const Placement> bodies);
+
+/// The greatest distance of a body's origin from the global origin: what rounding of the placements
+/// is proportional to.
+double extent(std::span<const Placement> bodies);
 
 /// What is known of a row besides its columns.
 struct RowState {

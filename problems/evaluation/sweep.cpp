@@ -11,7 +11,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
-#include "problems/evaluation/load_strokes.hpp"
+#include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 
 namespace cognate::problems {

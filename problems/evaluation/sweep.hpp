@@ -5,7 +5,7 @@
 
 #include "problems/evaluation/column_plan.hpp"
 #include "problems/evaluation/row_filler.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

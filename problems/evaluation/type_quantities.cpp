@@ -85,7 +85,7 @@ struct QuantitiesOf {
   }
   template <class DoubleSlider>
   Quantities operator()(const DoubleSlider&) const {
-    return {quantity(kClassKey, std::string(to_string(mechanism.type)))};
+    return {quantity(kClassKey, std::string(to_string(mechanism.type())))};
   }
 };
 

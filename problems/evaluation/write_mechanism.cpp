@@ -113,7 +113,7 @@ struct Digest {
   std::vector<double> numbers;
 
   explicit Digest(const NamedMechanism& mechanism) {
-    structure = {static_cast<int>(mechanism.type), mechanism.output,
+    structure = {static_cast<int>(mechanism.type()), mechanism.output,
                  static_cast<int>(mechanism.mechanism.drive.index())};
     std::visit(*this, mechanism.mechanism.drive);
     for (const auto& dyad : mechanism.mechanism.dyads) {
@@ -194,7 +194,7 @@ bool nearly_equal(const std::vector<double>& given, const std::vector<double>& t
 
 TableWriter mechanism_writer(const NamedMechanism& mechanism) {
   TableWriter table;
-  table.set_name("type", mechanism.type);
+  table.set_name("type", mechanism.type());
   std::visit([&](const auto& described) { write_description(described, table); },
              mechanism.description);
   Array points;

@@ -1,5 +1,3 @@
-#include "problems/function/exact_family.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,8 +9,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/function/exact.hpp"
 #include "problems/function/exact_generators.hpp"
-#include "problems/function/exact_notes.hpp"
 #include "problems/function/family_table.hpp"
 #include "problems/linkage/verify.hpp"
 #include "synthesis/exact/in_place_vector.hpp"

@@ -1,5 +1,3 @@
-#include "problems/function/exact_notes.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
+#include "problems/function/exact.hpp"
 #include "problems/function/generator.hpp"
 
 namespace cognate::problems {

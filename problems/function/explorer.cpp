@@ -1,5 +1,3 @@
-#include "problems/function/explorer.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +6,7 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/parallel.hpp"
+#include "problems/function/search.hpp"
 
 namespace cognate::problems {
 namespace {

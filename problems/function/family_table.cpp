@@ -24,8 +24,8 @@ struct Dimensions {
 };
 
 Dimensions dimensions_of(const Design& design) {
-  if (design.mechanism.four_bar) {
-    const FourBar& linkage = *design.mechanism.four_bar;
+  if (design.mechanism.four_bar()) {
+    const FourBar& linkage = *design.mechanism.four_bar();
     const auto links = lengths(linkage);
     return {linkage.assembly, {links.crank, links.coupler, links.rocker, links.frame}};
   }

@@ -8,7 +8,6 @@
 #include "problems/function/model.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"

@@ -7,8 +7,8 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
+#include "problems/function/extreme_crank_angle.hpp"
 #include "problems/function/length_ranges.hpp"
-#include "problems/linkage/extreme_crank_angle.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/function/respacing.hpp"
+#include "synthesis/exact/respacing.hpp"
 
 #include <fmt/core.h>
 
@@ -11,11 +11,10 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/designs.hpp"
+#include "problems/function/exact.hpp"
 #include "problems/function/exact_generators.hpp"
-#include "problems/function/exact_notes.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/linkage/verify.hpp"
-#include "synthesis/exact/respacing.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "problems/function/explorer.hpp"
 #include "problems/function/found.hpp"
 #include "problems/search/solver_origin.hpp"
 

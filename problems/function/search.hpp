@@ -3,11 +3,11 @@
 
 #include <vector>
 
+#include "problems/function/found.hpp"
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/starts.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"
@@ -33,5 +33,18 @@ struct FunctionSearchResult {
 /// peaks between the samples levelled too. Counts what was done in `work`.
 FunctionSearchResult search_functions(const FunctionProblem& problem, const FunctionSamples& wanted,
                                       const Run& run, const Deadline& deadline, Work& work);
+
+struct ExploredFunctions {
+  std::vector<FunctionFound> minima;  ///< of least squares, best first
+  std::vector<FunctionFound> starts;  ///< of a minimax problem: where the search began
+  SearchStatistics statistics;
+};
+
+/// The least-squares minima that starts lead to. Until more starts promise nothing new, or as many
+/// as the file says; `kept` minima go on. Penalties of violated limits are part of the objectives.
+/// What is passed must outlive what is returned.
+ExploredFunctions explore_functions(const FunctionRefiner& refiner, const FunctionSamples& wanted,
+                                    std::size_t kept, const Run& run, const Deadline& deadline,
+                                    Work& work);
 
 }  // namespace cognate::problems

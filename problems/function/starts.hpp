@@ -13,7 +13,7 @@
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

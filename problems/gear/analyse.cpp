@@ -9,8 +9,7 @@
 #include "problems/gear/notes.hpp"
 #include "problems/gear/quantities.hpp"
 #include "problems/gear/result.hpp"
-#include "problems/linkage/deadline.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -13,8 +13,7 @@
 #include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_search.hpp"
 #include "problems/gear/result.hpp"
-#include "problems/linkage/deadline.hpp"
-#include "problems/linkage/refused.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

@@ -35,7 +35,6 @@ NamedMechanism slider_and_block(const Mechanism<double>& chain) {
   const auto& drive = std::get<DrivingSlider<double>>(chain.drive);
   const auto& dyad = std::get<Rpr<double>>(chain.dyads.front());
   NamedMechanism made;
-  made.type = MechanismType::chain;
   made.mechanism = chain;
   made.bodies = {"frame", "slider", "block", "bar"};
   made.points = {{"D", {0, dyad.block.at}}, {"B", {1, {0, 0}}}};
@@ -251,7 +250,7 @@ void add_drive(const GuidedMechanism& guided, Design& design) {
 
 NamedMechanism named_mechanism(const GuidedMechanism& guided) {
   NamedMechanism made = std::visit(NamedOf{}, guided.type);
-  if (!made.four_bar) {
+  if (!made.four_bar()) {
     add_point(made, "P", made.bodies[static_cast<std::size_t>(guided.body)],
               guided.body_in_link.at);
   }
@@ -296,7 +295,7 @@ std::optional<Design> plain_design(const MotionProblem& problem, const DyadPair&
   design.mechanism = named_mechanism(guided);
   design.metrics = metrics_of(guided, &design.mechanism);
   if (!is_number(design.metrics)) return std::nullopt;
-  if (const auto& linkage = design.mechanism.four_bar) {
+  if (const FourBar* linkage = design.mechanism.four_bar()) {
     add_cycle_metrics(problem.constraints, *linkage, CycleOutput::coupler_point, design.metrics);
   }
   design.constraints =
@@ -347,8 +346,8 @@ std::optional<Design> nearest_design(const MotionProblem& problem, const DyadPai
 }
 
 std::optional<DyadPair> pair_of(const MotionProblem& problem, const Design& design) {
-  if (!design.mechanism.four_bar) return std::nullopt;
-  const FourBar& linkage = *design.mechanism.four_bar;
+  if (!design.mechanism.four_bar()) return std::nullopt;
+  const FourBar& linkage = *design.mechanism.four_bar();
   const auto angle = find_quantity(design.metrics.quantities, kBodyAngleKey);
   if (!linkage.coupler_point || !angle) return std::nullopt;
   const Pose body_in_link{*linkage.coupler_point, *angle};

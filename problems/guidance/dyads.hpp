@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

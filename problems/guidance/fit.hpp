@@ -7,7 +7,6 @@
 
 #include "problems/guidance/model.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"

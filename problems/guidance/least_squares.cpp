@@ -8,11 +8,12 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/guidance/dyads.hpp"
-#include "problems/guidance/error.hpp"
 #include "problems/guidance/fit.hpp"
+#include "problems/guidance/problem.hpp"
 #include "problems/guidance/scale.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
@@ -20,6 +21,25 @@
 #include "synthesis/fit/body_motion.hpp"
 
 namespace cognate::problems {
+
+// What error_limit.hpp and objectives.hpp ask of a kind, found by the type of its problem.
+
+/// What the error of a problem is: the root mean square distance,
+/// angles by their weight. A smaller one means a smaller objective.
+ErrorMeasure error_measure(const MotionProblem& /*problem*/) {
+  return ErrorMeasure::rms_length;
+}
+
+/// That error of a design, a length.
+double error_of(const MotionProblem& /*problem*/, const Design& design) {
+  return design.error.rms;
+}
+
+/// Errors up to this are rounding: the target is met.
+double met_error(const MotionProblem& problem) {
+  return kMetError * MotionScale(problem).size();
+}
+
 namespace {
 
 using synthesis::DyadKind;

@@ -6,7 +6,7 @@
 
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/dyad_choices.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

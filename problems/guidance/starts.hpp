@@ -9,7 +9,7 @@
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/dyads.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
 

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "problems/linkage/certificate.hpp"
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/bounds/branch_and_bound.hpp"

@@ -9,8 +9,8 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_keys.hpp"
-#include "problems/linkage/required_class.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {

@@ -20,7 +20,7 @@ std::string error_column(ErrorMeasure of);
 /// Adds to the checks of a design whether `error` keeps to `limit`.
 void check_error(const ErrorLimit& limit, double error, Design& design);
 
-/// Adds that check where the file has such a bound; the kind's error.hpp says what its error is.
+/// Adds that check where the file has such a bound; the kind says what its error is.
 template <class AnyProblem>
 void check_error(const AnyProblem& problem, Design& design) {
   const auto& limit = problem.constraints.error;

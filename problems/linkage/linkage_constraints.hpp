@@ -7,10 +7,16 @@
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
+#include "analysis/linkage/mobility.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/bounds/link_limit.hpp"
 
 namespace cognate::problems {
+
+/// Whether a four-bar reported as `found` satisfies `required`: its own class, `grashof` any but a
+/// triple rocker, `non_grashof` that alone. A change point has the class that `mobility_class`
+/// gives it and no other.
+bool is_of_class(MobilityClass found, RequiredClass required);
 
 /// The class to which a refinement from `start` is to keep: the one requested, or, where the
 /// transmission angle is limited and the crank of `start` turns fully, that of `start`, so that the

@@ -49,7 +49,7 @@ void note_designs(const Predicate& is_odd, const std::string& what, Result& resu
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
-    const bool judged = design.mechanism.four_bar && all_satisfied(design.constraints);
+    const bool judged = design.mechanism.four_bar() && all_satisfied(design.constraints);
     if (judged && is_odd(design)) numbers.push_back(i + 1);
   }
   if (numbers.empty()) return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/numbers/vec2.hpp"
-#include "problems/mechanism/load_sense.hpp"
+#include "problems/mechanism/load_rule.hpp"
 
 namespace cognate::problems {
 

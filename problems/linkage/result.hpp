@@ -2,24 +2,58 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/basics/quantity.hpp"
-#include "problems/linkage/certificate.hpp"
-#include "problems/linkage/curve_placement.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "synthesis/search/deadline.hpp"
 
 namespace cognate::problems {
+
+/// p → shift + scale·R(turn) p, without mirroring.
+struct CurvePlacement {
+  double scale = 1;
+  double turn = 0;  ///< radians, counter-clockwise
+  Vec2d shift;
+
+  Vec2d point(const Vec2d& p) const { return shift + vector(p); }
+  Vec2d vector(const Vec2d& v) const { return scale * (direction() * v); }
+  Vec2d point_back(const Vec2d& p) const { return (1 / scale) * (conj(direction()) * (p - shift)); }
+
+ private:
+  Vec2d direction() const { return {std::cos(turn), std::sin(turn)}; }
+};
+
+/// The note of a result whose file asks for a certificate in vain.
+inline constexpr const char* kNothingToCertify =
+    "There is no certificate: the search has not found a design that meets every constraint, or "
+    "was "
+    "ended early.";
+
+/// What a branch and bound over all designs of `domain` proved. Errors are what the search
+/// minimises: the weighted sum of squares in the target's unit.
+struct Certificate {
+  double lower_bound = 0;   ///< no design of the domain that satisfies the constraints errs by less
+  double upper_bound = 0;   ///< the error of the best design found
+  double gap_relative = 0;  ///< (upper − lower)/upper, 0 where upper is rounding
+  bool complete = false;    ///< the gap requested was reached, not ended by time
+  std::uint64_t boxes = 0;  ///< parts of the domain examined
+  std::string domain;       ///< which designs were looked at, in words
+};
 
 /// Error at the targets, in the target's unit (length for paths and motions, radians for
 /// functions). Of a motion by least squares it holds the angle too, by its weight. `sum_of_squares`
@@ -79,7 +113,7 @@ struct Design {
 
 /// The four-bar that `design` is. Only where its type is four_bar.
 inline const FourBar& four_bar(const Design& design) {
-  return *design.mechanism.four_bar;
+  return *design.mechanism.four_bar();
 }
 
 /// A curve of the plane that a synthesis found besides its designs: "centre-point curve".
@@ -149,5 +183,22 @@ template <>
 std::span<const Named<Status>> names<Status>();
 template <>
 std::span<const Named<Defect>> names<Defect>();
+
+/// The user's interrupt or the end of a run's time.
+class Deadline : public synthesis::Deadline {
+ public:
+  explicit Deadline(const Run& run)
+      : synthesis::Deadline(run.time_limit.value_or(std::numeric_limits<double>::infinity()),
+                            run.interrupted) {}
+};
+
+/// What solving a problem with such faults gives; `AnyResult` has a status and notes.
+template <class AnyResult>
+AnyResult refused(std::vector<std::string> faults) {
+  AnyResult result;
+  result.status = Status::invalid;
+  result.notes = std::move(faults);
+  return result;
+}
 
 }  // namespace cognate::problems

@@ -1,25 +1,175 @@
 #include "problems/machine/model.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "analysis/machine/machine.hpp"
+#include "analysis/machine/reduction.hpp"
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/load_breaks.hpp"
-#include "problems/evaluation/load_strokes.hpp"
 #include "problems/evaluation/whole_motion.hpp"
-#include "problems/machine/drive_gaps.hpp"
-#include "problems/machine/reduced_mechanism.hpp"
+#include "problems/machine/load_travel.hpp"
+#include "problems/machine/problem.hpp"
 #include "problems/machine/vanishing_inertia.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
 namespace {
+
+/// Evaluated once at a position, whose torques may then be requested at several speeds. Allocates
+/// nothing after it is made.
+class ReducedMechanism {
+ public:
+  /// `strokes`: of the mechanism's loads, then of `loads`; may be empty where no load needs them.
+  /// `travels`: of the body of each of `loads`.
+  ReducedMechanism(const AnalysisProblem& problem, const std::vector<MachineLoad>& loads,
+                   const AssemblyRanges& assembly_ranges, const std::vector<Stroke>& strokes,
+                   const std::vector<LoadTravel>& travels);
+
+  /// Stands at `phi`, from 0 to the length of the assembly ranges (which may begin
+  /// elsewhere). Not numbers where the mechanism cannot be assembled, or stands at a dead point.
+  machine::EquivalentInertia move_to(double phi);
+
+  /// Of weights and loads.
+  double torque(double omega, double time);
+
+ private:
+  struct FunctionLoad {
+    MachineLoad load;
+    LoadTravel travel;
+    ActiveLoads active;
+  };
+
+  double value(const FunctionLoad& load, double omega, double time) const;
+
+  FollowedMotion<2> motion_;
+  std::vector<Inertia> inertias_;
+  Vec2d gravity_;
+  ActiveLoads active_;
+  std::vector<FunctionLoad> functions_;
+  double phi_ = 0, weights_ = 0;
+};
+
+ReducedMechanism::ReducedMechanism(const AnalysisProblem& problem,
+                                   const std::vector<MachineLoad>& loads,
+                                   const AssemblyRanges& assembly_ranges,
+                                   const std::vector<Stroke>& strokes,
+                                   const std::vector<LoadTravel>& travels)
+    : motion_(problem.mechanism.mechanism, assembly_ranges),
+      inertias_(problem.inertias),
+      gravity_(problem.gravity),
+      active_(problem.mechanism.mechanism, problem.loads, strokes) {
+  const auto& mechanism = problem.mechanism.mechanism;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const std::size_t place = problem.loads.size() + i;
+    const Stroke stroke = place < strokes.size() ? strokes[place] : Stroke{};
+    functions_.push_back(
+        {loads[i], travels[i], ActiveLoads(mechanism, {&loads[i].rule, 1}, {&stroke, 1})});
+  }
+}
+
+machine::EquivalentInertia ReducedMechanism::move_to(double phi) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const AssemblyRanges& assembly_ranges = motion_.assembly_ranges();
+  phi_ = phi;
+  const double on_assembly_ranges =
+      phi < assembly_ranges.start ? phi + (assembly_ranges.end - assembly_ranges.start) : phi;
+  if (!motion_.move_to(std::min(on_assembly_ranges, assembly_ranges.end))) return {kNone, kNone};
+  weights_ = machine::weight_torque(motion_.bodies(), inertias_, gravity_);
+  const auto inertia = machine::equivalent_inertia(motion_.bodies(), inertias_);
+  return std::isfinite(inertia.value) ? inertia : machine::EquivalentInertia{kNone, kNone};
+}
+
+double ReducedMechanism::value(const FunctionLoad& load, double omega, double time) const {
+  if (!load.load.of_travel) return load.load.value.value(phi_, omega, time);
+  return load.load.of_travel(phi_, omega, time, load.travel.travelled(motion_.bodies()),
+                             load.travel.rate(motion_.bodies()) * omega);
+}
+
+double ReducedMechanism::torque(double omega, double time) {
+  const auto bodies = motion_.bodies();
+  double sum = weights_ + machine::load_torque(bodies, active_.at<2>(phi_, omega, bodies));
+  for (FunctionLoad& load : functions_) {
+    const std::span<const Load> active = load.active.at<2>(phi_, omega, bodies);
+    if (!active.empty()) {
+      sum += value(load, omega, time) * machine::load_torque(bodies, active);
+    }
+  }
+  return sum;
+}
+
+/// Ranges of the drive no farther apart than this meet.
+constexpr double kSlack = 1e-9;
+
+double degrees_of(double phi) {
+  const double degrees = phi * 360 / kTurn;
+  return std::abs(degrees) < kSlack ? 0 : degrees;
+}
+
+std::string undetermined_in_words(const AssemblyRange& run) {
+  const auto change = std::ranges::find(run.changes, false, &Change::determined);
+  if (change == run.changes.end()) return {};
+  return fmt::format(
+      "the drive does not hold the mechanism at {:.6g}°, where two joints coincide and its "
+      "position "
+      "is not determined",
+      degrees_of(in_period(change->drive, kTurn)));
+}
+
+/// Why the drive does not turn fully over `assembly_ranges`, a turn or more; empty where it does.
+std::string gap_in_words(const AssemblyRanges& assembly_ranges) {
+  if (assembly_ranges.runs.empty())
+    return "the mechanism cannot be assembled at any angle of its drive";
+  std::vector<AssemblyRange> runs = assembly_ranges.runs;
+  const bool closes = runs.front().from <= assembly_ranges.start + kSlack &&
+                      runs.back().to >= assembly_ranges.end - kSlack &&
+                      runs.front().from_dyad < 0 && runs.back().to_dyad < 0;
+  if (closes && runs.size() == 1) return undetermined_in_words(runs.front());
+  if (closes) {
+    runs.front().from = runs.back().from - kTurn;
+    runs.pop_back();
+  }
+  std::string ranges;
+  for (const AssemblyRange& run : runs) {
+    ranges += fmt::format("{}from {:.6g}° to {:.6g}°", ranges.empty() ? "" : " and ",
+                          degrees_of(run.from), degrees_of(run.to));
+  }
+  return fmt::format("the drive cannot turn fully: the mechanism can be assembled {}", ranges);
+}
+
+/// φ in [0, period) of the gaps of no width in assembly ranges that are a period long:
+/// places between two ranges of the drive where a part of the mechanism is at infinity, and those
+/// at which the drive does not hold it.
+std::vector<double> walls(const AssemblyRanges& assembly_ranges) {
+  std::vector<double> found;
+  const double period = assembly_ranges.end - assembly_ranges.start;
+  for (std::size_t i = 0; i < assembly_ranges.runs.size(); ++i) {
+    const AssemblyRange& run = assembly_ranges.runs[i];
+    const bool is_last = i + 1 == assembly_ranges.runs.size();
+    const AssemblyRange& next = assembly_ranges.runs[is_last ? 0 : i + 1];
+    const double gap = next.from + (is_last ? period : 0) - run.to;
+    const bool ends = run.to_dyad >= 0 || next.from_dyad >= 0;
+    if (ends && gap <= kSlack) found.push_back(in_period(run.to, period));
+    for (const Change& change : run.changes) {
+      if (!change.determined) found.push_back(in_period(change.drive, period));
+    }
+  }
+  return found;
+}
 
 /// A part of the mechanism that is at infinity is so far away this near to that place that the
 /// drive does not get there.

@@ -10,7 +10,7 @@
 #include "analysis/machine/machine.hpp"
 #include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/evaluation/active_loads.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/machine/load_travel.hpp"
 #include "problems/machine/problem.hpp"
 

@@ -5,9 +5,16 @@
 #include <utility>
 
 #include "analysis/mechanism/mechanism.hpp"
-#include "problems/mechanism/load_sense.hpp"
+#include "problems/basics/names.hpp"
 
 namespace cognate::problems {
+
+/// `advance`: while the body it acts on moves in its positive sense (along its guide, or
+/// counter-clockwise), `retreat` (written "return"): in the negative sense.
+enum class LoadSense { always, advance, retreat };
+
+template <>
+std::span<const Named<LoadSense>> names<LoadSense>();
 
 /// `[[load]]`.
 struct LoadRule {

@@ -21,9 +21,7 @@ void set_parts(NamedMechanism& mechanism, const NamedParts& parts) {
 
 NamedMechanism named(const MechanismDescription& description) {
   NamedMechanism mechanism;
-  mechanism.type = static_cast<MechanismType>(description.index());
   mechanism.description = description;
-  if (const auto* linkage = std::get_if<FourBar>(&description)) mechanism.four_bar = *linkage;
   std::visit(
       [&]<class Type>(const Type& dimensions) {
         if constexpr (SimpleType<Type>) {

@@ -1,8 +1,8 @@
 /// @file A mechanism with the names that users know its parts by.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
@@ -19,14 +19,16 @@ struct NamedPoint {
 };
 
 struct NamedMechanism {
-  MechanismType type = MechanismType::four_bar;
   Mechanism<double> mechanism;
   std::vector<std::string> bodies;  ///< one for each body: "frame", "crank", "coupler", "C"…
   std::vector<NamedPoint> points;   ///< pivots, pins and points of links
   int output = 0;                   ///< the body whose motion is the mechanism's output
-  std::optional<FourBar> four_bar;  ///< where `type` is four_bar
-  MechanismDescription description;
+  MechanismDescription description = ChainDescription{};
   std::vector<PointDescription> extra_points;  ///< `[[point]]`, also among `points`
+
+  MechanismType type() const { return static_cast<MechanismType>(description.index()); }
+  /// Its dimensions where it is a four-bar; null where it is not.
+  const FourBar* four_bar() const { return std::get_if<FourBar>(&description); }
 };
 
 /// The mechanism that `description` tells, any but a chain, named by `mechanism_types.hpp`.

@@ -2,7 +2,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "problems/mechanism/load_sense.hpp"
+#include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::problems {

@@ -56,10 +56,6 @@ WholeMechanism read_chain_mechanism(TableReader& document, TableReader& mechanis
 WholeMechanism read_mechanism(TableReader& document, TableReader& mechanism, MechanismType type) {
   WholeMechanism read = type == MechanismType::chain ? read_chain_mechanism(document, mechanism)
                                                      : read_simple(document, mechanism, type);
-  read.mechanism.type = type;
-  if (const auto* four_bar = std::get_if<FourBar>(&read.mechanism.description)) {
-    if (type == MechanismType::four_bar) read.mechanism.four_bar = *four_bar;
-  }
   for (const Body& body : read.names.parts().bodies) read.mechanism.bodies.push_back(body.name);
   for (const PointOnLink& point : read.names.parts().points) {
     read.mechanism.points.push_back({point.name, point.on.front()});

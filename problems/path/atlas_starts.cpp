@@ -140,7 +140,6 @@ std::vector<Design> atlas_starts(const PathProblem& problem, std::span<const Atl
   for (CurvePose& curve : placed) {
     Design design;
     design.mechanism = named(curve.linkage);
-    design.mechanism.four_bar = curve.linkage;
     design.crank_angles = std::move(curve.crank_angles);
     starts.push_back(std::move(design));
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/linkage/curve_placement.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/path/curve/closed_curve.hpp"
 

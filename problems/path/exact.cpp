@@ -8,11 +8,9 @@
 #include <random>
 
 #include "analysis/numbers/parallel.hpp"
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/exact_designs.hpp"
-#include "problems/path/exact_notes.hpp"
-#include "problems/path/family.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems {

@@ -1,5 +1,3 @@
-#include "problems/path/exact_notes.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/path/exact.hpp"
 
 namespace cognate::problems {
 namespace {

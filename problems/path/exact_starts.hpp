@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/linkage/deadline.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/path/starts.hpp"
 
 namespace cognate::problems {

@@ -1,11 +1,10 @@
-#include "problems/path/family.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
+#include "problems/path/exact.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 

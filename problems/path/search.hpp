@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/path/model.hpp"

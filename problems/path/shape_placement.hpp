@@ -6,7 +6,7 @@
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/linkage/curve_placement.hpp"
+#include "problems/linkage/result.hpp"
 #include "problems/path/problem.hpp"
 
 namespace cognate::problems {

@@ -1,7 +1,9 @@
 /// Path generation from problem to designs: search, conversion to the file's units, verification.
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/numbers/angle.hpp"
@@ -12,15 +14,14 @@
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/oddities.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/curve_following.hpp"
-#include "problems/path/error.hpp"
 #include "problems/path/exact.hpp"
+#include "problems/path/problem.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
@@ -29,6 +30,28 @@
 #include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
+
+// What error_limit.hpp and objectives.hpp ask of a kind, found by the type of its problem.
+
+/// What the error of a problem is: the root mean square distance,
+/// squares by their weights. A smaller one means a smaller objective.
+ErrorMeasure error_measure(const PathProblem& /*problem*/) {
+  return ErrorMeasure::rms_length;
+}
+
+/// That error of a design, a length.
+double error_of(const PathProblem& problem, const Design& design) {
+  const auto& weights = problem.weights;
+  const double total = weights.empty() ? static_cast<double>(problem.points.size())
+                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
+  return std::sqrt(path_objective(problem, design) / total);
+}
+
+/// Errors up to this are rounding: the target is met.
+double met_error(const PathProblem& problem) {
+  return kMetError * PathScale(problem).size;
+}
+
 namespace {
 
 constexpr double kDefaultTolerance = 1e-13;
@@ -175,7 +198,7 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   Result result;
   Run scaled_run = run;
   for (Design& design : scaled_run.known) {
-    design.mechanism.four_bar = scale.into(four_bar(design));
+    design.mechanism.description = scale.into(four_bar(design));
   }
   const PathSearchResult found =
       search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,

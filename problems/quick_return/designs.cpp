@@ -162,7 +162,6 @@ NamedMechanism named_shaper(const synthesis::Shaper& shaper) {
   chain.dyads = {guide, slide};
 
   NamedMechanism mechanism;
-  mechanism.type = MechanismType::chain;
   mechanism.mechanism = synthesis::as_mechanism(shaper);
   mechanism.bodies = {"frame", "crank", "block", "bar", "rod", "ram"};
   mechanism.points = {{"A", {0, {0, shaper.frame}}},

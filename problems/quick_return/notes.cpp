@@ -1,4 +1,3 @@
-#include "problems/quick_return/notes.hpp"
 
 #include <fmt/core.h>
 

@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/deadline.hpp"
-#include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/quick_return/designs.hpp"
-#include "problems/quick_return/notes.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 

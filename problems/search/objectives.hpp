@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/search/objective_rules.hpp"

@@ -25,6 +25,8 @@ SegmentObjective objective_of(const StraightLineProblem& problem);
 
 /// Largest dimension over length where the file says nothing and more would always be better.
 inline constexpr double kSizeOverLength = 2;
+/// In lengths of the segment: longer links are not sought.
+inline constexpr double kFarthest = 1e3;
 
 /// Where a front begins unless the file says where.
 inline constexpr double kFrontSizeOverLength = 4;

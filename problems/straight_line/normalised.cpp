@@ -158,9 +158,9 @@ Design searched_design(const StraightLineProblem& problem, const SegmentDesign& 
       DriveState{from, sides}, DriveState{0.5 * (from + to), sides}, DriveState{to, sides}};
   design.metrics = mechanism_metrics(design.mechanism, states, PointOrder::any);
   add_quantities(segment, path, straight, design.metrics);
-  if (design.mechanism.four_bar) {
+  if (design.mechanism.four_bar()) {
     design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
-                                           *design.mechanism.four_bar, design.metrics);
+                                           *design.mechanism.four_bar(), design.metrics);
   } else {
     design.constraints =
         check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);

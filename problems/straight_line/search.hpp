@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "problems/linkage/deadline.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/search/statistics.hpp"
 #include "problems/straight_line/segment.hpp"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/linkage/result.hpp"
 #include "problems/straight_line/problem.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 
@@ -18,5 +19,10 @@ struct StraightLineSolutions {
 };
 
 StraightLineSolutions find_solutions(const StraightLineProblem& problem);
+
+/// The best designs by the goal; where it names neither length nor deviation, the front of relative
+/// deviation and size over length ("straight-line front" among the families), designs evenly along
+/// it. The same for any number of threads.
+Result search_straight_lines(const StraightLineProblem& problem, const Run& run);
 
 }  // namespace cognate::problems

@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "problems/basics/counter_random.hpp"
-#include "problems/linkage/required_class.hpp"
+#include "problems/linkage/linkage_constraints.hpp"
 #include "problems/straight_line/model.hpp"
 #include "synthesis/exact/straight_line/straight_points.hpp"
 

@@ -8,7 +8,7 @@
 namespace cognate::problems {
 namespace {
 
-std::array<double, kFourBarDimensions> dimensions_of(const FourBar& linkage) {
+std::array<double, kDesignVariables> dimensions_of(const FourBar& linkage) {
   const Vec2d point = linkage.coupler_point.value_or(Vec2d{});
   return {linkage.pivot_a.x, linkage.pivot_a.y, linkage.pivot_d.x,
           linkage.pivot_d.y, linkage.crank,     linkage.coupler,
@@ -28,11 +28,11 @@ std::optional<int> entry(const KeyPath& path, std::size_t place) {
 
 }  // namespace
 
-std::optional<FourBarDimension> four_bar_dimension(const KeyPath& path) {
-  using enum FourBarDimension;
+std::optional<DesignVariable> four_bar_dimension(const KeyPath& path) {
+  using enum DesignVariable;
   if (path.size() < 2 || !is(path, 0, "mechanism")) return std::nullopt;
-  const auto from = [](FourBarDimension first, int place) {
-    return static_cast<FourBarDimension>(static_cast<int>(first) + place);
+  const auto from = [](DesignVariable first, int place) {
+    return static_cast<DesignVariable>(static_cast<int>(first) + place);
   };
   if (path.size() == 2) {
     if (is(path, 1, "crank")) return crank;
@@ -47,11 +47,11 @@ std::optional<FourBarDimension> four_bar_dimension(const KeyPath& path) {
   return std::nullopt;
 }
 
-void FourBarDesigns::fill(const FourBar& base, std::span<const FourBarDimension> dimensions,
+void FourBarDesigns::fill(const FourBar& base, std::span<const DesignVariable> dimensions,
                           std::span<const double> values) {
   const std::size_t count = values.size() / dimensions.size();
   const auto fixed = dimensions_of(base);
-  for (std::size_t k = 0; k < kFourBarDimensions; ++k) columns_[k].assign(count, fixed[k]);
+  for (std::size_t k = 0; k < kDesignVariables; ++k) columns_[k].assign(count, fixed[k]);
   for (std::size_t k = 0; k < dimensions.size(); ++k) {
     auto& column = columns_[static_cast<std::size_t>(dimensions[k])];
     for (std::size_t i = 0; i < count; ++i) column[i] = values[i * dimensions.size() + k];
@@ -65,8 +65,8 @@ void FourBarDesigns::fill(const FourBar& base, std::span<const FourBarDimension>
 }
 
 FourBar FourBarDesigns::design(const FourBar& base, std::size_t i) const {
-  using enum FourBarDimension;
-  const auto value = [&](FourBarDimension dimension) { return of(dimension)[i]; };
+  using enum DesignVariable;
+  const auto value = [&](DesignVariable dimension) { return of(dimension)[i]; };
   FourBar linkage{{value(pivot_a_x), value(pivot_a_y)},
                   {value(pivot_d_x), value(pivot_d_y)},
                   value(crank),

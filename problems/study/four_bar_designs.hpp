@@ -7,37 +7,25 @@
 #include <span>
 #include <vector>
 
+#include "analysis/batch/quantities.hpp"
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::problems {
 
-/// What of a four-bar may vary, in the order of the arrays of `FourBarDesigns`.
-enum class FourBarDimension {
-  pivot_a_x,
-  pivot_a_y,
-  pivot_d_x,
-  pivot_d_y,
-  crank,
-  coupler,
-  rocker,
-  point_u,
-  point_v
-};
-inline constexpr std::size_t kFourBarDimensions = 9;
-
 /// The dimension that a varied key is, if it is one of a four-bar that has a coupler point or not.
-std::optional<FourBarDimension> four_bar_dimension(const KeyPath& path);
+std::optional<DesignVariable> four_bar_dimension(const KeyPath& path);
 
-/// The dimensions of some designs, an array for each, and the frames' lengths.
+/// The dimensions of some designs, an array for each in the order of `DesignVariable`, and the
+/// frames' lengths.
 class FourBarDesigns {
  public:
   /// The designs of `base` with the values of `dimensions`, design by design in `values`.
-  void fill(const FourBar& base, std::span<const FourBarDimension> dimensions,
+  void fill(const FourBar& base, std::span<const DesignVariable> dimensions,
             std::span<const double> values);
 
   std::size_t size() const { return frame_.size(); }
-  std::span<const double> of(FourBarDimension dimension) const {
+  std::span<const double> of(DesignVariable dimension) const {
     return columns_[static_cast<std::size_t>(dimension)];
   }
   std::span<const double> frame() const { return frame_; }
@@ -46,7 +34,7 @@ class FourBarDesigns {
   FourBar design(const FourBar& base, std::size_t i) const;
 
  private:
-  std::array<std::vector<double>, kFourBarDimensions> columns_;
+  std::array<std::vector<double>, kDesignVariables> columns_;
   std::vector<double> frame_;
 };
 

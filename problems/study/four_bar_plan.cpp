@@ -19,7 +19,7 @@ constexpr double kMostTurns = 100;
 /// within some turns of 0.
 std::optional<AnalysisProblem> four_bar_base(const Study& study) {
   auto analysis = parse_task<AnalysisProblem>(study.base_text);
-  if (!analysis || !analysis->mechanism.four_bar) return std::nullopt;
+  if (!analysis || !analysis->mechanism.four_bar()) return std::nullopt;
   const DriveSweep& drive = analysis->drive;
   const bool whole = std::abs(drive.end - drive.start) >= kTurn * (1 - 1e-12);
   const bool near = std::max(std::abs(drive.start), std::abs(drive.end)) <= kMostTurns * kTurn;

@@ -14,12 +14,12 @@ namespace cognate::problems {
 
 struct FourBarPlan {
   AnalysisProblem base;
-  std::vector<FourBarDimension> dimensions;  ///< of each variable
+  std::vector<DesignVariable> dimensions;  ///< of each variable
   std::vector<FourBarQuantity> columns;
   std::vector<FourBarFilter> filters;  ///< by stage
   bool wants_swing = false;
 
-  const FourBar& linkage() const { return *base.mechanism.four_bar; }
+  const FourBar& linkage() const { return *base.mechanism.four_bar(); }
 
   /// Whether a column or a filter is of one of these stages.
   bool wants(FourBarStage from, FourBarStage to) const;

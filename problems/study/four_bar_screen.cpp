@@ -115,9 +115,9 @@ struct LengthColumns {
   const double *crank, *coupler, *rocker, *frame;
 
   explicit LengthColumns(const FourBarDesigns& designs)
-      : crank(designs.of(FourBarDimension::crank).data()),
-        coupler(designs.of(FourBarDimension::coupler).data()),
-        rocker(designs.of(FourBarDimension::rocker).data()),
+      : crank(designs.of(DesignVariable::crank).data()),
+        coupler(designs.of(DesignVariable::coupler).data()),
+        rocker(designs.of(DesignVariable::rocker).data()),
         frame(designs.frame().data()) {}
 
   static bool are_common(double least, double greatest) {

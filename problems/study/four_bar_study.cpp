@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "analysis/batch/four_bar_batch.hpp"
+#include "analysis/coupler_curve/curve_measures.hpp"
 #include "analysis/linkage/mobility.hpp"
 #include "problems/evaluation/curve_metrics.hpp"
 #include "problems/study/base.hpp"
 #include "problems/study/design_points.hpp"
 #include "problems/study/filter.hpp"
-#include "problems/study/four_bar_curves.hpp"
 #include "problems/study/four_bar_designs.hpp"
 #include "problems/study/four_bar_plan.hpp"
 #include "problems/study/four_bar_quantities.hpp"
@@ -21,6 +23,74 @@
 
 namespace cognate::problems {
 namespace {
+
+/// Samples curves over a whole turn of the crank, as many as lie in the fast memory of a core.
+class FourBarCurves {
+ public:
+  /// Curves of `steps` samples each, `most` at once: a multiple of 8, which every set of
+  /// instructions has lanes for.
+  FourBarCurves(std::size_t steps, std::size_t most);
+
+  std::size_t most() const { return most_; }
+
+  /// Curves of no more than `most` linkages with coupler points.
+  void sample(std::span<const FourBar> linkages);
+
+  /// Of linkage i: whether its samples settle the length; and the sums over them.
+  bool is_settled(std::size_t i) const { return sums_.is_settled(i); }
+  double length(std::size_t i) const { return sums_.length[i]; }
+  double area(std::size_t i) const { return sums_.area[i]; }
+
+  /// The samples of linkage i, until this is called for another.
+  CurveSamples curve(std::size_t i);
+
+ private:
+  std::size_t most_;
+  CrankTable<double> cranks_;
+  std::array<std::vector<double>, 10> designs_;
+  CurveRoom samples_;  ///< sample j of linkage i at j·most + i
+  CurveRoom one_;
+  CurveSums sums_;
+};
+
+FourBarCurves::FourBarCurves(std::size_t steps, std::size_t most)
+    : most_(most), cranks_(CrankTable<double>::full_turn(steps)) {
+  for (auto& column : designs_) column.resize(most);
+  samples_.resize(steps * most);
+  one_.resize(steps);
+}
+
+void FourBarCurves::sample(std::span<const FourBar> linkages) {
+  // The last is repeated, so that every lane holds a linkage.
+  for (std::size_t i = 0; i < most_; ++i) {
+    const FourBar& linkage = linkages[std::min(i, linkages.size() - 1)];
+    const std::array<double, 10> numbers{
+        linkage.pivot_a.x,       linkage.pivot_a.y,      linkage.pivot_d.x,
+        linkage.pivot_d.y,       linkage.crank,          linkage.coupler,
+        linkage.rocker,          sign(linkage.assembly), linkage.coupler_point->x,
+        linkage.coupler_point->y};
+    for (std::size_t k = 0; k < numbers.size(); ++k) designs_[k][i] = numbers[k];
+  }
+  const auto& d = designs_;
+  const FourBarArrays<double> arrays{d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8], d[9]};
+  const BatchStatus status = evaluate_batch(
+      arrays, cranks_,
+      FourBarColumns<double>{
+          .x = samples_.x, .y = samples_.y, .velocity_x = samples_.dx, .velocity_y = samples_.dy});
+  static_cast<void>(status);  // sizes agree, and the widest instruction set is there
+  sums_.add_up(samples_.samples(), most_);
+}
+
+CurveSamples FourBarCurves::curve(std::size_t i) {
+  for (std::size_t j = 0; j < one_.x.size(); ++j) {
+    const std::size_t at = j * most_ + i;
+    one_.x[j] = samples_.x[at];
+    one_.y[j] = samples_.y[at];
+    one_.dx[j] = samples_.dx[at];
+    one_.dy[j] = samples_.dy[at];
+  }
+  return one_.samples();
+}
 
 /// Evaluates blocks, for one thread.
 class FourBarBlocks {
@@ -175,7 +245,7 @@ class FourBarBlocks {
                         .velocity = false,
                         .acceleration = false,
                         .transmission = false,
-                        .curve = problem.mechanism.four_bar->coupler_point.has_value()};
+                        .curve = problem.mechanism.four_bar()->coupler_point.has_value()};
       AnalysisResult result = analyse(problem, Run{.threads = 1});
       const bool solved = result.status == Status::solved;
       if (solved) quantities = std::move(result.quantities);

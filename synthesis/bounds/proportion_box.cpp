@@ -278,4 +278,35 @@ BoxDirections::Slopes BoxDirections::angle_slopes(const Place& p,
   return slope;
 }
 
+std::pair<ProportionBox, ProportionBox> halves(const ProportionBox& box, int side) {
+  std::pair parts{box, box};
+  const double middle = box.side[side].middle();
+  parts.first.side[side].high = middle;
+  parts.second.side[side].low = middle;
+  return parts;
+}
+
+int worst_side(const ProportionBox& box, const std::vector<DirectionRange>& directions) {
+  std::array<double, kBoxSides> common{}, loss{};
+  for (const DirectionRange& at : directions) {
+    for (int i = 0; i < kBoxSides; ++i) common[i] += at.slope[i] / double(directions.size());
+  }
+  constexpr double kFirstOrder = 0.02;  // decides where nothing is lost otherwise
+  for (const DirectionRange& at : directions) {
+    double turned = kFirstOrder;
+    for (int i = 0; i < kBoxSides; ++i) turned += std::abs(at.slope[i] - common[i]);
+    turned = std::min(turned, 1.0);
+    for (int i = 0; i < kBoxSides; ++i) {
+      loss[i] += turned * std::abs(at.slope[i] - common[i]) + at.doubt[i];
+    }
+  }
+  constexpr double kNarrowest = 1e-13;  // no side is divided further
+  int worst = -1;
+  for (int i = 0; i < kBoxSides; ++i) {
+    if (box.side[i].high - box.side[i].low <= kNarrowest) continue;
+    if (worst < 0 || loss[i] > loss[worst]) worst = i;
+  }
+  return worst;
+}
+
 }  // namespace cognate::synthesis

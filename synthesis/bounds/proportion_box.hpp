@@ -13,6 +13,8 @@
 #pragma once
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "analysis/numbers/vec2.hpp"
 #include "synthesis/bounds/interval.hpp"
@@ -89,5 +91,12 @@ class BoxDirections {
   // At the middle.
   double inner0_ = 0, cos0_ = 0, sin0_ = 0, difference0_ = 0, inverse0_ = 0, second_sin0_ = 0;
 };
+
+/// The two parts of a box.
+std::pair<ProportionBox, ProportionBox> halves(const ProportionBox& box, int side);
+
+/// The side whose halving promises most: that with the greatest part in what the directions are
+/// off their linear form by.
+int worst_side(const ProportionBox& box, const std::vector<DirectionRange>& directions);
 
 }  // namespace cognate::synthesis

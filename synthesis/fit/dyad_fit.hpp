@@ -1,13 +1,35 @@
 /// @file Dyads nearest to many poses: circles and lines of least squared distance.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "synthesis/exact/motion/dyad.hpp"
+#include "synthesis/exact/motion/pose.hpp"
+#include "synthesis/optimise/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::synthesis {
+
+/// Residuals |d + e m − g| − r, one for each pose; variables m (body axes), g, r.
+class LinkModel final : public Model {
+ public:
+  /// `unit`: typical length. Pivots are sought within `kReach` units of the origins.
+  LinkModel(std::span<const Pose> poses, double unit);
+
+  std::span<const Variable> variables() const override { return variables_; }
+  int residual_count() const override { return static_cast<int>(at_.size()); }
+  bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
+                 std::span<double> local) const override;
+
+  static constexpr double kReach = 1e5;
+
+ private:
+  std::vector<Vec2d> at_, direction_;
+  std::array<Variable, 5> variables_;
+};
 
 /// How far a dyad is from guiding the body through the poses, as a sum of squares: the deviations
 /// of the moving pivot's distance from the link's length (rr), of the moving pivot from the slide

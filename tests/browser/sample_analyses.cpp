@@ -30,8 +30,7 @@ AnalysisProblem over_a_turn(std::string title, NamedMechanism mechanism) {
 AnalysisProblem four_bar(double crank) {
   FourBar linkage{.pivot_d = {4, 0.5}, .crank = crank, .coupler = 3.4, .rocker = 2.6};
   linkage.coupler_point = Vec2d{1.6, 1.3};
-  NamedMechanism named{.type = MechanismType::four_bar,
-                       .mechanism = as_mechanism(linkage),
+  NamedMechanism named{.mechanism = as_mechanism(linkage),
                        .bodies = {"frame", "crank", "coupler", "rocker"},
                        .points = {{"A", {0, {0, 0}}},
                                   {"B", {1, {crank, 0}}},
@@ -39,68 +38,68 @@ AnalysisProblem four_bar(double crank) {
                                   {"D", {0, {4, 0.5}}},
                                   {"P", {2, {1.6, 1.3}}}},
                        .output = 3,
-                       .four_bar = linkage};
+                       .description = linkage};
   return over_a_turn("Four-bar with a coupler point", named);
 }
 
 AnalysisProblem slider_crank() {
   const SliderCrank mechanism{.pivot = {}, .crank = 0.1, .coupler = 0.33, .offset = 0.03};
   return over_a_turn("Slider-crank with an offset",
-                     {.type = MechanismType::slider_crank,
-                      .mechanism = as_mechanism(mechanism),
+                     {.mechanism = as_mechanism(mechanism),
                       .bodies = {"frame", "crank", "coupler", "slider"},
                       .points = {{"A", {0, {}}}, {"B", {1, {0.1, 0}}}, {"C", {3, {}}}},
-                      .output = 3});
+                      .output = 3,
+                      .description = mechanism});
 }
 
 AnalysisProblem guide_bar(double offset) {
   const GuideBar mechanism{.pivot_a = {0, 0.4}, .pivot_c = {}, .crank = 0.2, .offset = offset};
   return over_a_turn("Oscillating guide-bar",
-                     {.type = MechanismType::guide_bar,
-                      .mechanism = as_mechanism(mechanism),
+                     {.mechanism = as_mechanism(mechanism),
                       .bodies = {"frame", "crank", "block", "bar"},
                       .points = {{"A", {0, {0, 0.4}}}, {"B", {1, {0.2, 0}}}, {"C", {0, {}}}},
-                      .output = 3});
+                      .output = 3,
+                      .description = mechanism});
 }
 
 AnalysisProblem oscillating_block() {
   const OscillatingBlock mechanism{.pivot_a = {}, .pivot_c = {0.5, 0}, .crank = 0.2};
   return over_a_turn("Oscillating block",
-                     {.type = MechanismType::oscillating_block,
-                      .mechanism = as_mechanism(mechanism),
+                     {.mechanism = as_mechanism(mechanism),
                       .bodies = {"frame", "crank", "block", "rod"},
                       .points = {{"A", {0, {}}}, {"B", {1, {0.2, 0}}}, {"C", {0, {0.5, 0}}}},
-                      .output = 2});
+                      .output = 2,
+                      .description = mechanism});
 }
 
 AnalysisProblem scotch_yoke() {
   const ScotchYoke mechanism{.pivot = {}, .crank = 0.1};
-  return over_a_turn("Scotch yoke", {.type = MechanismType::scotch_yoke,
-                                     .mechanism = as_mechanism(mechanism),
+  return over_a_turn("Scotch yoke", {.mechanism = as_mechanism(mechanism),
                                      .bodies = {"frame", "crank", "block", "yoke"},
                                      .points = {{"A", {0, {}}}, {"B", {1, {0.1, 0}}}},
-                                     .output = 3});
+                                     .output = 3,
+                                     .description = mechanism});
 }
 
 AnalysisProblem trammel() {
   const EllipticTrammel mechanism{.centre = {}, .length = 0.3};
-  return over_a_turn("Elliptic trammel", {.type = MechanismType::elliptic_trammel,
-                                          .mechanism = as_mechanism(mechanism),
+  return over_a_turn("Elliptic trammel", {.mechanism = as_mechanism(mechanism),
                                           .bodies = {"frame", "link", "block 1", "block 2"},
                                           .points = {{"A", {1, {}}},
                                                      {"B", {1, {0.3, 0}}},
                                                      {"P", {1, {0.5, 0}}},
                                                      {"M", {1, {0.15, 0}}}},
-                                          .output = 1});
+                                          .output = 1,
+                                          .description = mechanism});
 }
 
 AnalysisProblem tangent_generator() {
   const TangentGenerator mechanism{.pivot = {}, .offset = 0.4};
-  auto problem = over_a_turn("Tangent generator", {.type = MechanismType::tangent_generator,
-                                                   .mechanism = as_mechanism(mechanism),
+  auto problem = over_a_turn("Tangent generator", {.mechanism = as_mechanism(mechanism),
                                                    .bodies = {"frame", "lever", "block", "slider"},
                                                    .points = {{"A", {0, {}}}, {"B", {3, {}}}},
-                                                   .output = 3});
+                                                   .output = 3,
+                                                   .description = mechanism});
   problem.drive.start = 0.2 * kPi;
   problem.drive.end = 0.8 * kPi;
   return problem;
@@ -109,11 +108,11 @@ AnalysisProblem tangent_generator() {
 AnalysisProblem oldham() {
   const OldhamCoupling mechanism{.pivot_a = {}, .pivot_d = {0.08, 0.03}};
   return over_a_turn("Oldham coupling",
-                     {.type = MechanismType::oldham_coupling,
-                      .mechanism = as_mechanism(mechanism),
+                     {.mechanism = as_mechanism(mechanism),
                       .bodies = {"frame", "driving shaft", "driven shaft", "disc"},
                       .points = {{"A", {0, {}}}, {"D", {0, {0.08, 0.03}}}, {"M", {3, {}}}},
-                      .output = 2});
+                      .output = 2,
+                      .description = mechanism});
 }
 
 /// The slider drives: a pump's piston, say, and the crank follows over half a turn.
@@ -126,8 +125,7 @@ AnalysisProblem driven_by_slider() {
                                         .second_length = 0.1,
                                         .assembly = Assembly::crossed});
   auto problem = over_a_turn("Driven by its slider",
-                             {.type = MechanismType::chain,
-                              .mechanism = mechanism,
+                             {.mechanism = mechanism,
                               .bodies = {"frame", "piston", "rod", "crank"},
                               .points = {{"A", {0, {}}}, {"B", {3, {0.1, 0}}}, {"C", {1, {}}}},
                               .output = 3});
@@ -147,8 +145,7 @@ AnalysisProblem shaper() {
                                         .guide = {.body = 0, .through = {0, 0.575}},
                                         .assembly = Assembly::crossed});
   auto problem = over_a_turn("Shaper, six-bar, with its cutting force",
-                             {.type = MechanismType::chain,
-                              .mechanism = mechanism,
+                             {.mechanism = mechanism,
                               .bodies = {"frame", "crank", "block", "bar", "link", "ram"},
                               .points = {{"A", {0, {0, 0.275}}},
                                          {"B", {1, {0.125, 0}}},
@@ -179,7 +176,7 @@ AnalysisProblem hundred_links() {
   constexpr double kStep = kTurn / kRockers, kRadius = 24, kRocker = 1.5;
   const auto pivot = [&](int i) { return polar(kRadius, i * kStep); };
   const auto name = [](const std::string& kind, int i) { return kind + " " + std::to_string(i); };
-  NamedMechanism named{.type = MechanismType::chain};
+  NamedMechanism named{};
   named.mechanism.drive = Crank<double>{pivot(0), 1};
   named.bodies = {"frame", "crank"};
   Attached<double> before{1, {1, 0}};

@@ -342,7 +342,7 @@ TEST(MotionLeastSquares, APlantedSliderCrankComesBack) {
   const Result result = solve(problem, {.seed = 1});
   ASSERT_EQ(result.status, Status::solved);
   const Design& design = result.designs.front();
-  EXPECT_EQ(design.mechanism.type, MechanismType::slider_crank);
+  EXPECT_EQ(design.mechanism.type(), MechanismType::slider_crank);
   EXPECT_LE(design.error.sum_of_squares, 1e-22);
 }
 

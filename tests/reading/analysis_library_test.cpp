@@ -55,7 +55,7 @@ TEST(AnalysisLibraryTest, HasEveryTypeOfMechanism) {
   std::set<std::size_t> dyads;
   for (const auto& file : files()) {
     const NamedMechanism mechanism = read_or_fail(file).mechanism;
-    types.insert(mechanism.type);
+    types.insert(mechanism.type());
     for (const auto& dyad : mechanism.mechanism.dyads) dyads.insert(dyad.index());
   }
   EXPECT_EQ(types.size(), names<MechanismType>().size());

@@ -60,9 +60,9 @@ void expect_same_motion(const AnalysisProblem& a, const AnalysisProblem& b,
 
 TEST(ReadAnalysisTest, DefaultsOfAFourBar) {
   const AnalysisProblem problem = read(kFourBar);
-  EXPECT_EQ(problem.mechanism.type, MechanismType::four_bar);
-  ASSERT_TRUE(problem.mechanism.four_bar);
-  EXPECT_EQ(problem.mechanism.four_bar->pivot_d, (Vec2d{4, 1}));
+  EXPECT_EQ(problem.mechanism.type(), MechanismType::four_bar);
+  ASSERT_TRUE(problem.mechanism.four_bar());
+  EXPECT_EQ(problem.mechanism.four_bar()->pivot_d, (Vec2d{4, 1}));
   EXPECT_EQ(problem.mechanism.bodies,
             (std::vector<std::string>{"frame", "crank", "coupler", "rocker"}));
   EXPECT_EQ(problem.mechanism.points.size(), 5U);

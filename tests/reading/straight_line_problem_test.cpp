@@ -145,7 +145,7 @@ TEST(StraightLineLibrary, SliderCrankHasTheSamePoint) {
   ASSERT_FALSE(result.designs.empty());
   for (const Design& design : result.designs) {
     EXPECT_NEAR(std::abs(coupler_point(design).x), 4.5, 1e-12);
-    EXPECT_EQ(design.mechanism.type, MechanismType::slider_crank);
+    EXPECT_EQ(design.mechanism.type(), MechanismType::slider_crank);
   }
 }
 

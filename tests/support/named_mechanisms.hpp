@@ -20,7 +20,6 @@ inline AnalysisProblem analysis_of(NamedMechanism mechanism, int steps) {
 
 inline NamedMechanism named(const FourBar& linkage) {
   NamedMechanism named;
-  named.type = MechanismType::four_bar;
   named.mechanism = as_mechanism(linkage);
   named.bodies = {"frame", "crank", "coupler", "rocker"};
   named.points = {{"A", {0, linkage.pivot_a}},
@@ -29,14 +28,12 @@ inline NamedMechanism named(const FourBar& linkage) {
                   {"D", {0, linkage.pivot_d}}};
   if (linkage.coupler_point) named.points.push_back({"P", {2, *linkage.coupler_point}});
   named.output = 3;
-  named.four_bar = linkage;
   named.description = linkage;
   return named;
 }
 
 inline NamedMechanism named(const SliderCrank& mechanism) {
   NamedMechanism named;
-  named.type = MechanismType::slider_crank;
   named.mechanism = as_mechanism(mechanism);
   named.bodies = {"frame", "crank", "coupler", "slider"};
   named.points = {{"A", {0, mechanism.pivot}}, {"B", {1, {mechanism.crank, 0}}}, {"C", {3, {}}}};
@@ -47,7 +44,6 @@ inline NamedMechanism named(const SliderCrank& mechanism) {
 
 inline NamedMechanism named(const GuideBar& mechanism) {
   NamedMechanism named;
-  named.type = MechanismType::guide_bar;
   named.mechanism = as_mechanism(mechanism);
   named.bodies = {"frame", "crank", "block", "bar"};
   named.points = {{"A", {0, mechanism.pivot_a}}, {"B", {1, {mechanism.crank, 0}}}, {"D", {3, {}}}};
@@ -58,7 +54,6 @@ inline NamedMechanism named(const GuideBar& mechanism) {
 
 inline NamedMechanism named(const ScotchYoke& mechanism) {
   NamedMechanism named;
-  named.type = MechanismType::scotch_yoke;
   named.mechanism = as_mechanism(mechanism);
   named.bodies = {"frame", "crank", "block", "yoke"};
   named.points = {{"A", {0, mechanism.pivot}}, {"B", {1, {mechanism.crank, 0}}}, {"C", {3, {}}}};
@@ -69,7 +64,6 @@ inline NamedMechanism named(const ScotchYoke& mechanism) {
 
 inline NamedMechanism named(const EllipticTrammel& mechanism) {
   NamedMechanism named;
-  named.type = MechanismType::elliptic_trammel;
   named.mechanism = as_mechanism(mechanism);
   named.bodies = {"frame", "link", "first-block", "second-block"};
   named.points = {{"A", {1, {}}}, {"B", {1, {mechanism.length, 0}}}};

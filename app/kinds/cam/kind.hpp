@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/export/exported.hpp"
-#include "app/kinds/kind.hpp"
+#include "app/kinds/basics/kind.hpp"
 #include "app/report/cam_report_data.hpp"
 #include "app/report/page.hpp"
 #include "problems/cam/result.hpp"

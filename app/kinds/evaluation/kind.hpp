@@ -1,7 +1,7 @@
 /// @file What the program does with `kind = "analysis"`.
 #pragma once
 
-#include "app/kinds/kind.hpp"
+#include "app/kinds/basics/kind.hpp"
 #include "app/report/analysis_report_data.hpp"
 #include "problems/evaluation/result.hpp"
 

@@ -51,7 +51,7 @@ void add_reactions(MetricNames& names, AnalysisProblem base) {
 bool has(const AnalysisProblem& base, const std::string& name) {
   const auto* measure = problems::find_curve_metric(name);
   if (!measure) return true;
-  const auto& linkage = base.mechanism.four_bar;
+  const FourBar* linkage = base.mechanism.four_bar();
   return linkage && (linkage->coupler_point || measure->group <= problems::CurveGroup::size);
 }
 
@@ -65,8 +65,8 @@ bool any_starts(const Names& names, std::initializer_list<std::string_view> open
 std::vector<problems::Quantity> quantities_of_curve(const AnalysisProblem& problem,
                                                     const Names& names) {
   std::vector<problems::Quantity> quantities;
-  if (!problem.mechanism.four_bar) return quantities;
-  const FourBar& linkage = *problem.mechanism.four_bar;
+  if (!problem.mechanism.four_bar()) return quantities;
+  const FourBar& linkage = *problem.mechanism.four_bar();
   problems::CurveValues values;
   values.begin(linkage, circuit_at(linkage, problem.drive.start));
   for (const auto& metric : problems::curve_metrics()) {

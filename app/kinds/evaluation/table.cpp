@@ -10,8 +10,8 @@
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
 #include "app/documents/csv.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/evaluation/kind.hpp"
-#include "app/kinds/quantity_table.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "problems/basics/degrees.hpp"
@@ -105,7 +105,7 @@ std::string Kind<AnalysisProblem>::describe(const AnalysisProblem& problem) {
   const bool angle = !drive_slides(problem);
   const auto what =
       fmt::format("analysis of {}, {} {} to {} in {} steps",
-                  problems::to_string(problem.mechanism.type), angle ? "crank" : "slide",
+                  problems::to_string(problem.mechanism.type()), angle ? "crank" : "slide",
                   coordinate(sweep.start, angle), coordinate(sweep.end, angle), sweep.steps);
   return titled(problem.title, what);
 }
@@ -129,7 +129,7 @@ std::string Kind<AnalysisProblem>::csv(const AnalysisResult& result) {
 }
 
 std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
-  const bool editable = problem.mechanism.type != problems::MechanismType::chain;
+  const bool editable = problem.mechanism.type() != problems::MechanismType::chain;
   return editable ? analysis_page() : without_kernel(analysis_page());
 }
 

@@ -8,8 +8,8 @@
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
 #include "app/documents/csv.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/gear/kind.hpp"
-#include "app/kinds/quantity_table.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {

@@ -40,7 +40,7 @@ MetricNames linkage_metric_names() {
 }
 
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
-  if (!mechanism.four_bar) return;
+  if (!mechanism.four_bar()) return;
   const auto [shortest, longest] =
       std::ranges::minmax(dimensions(mechanism), {}, &Dimension::value);
   metrics["longest_link"] = longest.value;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/console/table.hpp"
-#include "app/kinds/kind.hpp"
+#include "app/kinds/basics/kind.hpp"
 #include "app/report/design_drawing.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"

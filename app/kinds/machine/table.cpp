@@ -10,8 +10,8 @@
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
 #include "app/documents/csv.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/machine/kind.hpp"
-#include "app/kinds/quantity_table.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -72,7 +72,7 @@ std::string Kind<MachineProblem>::describe(const MachineProblem& problem) {
   std::vector<std::string_view> tasks;
   for (const auto task : problem.run.tasks) tasks.push_back(problems::to_string(task));
   const std::string_view moving = problem.mechanism
-                                      ? problems::to_string(problem.mechanism->mechanism.type)
+                                      ? problems::to_string(problem.mechanism->mechanism.type())
                                       : "equivalent inertia";
   const auto what = fmt::format("machine of {} {}{}: {}", moving, drive_words(problem),
                                 flywheel_words(problem), fmt::join(tasks, ", "));

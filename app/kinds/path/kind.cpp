@@ -6,7 +6,7 @@
 
 #include "app/console/messages.hpp"
 #include "app/documents/json_values.hpp"
-#include "app/study/problem_atlas.hpp"
+#include "app/study/atlas_file.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {

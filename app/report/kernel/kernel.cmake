@@ -111,6 +111,5 @@ cognate_page_kernel(mechanism_kernel
   problems/mechanism/mechanism_types.cpp
   problems/evaluation/type_quantities.cpp
   problems/evaluation/whole_motion.cpp
-  problems/linkage/deadline.cpp
   problems/linkage/names.cpp
   problems/mechanism/names.cpp)

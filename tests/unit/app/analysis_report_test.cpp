@@ -261,7 +261,7 @@ TEST(AnalysisReport, HasGapsAsNullAndNothingThatEndsTheData) {
 // A chain of fifty four-bars over ten thousand rows stays a page that opens at once.
 TEST(AnalysisReport, StaysSmallForALongChain) {
   NamedMechanism chain = four_bar(0.5);
-  chain.type = problems::MechanismType::chain;
+  chain.description = problems::ChainDescription{};
   chain.points.clear();
   for (int i = 1; i < 50; ++i) {
     const Rrr<double> dyad{{1, {0.5, 0}}, {0, {4, 0.01 * i}}, 3, 2.5, Assembly::open};

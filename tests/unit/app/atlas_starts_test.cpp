@@ -81,7 +81,7 @@ TEST(AtlasStarts, APlantedCurveComesFirstWhereverItIsPut) {
       const PathProblem problem = problem_of(target, factor, {30, -12}, mirrored);
       const auto starts = atlas_starts(problem, curves, 10);
       ASSERT_EQ(starts.size(), 10U);
-      const FourBar& found = *starts.front().mechanism.four_bar;
+      const FourBar& found = *starts.front().mechanism.four_bar();
       EXPECT_NEAR(found.crank, norm(factor) * curves[planted].linkage.crank, 0.02);
       EXPECT_NEAR(found.coupler, norm(factor) * curves[planted].linkage.coupler, 0.05);
       const Motion motion(found);

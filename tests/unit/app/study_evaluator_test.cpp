@@ -13,7 +13,6 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/study/design_values.hpp"
 #include "app/study/evaluator.hpp"
-#include "app/study/general_evaluator.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/study/design_points.hpp"
@@ -237,7 +236,7 @@ metrics = ["error.max_deg", "mechanism.coupler", "mechanism.fixed_pivots[1][0]",
     ASSERT_TRUE(problem);
     const auto result = solve(std::get<problems::FunctionProblem>(*problem), {.threads = 2});
     ASSERT_FALSE(result.designs.empty());
-    const auto& linkage = *result.designs[0].mechanism.four_bar;
+    const auto& linkage = *result.designs[0].mechanism.four_bar();
     EXPECT_EQ(rows[i].at("mechanism.coupler"), Cell(linkage.coupler));
     EXPECT_EQ(rows[i].at("mechanism.fixed_pivots[1][0]"), Cell(linkage.pivot_d.x));
     EXPECT_NEAR(number(rows[i].at("error.max_deg")), result.designs[0].error.max * 180 / kPi,

@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/report/study_linkage.hpp"
-#include "app/report/study_report_data.hpp"
 #include "tests/browser/sample_studies.hpp"
 
 namespace cognate::app {

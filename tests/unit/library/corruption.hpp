@@ -126,8 +126,7 @@ class Corruption {
   }
   void spoil(AnalysisProblem& problem);
   void spoil(NamedMechanism& mechanism) {
-    const std::function<void()> ways[] = {[&] { spoil(mechanism.type); },
-                                          [&] { mechanism.bodies.clear(); },
+    const std::function<void()> ways[] = {[&] { mechanism.bodies.clear(); },
                                           [&] { mechanism.points.clear(); },
                                           [&] { mechanism.description = FourBar{}; },
                                           [&] { mechanism.mechanism.dyads.clear(); },

@@ -82,7 +82,7 @@ MachineResult answer(const MachineProblem& p, const Run& run) {
 /// Whether every four-bar found has dimensions that are numbers.
 bool is_finite(const Result& result) {
   return std::ranges::all_of(result.designs, [](const Design& design) {
-    if (!design.mechanism.four_bar) return true;
+    if (!design.mechanism.four_bar()) return true;
     const FourBar& f = four_bar(design);
     const double all[] = {f.pivot_a.x, f.pivot_a.y, f.pivot_d.x, f.pivot_d.y,
                           f.crank,     f.coupler,   f.rocker};

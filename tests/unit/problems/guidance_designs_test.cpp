@@ -69,7 +69,7 @@ Planted planted(std::mt19937& random, int count) {
 }
 
 bool is_planted(const Design& design, const FourBar& planted, double tolerance) {
-  if (!design.mechanism.four_bar) return false;
+  if (!design.mechanism.four_bar()) return false;
   const FourBar& found = four_bar(design);
   const auto same = [&](const Vec2d& a, const Vec2d& d, double crank, double rocker) {
     return norm(found.pivot_a - a) + norm(found.pivot_d - d) <= tolerance &&
@@ -82,7 +82,7 @@ bool is_planted(const Design& design, const FourBar& planted, double tolerance) 
 // The coupler point of the kernel's four-bar at the crank angles reported, not the chain by which
 // the design was judged.
 void expect_on_poses(const Design& design, const MotionProblem& problem) {
-  if (!design.mechanism.four_bar || !design.metrics.defects.empty()) return;
+  if (!design.mechanism.four_bar() || !design.metrics.defects.empty()) return;
   const Motion motion(four_bar(design));
   const double size =
       std::max({four_bar(design).crank, four_bar(design).coupler, four_bar(design).rocker,
@@ -344,7 +344,7 @@ TEST(MotionGenerationTest, SlidersAloneGuideThroughTwoAndThreePoses) {
 // And so does the disc of an Oldham coupling, as the frame seen from the trammel's link.
 TEST(MotionGenerationTest, BlocksAloneGuideThroughTwoAndThreePoses) {
   for (const std::ptrdiff_t count : {2, 3}) {
-    EXPECT_EQ(best_of_slides(DyadKind::rp, count).mechanism.type, MechanismType::oldham_coupling);
+    EXPECT_EQ(best_of_slides(DyadKind::rp, count).mechanism.type(), MechanismType::oldham_coupling);
   }
 }
 

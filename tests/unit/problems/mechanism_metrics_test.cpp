@@ -94,9 +94,7 @@ TEST(MechanismMetricsTest, AgreesWithFourBars) {
     }
     if (positions.size() < 3 || positions[0].side == Assembly::crossed) continue;
     const auto expected = design_metrics(linkage, std::span<const CrankPosition>(positions), {});
-    chain.four_bar.reset();
     chain.description = ChainDescription{};
-    chain.type = MechanismType::chain;
     const Metrics found = mechanism_metrics(chain, states, PointOrder::cyclic);
     EXPECT_EQ(found.defects, expected.defects) << "trial " << trial;
     unsound += expected.defects.empty() ? 0 : 1;

@@ -177,7 +177,7 @@ TEST(DesignText, ReadsBackAsTheSameDoubles) {
     if (i % 3 == 0) values[4] = 21;
     const auto read = parse_task<AnalysisProblem>(design_text(study, values));
     ASSERT_TRUE(read) << design_text(study, values) << read.error()[0].message;
-    const FourBar& linkage = *read->mechanism.four_bar;
+    const FourBar& linkage = *read->mechanism.four_bar();
     EXPECT_EQ(read->drive.steps, 7);
     EXPECT_EQ(linkage.pivot_d.x, values[1]);
     EXPECT_EQ(linkage.pivot_d.y, values[2]);
@@ -200,8 +200,8 @@ TEST(StudyBase, IsTheTextWithTheNumbersRead) {
     ASSERT_EQ(direct.has_value(), read.has_value());
     if (!read) continue;
     ++accepted;
-    EXPECT_EQ(std::get<AnalysisProblem>(*direct).mechanism.four_bar->crank, length);
-    EXPECT_EQ(std::get<AnalysisProblem>(*read).mechanism.four_bar->crank, length);
+    EXPECT_EQ(std::get<AnalysisProblem>(*direct).mechanism.four_bar()->crank, length);
+    EXPECT_EQ(std::get<AnalysisProblem>(*read).mechanism.four_bar()->crank, length);
   }
   EXPECT_GE(accepted, 2);
 }

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "problems/study/random_permutation.hpp"
 #include "problems/study/sampling.hpp"
 
 namespace cognate::problems {

@@ -15,7 +15,6 @@
 #include "synthesis/fit/algebraic_dyads.hpp"
 #include "synthesis/fit/body_motion.hpp"
 #include "synthesis/fit/circle.hpp"
-#include "synthesis/fit/link_model.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
 namespace cognate::synthesis {

@@ -157,7 +157,7 @@ TEST(RobustModel, HasTheMinimumOfCeres) {
 double miss(const problems::Result& result, const std::vector<Vec2d>& points, std::size_t spoilt) {
   if (result.designs.empty()) return std::numeric_limits<double>::infinity();
   const problems::Design& design = result.designs.front();
-  const Motion motion(*design.mechanism.four_bar);
+  const Motion motion(*design.mechanism.four_bar());
   double largest = 0;
   for (std::size_t j = 0; j < points.size(); ++j) {
     if (j == spoilt) continue;

@@ -1,9 +1,9 @@
-#include "app/kinds/quantity_table.hpp"
+#include "app/kinds/basics/quantity_table.hpp"
 
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
-#include "app/study/metric_unit.hpp"
+#include "app/study/metrics.hpp"
 
 namespace cognate::app {
 

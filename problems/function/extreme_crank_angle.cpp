@@ -1,4 +1,4 @@
-#include "problems/linkage/extreme_crank_angle.hpp"
+#include "problems/function/extreme_crank_angle.hpp"
 
 #include <cmath>
 
