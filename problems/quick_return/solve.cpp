@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/deadline.hpp"
+#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/refused.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
@@ -217,6 +219,7 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No linkage of the family keeps to every constraint; the designs come nearest.");
   }
+  note_oddities(std::nullopt, result);
   result.work.skipped = {"search", "gradients", "velocities", "accelerations", "forces"};
   result.work.threads = 1;
   result.work.seconds = deadline.spent();
