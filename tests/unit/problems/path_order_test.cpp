@@ -178,7 +178,9 @@ TEST(PathOrder, KeepsToTheTransmissionAngleWhereTheCrankDoesNotTurnFully) {
     }
     const Defects defects = find_defects(linkage, angles, Sequence::one_sense);
     EXPECT_FALSE(defects.order || defects.circuit);
-    if (std::isfinite(brute)) EXPECT_LE(places->cost, 1.05 * brute + 2e-3) << tested;
+    if (std::isfinite(brute)) {
+      EXPECT_LE(places->cost, 1.05 * brute + 2e-3) << tested;
+    }
   }
   EXPECT_GT(bound, 200);
   EXPECT_GT(nowhere, 2);
