@@ -133,8 +133,9 @@ constexpr Metric kQuantities[] = {
     {"target_length", "length", "of a closed target curve (paths)"},
     {"best_hits", "1", "how many of them reached the best minimum"},
     {"chance_of_unseen_minimum", "1",
-     "estimated probability that one more leads to a new minimum as good as those kept (Good "
-     "1953)"}};
+     "estimated probability that one more which leads to a minimum as good as the ten best leads "
+     "to "
+     "a new one (Good 1953)"}};
 
 std::string objectives_meaning() {
   const auto quoted = [](const problems::CycleDeclaration& of) {

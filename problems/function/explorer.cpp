@@ -43,7 +43,7 @@ class Explorer {
                      .fewest = kFewestStarts,
                      .most = kMostStarts},
                     {0, 0.5}, [&](int first, int count) { add_round(first, count); });
-    const SearchStatistics statistics = search_.statistics(search_.starts());
+    const SearchStatistics statistics = search_.statistics(synthesis::kBestMinima);
     return {std::move(search_.all()), std::move(starts_), statistics};
   }
 

@@ -60,19 +60,8 @@ double FunctionRules::value(const FunctionFound& found) {
                                                  : std::numeric_limits<double>::infinity();
 }
 
-std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted) {
-  std::ptrdiff_t once = 0;
-  for (std::size_t i = 0; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility;) {
-    const double most = sorted[i].objective * (1 + kSameObjective);
-    int hits = 0;
-    for (; i < sorted.size() && sorted[i].violation <= kFunctionFeasibility &&
-           sorted[i].objective <= most;
-         ++i) {
-      hits += sorted[i].hits;
-    }
-    once += hits == 1;
-  }
-  return once;
+bool FunctionRules::is_near(const FunctionFound& best, const FunctionFound& other) {
+  return other.objective <= (1 + kSameObjective) * best.objective;
 }
 
 bool FunctionRefiner::confine(FunctionFound& found) const {

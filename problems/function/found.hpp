@@ -55,12 +55,10 @@ struct FunctionRules {
   static bool is_same(const FunctionFound& known, const FunctionFound& other, double tolerance);
   static void absorb(FunctionFound& known, const FunctionFound& same);
   static double value(const FunctionFound& found);
+  /// Whether their objectives agree to a hundredth: refinements that end early stop at places of
+  /// their own near one minimum.
+  static bool is_near(const FunctionFound& best, const FunctionFound& other);
 };
-
-/// How many groups of feasible minima, each within a hundredth of its least objective, one start
-/// alone has come to. `sorted`: by `is_better`. Refinements that end early stop at places of their
-/// own near one minimum.
-std::ptrdiff_t groups_seen_once(const std::vector<FunctionFound>& sorted);
 
 /// Refines minima of one problem and counts the work. What it is made of must outlive it.
 ///

@@ -170,8 +170,7 @@ void Search::turn_minimax(const std::vector<FunctionFound>& starts, SearchStatis
     return search_.best_is_known(rule) && all.front().violation <= kFunctionFeasibility;
   });
   if (search_.starts() == 0 || all.empty()) return;
-  statistics = {search_.starts(), all.front().hits,
-                synthesis::unseen_probability(groups_seen_once(all), search_.starts())};
+  statistics = search_.statistics(synthesis::kBestMinima);
 }
 
 void Search::finish_minimax() {

@@ -331,7 +331,7 @@ MotionSearchResult MotionSearch::take() {
   work_.positions += solved_.total().evaluations;
   work_.gradients += solved_.total().gradients;
   work_.solver_iterations += solved_.total().iterations;
-  MotionSearchResult result{{}, search_.statistics(search_.starts())};
+  MotionSearchResult result{{}, search_.statistics(synthesis::kBestMinima)};
   for (MotionFound& found : all) result.minima.push_back(std::move(found.minimum));
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/verify.hpp"
@@ -41,12 +42,16 @@ constexpr double kDeepeningTolerance = 1e-13;
 /// one seed in a hundred or so, 500 from none.
 constexpr int kRound = 250, kFewestStarts = 500, kMostStarts = 6000;
 /// The most where every start is fitted by itself under all limits, or the points have been met in
-/// order before, and times how many points otherwise: what a search may cost.
-constexpr int kMostLimitedStarts = 1000, kMostStartsTimesPoints = 120'000;
+/// order before, the most where half of them are, and times how many points otherwise: what a
+/// search may cost.
+constexpr int kMostLimitedStarts = 1000, kMostHalfLimitedStarts = 5000;
+constexpr int kMostStartsTimesPoints = 120'000;
 /// A search goes on until it has drawn so many times the starts after which its best was found.
 constexpr int kPatience = 3;
-/// About how many of the best timings starts are drawn, once there are any.
-constexpr std::size_t kKnownTimings = 12;
+/// …and until at most this is the estimated chance that a minimum like the best was missed.
+constexpr double kDoubt = 0.1;
+/// About how many of the best designs starts are drawn, once there are any.
+constexpr std::size_t kKnownPaths = 12;
 /// Fits that end with costs equal to their last six digits or so are this far apart.
 constexpr double kSameFit = 1e-4;
 
@@ -90,33 +95,37 @@ class Explorer {
                                     .round = kRound,
                                     .fewest = kFewestStarts,
                                     .most = most_starts(),
-                                    .patience = kPatience};
+                                    .patience = kPatience,
+                                    .doubt = kDoubt};
     add_known();
     search_.explore(
         rule, {0, kExplored}, [&](int first, int count) { add_round(first, count); },
         [&] { return is_met() || search_.best_is_known(rule); });
     if (!exploration_.starts) add_exact();
-    return {std::move(search_.all()), search_.starts(), independent_};
+    return {std::move(search_.all()), search_.starts()};
   }
 
  private:
   int most_starts() const {
     if (!knows_lanes_ || problem_.order == PointOrder::any) return kMostLimitedStarts;
-    if (limits_way_) return 3 * kMostLimitedStarts;
     const int affordable = kMostStartsTimesPoints / static_cast<int>(problem_.points.size());
-    return std::clamp(affordable, kMostLimitedStarts, kMostStarts);
+    return std::clamp(affordable, kMostLimitedStarts,
+                      limits_way_ ? kMostHalfLimitedStarts : kMostStarts);
   }
 
   void add_round(int first, int count) {
     const Run& run = exploration_.run;
     std::vector<PathFound> fresh(static_cast<std::size_t>(count));
-    const std::vector<PathStarts::CrankTiming> known = known_timings();
+    const std::vector<PathStarts::KnownPath> known = known_paths();
     const auto draw = [&](std::size_t i) {
       const int index = first + static_cast<int>(i);
       std::mt19937_64 random = synthesis::start_random(run.seed, index);
       const bool about = !known.empty() && random() % 2 == 0;
-      const auto start = source_.draw(random, candidates(index),
-                                      about ? &known[random() % known.size()] : nullptr);
+      const bool near = about && random() % 2 == 0;
+      const auto start =
+          source_.draw(random, near ? kFewCandidates : candidates(index),
+                       about ? &known[random() % known.size()] : nullptr,
+                       near ? PathStarts::Likeness::proportions : PathStarts::Likeness::timing);
       if (start) fresh[i] = placed(problem_, *start);
       if (about) fresh[i].hits = 0;  // says nothing of how easily its minimum is found
     };
@@ -125,19 +134,24 @@ class Explorer {
     for (int index = 0; index < count; ++index) screened += 2 * candidates(first + index);
     work_.candidates += screened;
     work_.positions += screened * problem_.points.size();
-    independent_ += static_cast<int>(std::ranges::count(fresh, 1, &PathFound::hits));
     add(std::move(fresh));
   }
 
-  /// Those of the best so far, where the crank angles of all points are free.
-  std::vector<PathStarts::CrankTiming> known_timings() const {
-    std::vector<PathStarts::CrankTiming> known;
+  /// The best so far, where the crank angles of all points are free.
+  std::vector<PathStarts::KnownPath> known_paths() const {
+    std::vector<PathStarts::KnownPath> known;
     if (problem_.timing != Timing::free) return known;
+    const PathFound* last = nullptr;  // of each valley the best
     for (const PathFound& found : search_.all()) {
-      if (known.size() == kKnownTimings || found.strays) break;
+      if (known.size() == kKnownPaths || found.strays) break;
+      if (last && search_.rules().is_near(*last, found)) continue;
+      last = &found;
       const auto& minimum = found.minimum;
-      known.push_back(
-          {model_of(problem_, minimum).crank_angles(minimum.solution.x), minimum.clockwise});
+      const PathModel model = model_of(problem_, minimum);
+      const FourBar linkage = model.linkage(minimum.solution.x);
+      std::vector<double> angles = model.crank_angles(minimum.solution.x);
+      const double phase = angles.front() - frame_angle(linkage);
+      known.push_back({{std::move(angles), minimum.clockwise}, lengths(linkage), phase});
     }
     return known;
   }
@@ -313,7 +327,6 @@ class Explorer {
   const bool limits_way_ = assigns_places(problem_) && limits_way(problem_);
   synthesis::PathFitOptions fit_;
   synthesis::MultiStart<PathRules> search_;
-  int independent_ = 0;  ///< starts drawn without regard to what was found before
 };
 
 }  // namespace

@@ -19,14 +19,14 @@ struct PathExploration {
 struct ExploredPaths {
   std::vector<PathFound> minima;  ///< the best, by cost
   int starts = 0;
-  int independent = 0;  ///< those drawn without regard to what was found before
 };
 
 /// The best minima that starts lead to, and how many starts there were.
 ///
 /// Starts are drawn in rounds; from the second round on half of those of points that are not timed
-/// meet them about when the best minima so far do. The rule: the best minimum was found in the
-/// first third of the starts and several independent ones lead to it, or the points are met to
+/// meet them about when the best minima so far do, of all valleys, and half of these are linkages
+/// like those. The rule: the best minimum was found in the first third of the starts, several
+/// independent ones lead to it and few minima as good were seen but once, or the points are met to
 /// rounding by as many designs as are kept; at most some thousand starts.
 ExploredPaths explore_paths(const PathProblem& scaled, const PathExploration& exploration,
                             const Deadline& deadline, Work& work);

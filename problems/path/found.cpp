@@ -24,6 +24,9 @@ constexpr double kNearlyMet = 1e-10;
 /// this.
 constexpr double kSameCost = 1e-5, kSameValley = 0.03;
 
+/// How many designs in one valley go on beside those of other valleys.
+constexpr std::size_t kMostOfOneValley = 8;
+
 /// Whether two points that do not meet the target lie in one valley.
 bool share_valley(const PathMinimum& a, const PathMinimum& b) {
   const double one = a.solution.objective, other = b.solution.objective;
@@ -126,6 +129,22 @@ bool costs_less(const PathFound& a, const PathFound& b) {
 
 bool PathRules::is_same(const PathFound& known, const PathFound& other, double tolerance) {
   return problems::is_same(known.minimum, other.minimum, tolerance);
+}
+
+void PathRules::keep(std::vector<PathFound>& sorted, std::size_t most) const {
+  std::vector<bool> spared(sorted.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0, best = 0; i < sorted.size() && kept < most; ++i) {
+    if (!is_near(sorted[best], sorted[i])) best = i;
+    spared[i] = i - best < kMostOfOneValley;
+    kept += spared[i];
+  }
+  for (std::size_t i = 0; i < sorted.size() && kept < most; ++i) {
+    kept += !spared[i];
+    spared[i] = true;
+  }
+  std::size_t next = 0;
+  std::erase_if(sorted, [&](const PathFound&) { return !spared[next++]; });
 }
 
 double PathRules::value(const PathFound& found) {

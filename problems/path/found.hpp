@@ -13,6 +13,9 @@ namespace cognate::problems {
 /// Violations up to this count as none.
 inline constexpr double kPathFeasibility = 1e-9;
 
+/// Of several designs whose costs differ by less, relative, most lie in one valley.
+inline constexpr double kOneValley = 0.01;
+
 /// A start, or what has been made of it.
 struct PathFound {
   PathMinimum minimum;
@@ -48,6 +51,13 @@ struct PathRules {
     known.minimum.from_exact = known.minimum.from_exact || same.minimum.from_exact;
   }
   static double value(const PathFound& found);
+  /// The best, of many in one valley a few unless there are no others.
+  void keep(std::vector<PathFound>& sorted, std::size_t most) const;
+  /// Whether their merits agree to a hundredth, unless they meet their points to rounding. Fits end
+  /// at places of their own in one long valley.
+  bool is_near(const PathFound& best, const PathFound& other) const {
+    return merit(best) > kMetExactly && merit(other) <= (1 + kOneValley) * merit(best);
+  }
   double merit(const PathFound& found) const { return by_cost ? found.cost : value(found); }
 };
 

@@ -188,7 +188,7 @@ class PathSearch {
   const Deadline& deadline_;
   Work& work_;
   synthesis::MultiStart<PathRules> search_;
-  int starts_ = 0, independent_ = 0;  ///< see `ExploredPaths`
+  int starts_ = 0;  ///< of the exploration
 };
 
 void PathSearch::explore() {
@@ -197,7 +197,6 @@ void PathSearch::explore() {
   ExploredPaths explored =
       explore_paths(few_.coarse(), {whole_.solve.starts, kept(deepened_), run}, deadline_, work_);
   starts_ = explored.starts;
-  independent_ = explored.independent;
   search_.all() = std::move(explored.minima);
 }
 
@@ -269,7 +268,7 @@ void PathSearch::polish_best() {
 }
 
 PathSearchResult PathSearch::take() {
-  PathSearchResult result{{}, search_.statistics(independent_)};
+  PathSearchResult result{{}, search_.statistics(synthesis::kBestMinima)};
   result.statistics.starts = starts_;
   for (PathFound& found : search_.all()) result.minima.push_back(std::move(found.minimum));
   return result;

@@ -16,6 +16,9 @@ namespace {
 using synthesis::PathCandidates;
 using synthesis::SeparableTarget;
 
+/// Of the logarithms of proportions, and of phases, about those of a known design.
+constexpr double kLeastSpread = 0.01, kMostSpread = 1;
+
 double least(const std::optional<double>& given, const std::optional<Range>& bounds) {
   if (given) return *given;
   return bounds ? bounds->min : 0;
@@ -143,6 +146,26 @@ void PathStarts::fill(std::mt19937_64& random, PathCandidates& candidates) const
   }
 }
 
+/// Proportions and phases about those of a design, some near it, some far away: what lies in the
+/// next basins is seldom drawn by chance where basins are small.
+void PathStarts::fill_about(std::mt19937_64& random, const KnownPath& known,
+                            PathCandidates& candidates) const {
+  for (std::size_t i = 0; i < candidates.coupler.size(); ++i) {
+    const double spread =
+        kLeastSpread * std::pow(kMostSpread / kLeastSpread, uniform(random, 0, 1));
+    std::normal_distribution<double> disturbance(0, spread);
+    const auto ratio = [&](double length) {
+      return length / known.links.crank * std::exp(disturbance(random));
+    };
+    candidates.coupler[i] = ratio(known.links.coupler);
+    candidates.rocker[i] = ratio(known.links.rocker);
+    candidates.frame[i] = ratio(known.links.frame);
+    const double half = 0.5 * (known.phase + disturbance(random));
+    candidates.phase_cos[i] = std::cos(half);
+    candidates.phase_sin[i] = std::sin(half);
+  }
+}
+
 PathStart PathStarts::start(const SeparableTarget& target, const CrankTiming& timing,
                             const PathCandidates& candidates, std::size_t best) const {
   const std::size_t i = best / 2;
@@ -167,8 +190,8 @@ PathStart PathStarts::start(const SeparableTarget& target, const CrankTiming& ti
 }
 
 std::optional<PathStart> PathStarts::draw(std::mt19937_64& random, std::size_t count,
-                                          const CrankTiming* about) const {
-  const CrankTiming timing = about ? timing_about(random, *about) : random_timing(random);
+                                          const KnownPath* about, Likeness likeness) const {
+  const CrankTiming timing = about ? timing_about(random, about->timing) : random_timing(random);
   std::vector<double> half_cos, half_sin;
   for (const double angle : timing.angles) {
     half_cos.push_back(std::cos(0.5 * angle));
@@ -191,7 +214,11 @@ std::optional<PathStart> PathStarts::draw(std::mt19937_64& random, std::size_t c
 
   PathCandidates candidates((count + PathCandidates::lanes - 1) / PathCandidates::lanes *
                             PathCandidates::lanes);
-  fill(random, candidates);
+  if (about && likeness == Likeness::proportions) {
+    fill_about(random, *about, candidates);
+  } else {
+    fill(random, candidates);
+  }
   synthesis::screen(target, candidates);
   double least_error = std::numeric_limits<double>::infinity();
   std::size_t best = 0;

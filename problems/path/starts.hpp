@@ -31,10 +31,24 @@ class PathStarts {
     bool clockwise = false;
   };
 
+  /// A design that was found.
+  struct KnownPath {
+    CrankTiming timing;
+    Lengths<double> links;
+    double phase = 0;  ///< of the crank at the first point, from the frame line
+  };
+
+  /// How much of a known design a start takes over.
+  enum class Likeness {
+    timing,      ///< about when it meets the points
+    proportions  ///< that, its proportions and its phase
+  };
+
   /// The best of `candidates` random designs, or nothing if none closes at every point. Where no
-  /// point is timed they are met about when they are in `about`, if that is given, else at random.
+  /// point is timed they are like `about`, if that is given.
   std::optional<PathStart> draw(std::mt19937_64& random, std::size_t candidates,
-                                const CrankTiming* about = nullptr) const;
+                                const KnownPath* about = nullptr,
+                                Likeness likeness = Likeness::timing) const;
 
  private:
   CrankTiming random_timing(std::mt19937_64& random) const;
@@ -51,6 +65,8 @@ class PathStarts {
   void set_direction(synthesis::SeparableTarget& target) const;
   Lengths<double> random_links(std::mt19937_64& random) const;
   void fill(std::mt19937_64& random, synthesis::PathCandidates& candidates) const;
+  void fill_about(std::mt19937_64& random, const KnownPath& known,
+                  synthesis::PathCandidates& candidates) const;
   std::optional<double> fixed_phase() const;
   PathStart start(const synthesis::SeparableTarget& target, const CrankTiming& timing,
                   const synthesis::PathCandidates& candidates, std::size_t best) const;

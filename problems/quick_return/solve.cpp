@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/quick_return/designs.hpp"
@@ -214,6 +216,7 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No linkage of the family keeps to every constraint; the designs come nearest.");
   }
+  note_oddities(std::nullopt, result);
   result.work.skipped = {"search", "gradients", "velocities", "accelerations", "forces"};
   result.work.threads = 1;
   result.work.seconds = deadline.spent();

@@ -158,7 +158,7 @@ class Search {
   SegmentSearchResult take() && {
     work_.gradients += solved_.total().gradients;
     work_.solver_iterations += solved_.total().iterations;
-    const SearchStatistics statistics = search_.statistics(search_.starts());
+    const SearchStatistics statistics = search_.statistics();
     return {std::move(search_.all()), statistics};
   }
 

@@ -12,6 +12,8 @@
 ///       double merit(const Candidate&) const;  // optional: what makes a best better; else value
 ///       void absorb(Candidate& known, const Candidate& same) const;          // optional
 ///       void keep(std::vector<Candidate>& sorted, std::size_t most) const;   // optional
+///       // optional: whether a worse candidate may be on its way to the same minimum
+///       bool is_near(const Candidate& best, const Candidate& other) const;
 ///     };
 #pragma once
 
@@ -43,6 +45,8 @@ struct StartRule {
   /// better by less than `better_by`, relative to itself, is the same.
   double patience = 0, better_by = 1e-3;
   double met = 0;  ///< values up to this are rounding, none better than another
+  /// Nor is the best well known while `SearchStatistics::unseen` is more.
+  double doubt = 1;
 };
 
 /// A part of the whole search, for progress: 0 … 1.
@@ -150,7 +154,7 @@ class MultiStart {
   /// Whether the rule's number of starts led to the best, and none to a better one for long.
   bool best_is_known(const StartRule& rule) const {
     return !all_.empty() && all_.front().hits >= rule.enough_hits &&
-           starts_ >= rule.patience * best_since_;
+           starts_ >= rule.patience * best_since_ && statistics(kBestMinima).unseen <= rule.doubt;
   }
 
   /// Calls `body(index)` for each index in [0, count), in threads, unless the deadline is reached.
@@ -203,13 +207,26 @@ class MultiStart {
     if (run_.progress) run_.progress(stage_.at(part), best_);
   }
 
-  /// Of the candidates that there are, of which those within limits count. `starts`: those drawn
-  /// without regard to what was found, each with one hit; others have none.
-  SearchStatistics statistics(int starts) const {
-    const auto seen_once = std::ranges::count_if(all_, [&](const Candidate& one) {
-      return one.hits <= 1 && rules_.value(one) < std::numeric_limits<double>::infinity();
-    });
-    return {starts_, all_.empty() ? 0 : all_.front().hits, unseen_probability(seen_once, starts)};
+  /// Of the candidates that there are, of which those within limits count, and the starts that led
+  /// to them. Candidates near one another count as one. `most`: of the best so many.
+  SearchStatistics statistics(std::size_t most = std::numeric_limits<std::size_t>::max()) const {
+    std::ptrdiff_t seen_once = 0, reached = 0, hits = 0;
+    const Candidate* best = nullptr;  // of those near one another
+    const auto close = [&] {
+      seen_once += best && hits <= 1;
+      reached += std::exchange(hits, 0);
+    };
+    for (const Candidate& one : all_) {
+      if (!is_feasible(one)) continue;
+      if (!best || !is_near(*best, one)) {
+        if (best && --most == 0) break;
+        close();
+        best = &one;
+      }
+      hits += one.hits;
+    }
+    close();
+    return {starts_, all_.empty() ? 0 : all_.front().hits, unseen_probability(seen_once, reached)};
   }
 
  private:
@@ -219,6 +236,19 @@ class MultiStart {
     if (!(value < (1 - rule.better_by) * best_value_)) return;
     best_value_ = value;
     best_since_ = starts_;
+  }
+
+  bool is_feasible(const Candidate& one) const {
+    return merit(one) < std::numeric_limits<double>::infinity();
+  }
+
+  bool is_near([[maybe_unused]] const Candidate& best,
+               [[maybe_unused]] const Candidate& other) const {
+    if constexpr (requires { rules_.is_near(best, other); }) {
+      return rules_.is_near(best, other);
+    } else {
+      return false;
+    }
   }
 
   double merit(const Candidate& one) const {

@@ -107,7 +107,7 @@ class ModelSearch {
                     [&](int first, int count) { add_round(first, count); });
     search_.refine({kExplored, 1}, [&](Minimum& found) { finish(found); });
     search_.merge(options_.same_minimum);
-    const SearchStatistics statistics = search_.statistics(search_.starts());
+    const SearchStatistics statistics = search_.statistics();
     search_.keep(options_.designs);
     return {status(), std::move(search_.all()), statistics, solved_.total()};
   }

@@ -100,5 +100,25 @@ TEST(Oddities, StandInTheResultOfASearch) {
   EXPECT_TRUE(says(all, "Design 1: a link is more than 100 times as long as the target")) << all;
 }
 
+/// No crank-rocker of so wide a swing keeps farther than 3.8° from a dead point.
+TEST(Oddities, WarnsOfQuickReturnsToo) {
+  const auto task = parse_task(R"(
+kind = "quick-return"
+[target]
+time_ratio = 1.4
+swing_deg = 160
+[mechanism]
+type = "four-bar"
+rocker = 1
+)");
+  ASSERT_TRUE(task.has_value());
+  const Result result = solve(std::get<QuickReturnProblem>(*task), {});
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_LT(result.designs[0].metrics.transmission_acute_min, 5 * kDegree);
+  std::string notes;
+  for (const std::string& note : result.notes) notes += note + "\n";
+  EXPECT_TRUE(says(notes, "the transmission angle comes within 5 degrees")) << notes;
+}
+
 }  // namespace
 }  // namespace cognate::problems

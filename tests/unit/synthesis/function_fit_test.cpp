@@ -233,25 +233,5 @@ TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
   EXPECT_GT(closing, 50);
 }
 
-/// Minima within a hundredth of the best of their group are one, and only feasible ones count.
-TEST(FunctionFit, GroupsOfMinimaSeenOnceAreCountedByTheirObjectives) {
-  const auto found = [](double objective, int hits, double violation) {
-    FunctionFound one;
-    one.objective = objective;
-    one.hits = hits;
-    one.violation = violation;
-    return one;
-  };
-  EXPECT_EQ(groups_seen_once({}), 0);
-  EXPECT_EQ(groups_seen_once({found(1, 1, 0)}), 1);
-  // 1 to 1.009: three starts; 1.02: one; 1.5 and 1.51: two; the last are not feasible.
-  EXPECT_EQ(groups_seen_once({found(1, 1, 0), found(1.004, 1, 0), found(1.009, 1, 0),
-                              found(1.02, 1, 0), found(1.5, 1, 1e-10), found(1.51, 1, 0),
-                              found(0.5, 1, 1e-3), found(0.7, 1, 1e-2)}),
-            1);
-  // Minima of another objective, to which no start has come.
-  EXPECT_EQ(groups_seen_once({found(1, 0, 0), found(1.001, 1, 0), found(2, 0, 0)}), 1);
-}
-
 }  // namespace
 }  // namespace cognate::problems

@@ -88,9 +88,47 @@ TEST(MultiStart, CountsMinimaWithinLimitsThatWereSeenOnce) {
   const Deadline never;
   MultiStart<NumberRules> search({}, {1, never});
   search.add(numbers({-1, 1, 1, 2, 3}), 0);
-  const SearchStatistics statistics = search.statistics(9);
+  const SearchStatistics statistics = search.statistics();
   EXPECT_EQ(statistics.best_hits, 1);
-  EXPECT_DOUBLE_EQ(statistics.unseen, 3.0 / 10);  // 2, 3 and one start more
+  EXPECT_DOUBLE_EQ(statistics.unseen, 3.0 / 5);  // 2, 3 and one start more
+}
+
+TEST(MultiStart, AsksOfTheBestHowWellTheBestIsKnown) {
+  const Deadline never;
+  MultiStart<NumberRules> search({}, {1, never});
+  // However many starts lead to the worst, of those that lead to the best two half saw theirs once.
+  search.add(numbers({1, 1, 1, 2, 9, 9, 9, 9, 9, 9}), 0);
+  EXPECT_DOUBLE_EQ(search.statistics(2).unseen, 2.0 / 5);
+  EXPECT_DOUBLE_EQ(search.statistics().unseen, 2.0 / 11);
+}
+
+/// Values within a tenth of the best of their group are one minimum.
+struct NearNumberRules : NumberRules {
+  static bool is_near(const Number& best, const Number& other) {
+    return other.value <= 1.1 * best.value;
+  }
+};
+
+TEST(MultiStart, CountsMinimaNearOneAnotherAsOne) {
+  const Deadline never;
+  MultiStart<NearNumberRules> search({}, {1, never});
+  search.add(numbers({1, 1.05, 1.09, 1.15, 2, 2.1}), 0);
+  EXPECT_DOUBLE_EQ(search.statistics().unseen, 2.0 / 7);  // 1.15 and one start more
+}
+
+TEST(MultiStart, GoesOnInDoubt) {
+  const Deadline never;
+  MultiStart<NumberRules> search({}, {1, never});
+  // The best in every other start, in the first rounds others that are seen once.
+  search.explore({.round = 10, .fewest = 10, .enough_hits = 2, .doubt = 0.2}, {},
+                 [&](int first, int count) {
+                   std::vector<Number> fresh;
+                   for (int i = first; i < first + count; ++i) {
+                     fresh.push_back({i % 2 == 0 || i >= 10 ? 1.0 : 2.0 + i});
+                   }
+                   search.add(std::move(fresh), 0);
+                 });
+  EXPECT_EQ(search.starts(), 30);  // 6 of 11, 6 of 21, 6 of 31
 }
 
 TEST(MultiStart, KeepsTheBest) {
