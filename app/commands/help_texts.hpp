@@ -125,8 +125,8 @@ inline constexpr const char* kExportFooter = R"(Output:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle on BASE_CIRCLE, a cross on CENTRE
     NAME.svg   a picture with the same curves
-    NAME.csv   the points with cam angle, outward normal, curvature radius; of
-               a groove or conjugate cams one file for each curve
+    NAME.profile.csv   the points with cam angle, outward normal, curvature
+               radius; of a groove or conjugate cams one file for each curve
   NAME is followed by .pitch or .cutter for those curves.
   Of a gear or a gear pair:
     NAME.dxf   closed outlines on the layer OUTLINE, tip and root as true arcs;

@@ -161,10 +161,12 @@ std::vector<ExportedFile> files_of(const CamDrawing& drawing, const std::string&
   if (wanted.format == ExportFormat::svg) {
     return {{stem + ".svg", svg_text(cam_plan(drawing, title))}};
   }
+  // NAME.csv is the table of the cam over its turn.
+  const std::string only = wanted.curve == CamCurveKind::profile ? ".profile" : "";
   std::vector<ExportedFile> files;
   for (const auto& curve : drawing.curves) {
     files.push_back(
-        {stem + (curve.name.empty() ? "" : "." + curve.name) + ".csv", curve_csv(curve)});
+        {stem + (curve.name.empty() ? only : "." + curve.name) + ".csv", curve_csv(curve)});
   }
   return files;
 }

@@ -24,23 +24,20 @@ void write_function(const MachineFunction& function, std::string_view key, std::
     table.set(key, function.text);
   } else if (is_table(function)) {
     table.set(key, function.table);
-  } else if (!function.value) {
-    return;
-  } else if (function.of_phi && !function.of_speed && !function.of_time) {
+  } else if (function.value && function.of_phi && !function.of_speed && !function.of_time) {
     Array rows;
     for (int i = 0; i < kAnglesOfOwn; ++i) {
       const double value = function.value(kTurn * i / kAnglesOfOwn, 0, 0);
       rows.push_back(node(Array{node(i), node(value)}));
     }
     table.set(key, rows);
-  } else {
+  } else if (function.value) {
     table.set(key, function.value(0, 0, 0));
   }
   if (!function.value) {
-    faults.push_back(
-        fmt::format("{} has no function of phi, omega and time; expected one besides "
-                    "its text or table",
-                    name));
+    faults.push_back(fmt::format(
+        "{} has no function of phi, omega and time; expected one, also besides a text or table",
+        name));
   }
 }
 

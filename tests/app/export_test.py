@@ -161,11 +161,11 @@ class ExportTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
-    def table(self, result, *options, name="cam.csv"):
+    def table(self, result, *options, name="cam.profile.csv"):
         """The rows of an exported table as numbers; None for an empty cell."""
         self.export(result, "csv", *options)
         if "--curve" in options:
-            name = name.replace(".csv", f".{options[options.index('--curve') + 1]}.csv")
+            name = name.replace(".profile", f".{options[options.index('--curve') + 1]}")
         with open(self.folder / name, newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(
@@ -173,7 +173,7 @@ class ExportTest(unittest.TestCase):
         )
         return [[float(cell) if cell else None for cell in row] for row in rows[1:]]
 
-    def points(self, result, *options, name="cam.csv"):
+    def points(self, result, *options, name="cam.profile.csv"):
         return [(row[1], row[2]) for row in self.table(result, *options, name=name)]
 
     def expect_refusal(self, done, *parts):
@@ -396,7 +396,7 @@ class ExportTest(unittest.TestCase):
         done = self.export(result, "csv", "--json")
         document = json.loads(done.stdout)
         self.assertEqual(document["format"], "cognate-export/1")
-        self.assertEqual(document["files"], ["cam.csv"])
+        self.assertEqual(document["files"], ["cam.profile.csv"])
         self.assertEqual(document["points"], len(self.points(result)))
         self.assertEqual(self.export(result, "svg", "--quiet").stdout, "")
 
@@ -412,7 +412,7 @@ class ExportTest(unittest.TestCase):
             with self.subTest(file.name):
                 result = self.solve(file.read_text(), file.stem)
                 before = json.loads(result.read_text())["designs"][0]
-                polygon = self.points(result, name=f"{file.stem}.csv")
+                polygon = self.points(result, name=f"{file.stem}.profile.csv")
                 least = min(
                     distance_to_segment((0, 0), polygon[i - 1], polygon[i])
                     for i in range(len(polygon))
@@ -472,7 +472,7 @@ class ExportTest(unittest.TestCase):
             "--parts: is for linkages",
         )
         self.expect_refusal(run("export", result), "--format")
-        self.assertFalse((self.folder / "cam.csv").exists())
+        self.assertFalse((self.folder / "cam.profile.csv").exists())
         flat = self.solve(problem(['type = "translating-flat"'], 10, {"base_radius": 40}))
         self.expect_refusal(self.refused(flat, "--curve", "pitch"), "no roller", "profile or cutter")
 
@@ -481,7 +481,7 @@ class ExportTest(unittest.TestCase):
         result = self.solve(problem(['type = "translating-flat"'], 25, {"base_radius": 1e-9}))
         done = self.refused(result)
         self.expect_refusal(done, "--chord-tolerance: 1e-13 would take more than 2000000 points")
-        self.assertFalse((self.folder / "cam.csv").exists())
+        self.assertFalse((self.folder / "cam.profile.csv").exists())
         self.export(result, "csv", "--chord-tolerance", "1e-9")
 
     def test_files_that_are_no_cams(self):
