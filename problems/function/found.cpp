@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "problems/linkage/verify.hpp"
 #include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
@@ -61,7 +62,7 @@ double FunctionRules::value(const FunctionFound& found) {
 }
 
 bool FunctionRules::is_near(const FunctionFound& best, const FunctionFound& other) {
-  return other.objective <= (1 + kSameObjective) * best.objective;
+  return other.objective <= std::max(kMetExactly, (1 + kSameObjective) * best.objective);
 }
 
 bool FunctionRefiner::confine(FunctionFound& found) const {

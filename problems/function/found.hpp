@@ -55,8 +55,8 @@ struct FunctionRules {
   static bool is_same(const FunctionFound& known, const FunctionFound& other, double tolerance);
   static void absorb(FunctionFound& known, const FunctionFound& same);
   static double value(const FunctionFound& found);
-  /// Whether their objectives agree to a hundredth: refinements that end early stop at places of
-  /// their own near one minimum.
+  /// Whether their objectives agree to a hundredth, or are rounding: refinements that end early
+  /// stop at places of their own near one minimum.
   static bool is_near(const FunctionFound& best, const FunctionFound& other);
 };
 

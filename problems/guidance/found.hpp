@@ -6,6 +6,7 @@
 
 #include "problems/guidance/fit.hpp"
 #include "problems/guidance/starts.hpp"
+#include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 
@@ -41,6 +42,10 @@ struct MotionRules {
   /// Of one form, and closer than `tolerance`.
   static bool is_same(const MotionFound& known, const MotionFound& other, double tolerance);
   static double value(const MotionFound& found);
+  /// Whether both meet the poses to rounding, which none does better.
+  static bool is_near(const MotionFound& best, const MotionFound& other) {
+    return value(best) <= kMetExactly && value(other) <= kMetExactly;
+  }
   /// At least a third of the places are for those that are not sound, which further refinement may
   /// mend.
   static void keep(std::vector<MotionFound>& sorted, std::size_t most);

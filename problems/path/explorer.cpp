@@ -144,7 +144,7 @@ class Explorer {
     const PathFound* last = nullptr;  // of each valley the best
     for (const PathFound& found : search_.all()) {
       if (known.size() == kKnownPaths || found.strays) break;
-      if (last && search_.rules().is_near(*last, found)) continue;
+      if (last && search_.rules().lie_in_one_valley(*last, found)) continue;
       last = &found;
       const auto& minimum = found.minimum;
       const PathModel model = model_of(problem_, minimum);

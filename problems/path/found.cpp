@@ -24,8 +24,8 @@ constexpr double kNearlyMet = 1e-10;
 /// this.
 constexpr double kSameCost = 1e-5, kSameValley = 0.03;
 
-/// How many designs in one valley go on beside those of other valleys.
-constexpr std::size_t kMostOfOneValley = 8;
+/// How many designs in one valley go on beside those of other valleys: a third, within limits.
+constexpr std::size_t kFewestOfOneValley = 2, kMostOfOneValley = 8;
 
 /// Whether two points that do not meet the target lie in one valley.
 bool share_valley(const PathMinimum& a, const PathMinimum& b) {
@@ -132,11 +132,12 @@ bool PathRules::is_same(const PathFound& known, const PathFound& other, double t
 }
 
 void PathRules::keep(std::vector<PathFound>& sorted, std::size_t most) const {
+  const std::size_t of_one = std::clamp(most / 3, kFewestOfOneValley, kMostOfOneValley);
   std::vector<bool> spared(sorted.size());
   std::size_t kept = 0;
   for (std::size_t i = 0, best = 0; i < sorted.size() && kept < most; ++i) {
-    if (!is_near(sorted[best], sorted[i])) best = i;
-    spared[i] = i - best < kMostOfOneValley;
+    if (!lie_in_one_valley(sorted[best], sorted[i])) best = i;
+    spared[i] = i - best < of_one;
     kept += spared[i];
   }
   for (std::size_t i = 0; i < sorted.size() && kept < most; ++i) {

@@ -1,6 +1,7 @@
 /// @file Minima of a path search on their way: their order, their merging and the work they took.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -53,10 +54,14 @@ struct PathRules {
   static double value(const PathFound& found);
   /// The best, of many in one valley a few unless there are no others.
   void keep(std::vector<PathFound>& sorted, std::size_t most) const;
-  /// Whether their merits agree to a hundredth, unless they meet their points to rounding. Fits end
-  /// at places of their own in one long valley.
+  /// Whether their merits agree to a hundredth, or both meet their points to rounding, which none
+  /// does better. Fits end at places of their own in one long valley.
   bool is_near(const PathFound& best, const PathFound& other) const {
-    return merit(best) > kMetExactly && merit(other) <= (1 + kOneValley) * merit(best);
+    return merit(other) <= std::max(kMetExactly, (1 + kOneValley) * merit(best));
+  }
+  /// The same, but designs that meet their points to rounding are each one of its own.
+  bool lie_in_one_valley(const PathFound& best, const PathFound& other) const {
+    return merit(best) > kMetExactly && is_near(best, other);
   }
   double merit(const PathFound& found) const { return by_cost ? found.cost : value(found); }
 };
