@@ -30,8 +30,11 @@ struct CurvePlacement {
   double turn = 0;  ///< radians, counter-clockwise
   Vec2d shift;
 
+  /// Where a point of the given curve is placed.
   Vec2d point(const Vec2d& p) const { return shift + vector(p); }
+  /// The same of a difference of points.
   Vec2d vector(const Vec2d& v) const { return scale * (direction() * v); }
+  /// The point of the given curve that is placed at `p`.
   Vec2d point_back(const Vec2d& p) const { return (1 / scale) * (conj(direction()) * (p - shift)); }
 
  private:
@@ -187,6 +190,7 @@ std::span<const Named<Defect>> names<Defect>();
 /// The user's interrupt or the end of a run's time.
 class Deadline : public synthesis::Deadline {
  public:
+  /// That of `run`, whose time begins now.
   explicit Deadline(const Run& run)
       : synthesis::Deadline(run.time_limit.value_or(std::numeric_limits<double>::infinity()),
                             run.interrupted) {}
