@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analysis/linkage/defects.hpp"
-#include "problems/linkage/verify.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/ordered_model.hpp"
 #include "synthesis/optimise/loss.hpp"

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "problems/linkage/verify.hpp"
 #include "problems/path/search.hpp"
 #include "synthesis/search/multi_start.hpp"
 
