@@ -120,10 +120,15 @@ ExitStatus run_each(const std::vector<std::string>& files, const Options& option
     return exit_bad_input;
   }
   ExitStatus worst = exit_done;
-  for (const std::string& file : files) {
-    worst = std::max(worst, command(file));
-    if (was_interrupted()) break;
-    release_interrupts();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    worst = std::max(worst, command(files[i]));
+    const bool is_last = i + 1 == files.size();
+    if (was_interrupted() && !is_last) {
+      complain("interrupted; " + files[i + 1] +
+               (i + 2 < files.size() ? " and those behind it" : "") + " not begun");
+      return std::max(worst, exit_no_design);
+    }
+    if (!is_last) release_interrupts();
   }
   return worst;
 }

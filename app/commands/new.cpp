@@ -20,10 +20,10 @@ ExitStatus complain_of(const std::string& what) {
   return exit_bad_input;
 }
 
-/// The command that takes a file, as its first comment says it.
+/// "cognate solve ": the command that takes a file, as its first comment says it.
 std::string_view next_command(std::string_view text) {
   const auto from = text.find("cognate ");
-  return text.substr(from, text.find('\n', from) - from);
+  return text.substr(from, text.find(' ', text.find(' ', from) + 1) + 1 - from);
 }
 
 }  // namespace
@@ -45,7 +45,8 @@ ExitStatus new_command(const std::string& kind, const Options& options) {
   const std::string path = file.lexically_normal().string();
   if (options.json) return print(write_json({{"format", "cognate-new/1"}, {"files", {path}}}));
   if (options.quiet) return exit_done;
-  return print(fmt::format("wrote {}; next: {}\n", printable(path), next_command(found->text)));
+  return print(
+      fmt::format("wrote {0}; next: {1}{0}\n", printable(path), next_command(found->text)));
 }
 
 std::string unknown_kind(const std::string& kind) {

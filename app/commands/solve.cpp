@@ -50,6 +50,15 @@ ExitStatus compute_problem(const fs::path& file, const Problem& problem, const O
                   .exit_status = [&] { return K::is_done(result) ? exit_done : exit_no_design; }});
 }
 
+/// Whether mechanisms of `type` are no linkages.
+bool is_own_type(const std::string& type) {
+  bool found = false;
+  problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
+    if constexpr (requires { Kind<Problem>::kOwnType; }) found |= Kind<Problem>::kOwnType == type;
+  });
+  return found;
+}
+
 ExitStatus run(Command command, const fs::path& file, const Options& options) {
   const auto read = problems::read_task_at(file);
   if (!read) return refuse(file, read.error(), options);
@@ -77,6 +86,10 @@ ExitStatus analyze_design_command(const fs::path& file, int design, const Option
   };
   const auto given = read_result_design(file, design);
   if (!given) return refuse_file(given.error());
+  if (const std::string type = text_under(given->table["mechanism"], "type"); is_own_type(type)) {
+    return refuse_file(file.string() + ": is the result of a " + type +
+                       "; expected that of a linkage");
+  }
   const auto tables = analysis_of_design(*given);
   if (!tables) return refuse_file(tables.error());
   const auto problem = problems::parse_task<problems::AnalysisProblem>(toml_text(*tables));

@@ -217,12 +217,11 @@ class LinkageExporter {
 
   /// Lets a drive that goes a hair beyond what can be assembled start and end with a position.
   void pull_in_drive() {
-    constexpr double kInside = 1e-9;  // of the range: at its very ends rounding decides
-    const auto& runs = motion_.assembly_ranges().runs;
-    if (!linkage_.beyond || runs.empty()) return;
-    const double from = runs.front().from, to = runs.back().to;
-    linkage_.problem.drive.start = std::lerp(from, to, kInside);
-    linkage_.problem.drive.end = std::lerp(from, to, 1 - kInside);
+    const AssemblyRanges& ranges = motion_.assembly_ranges();
+    if (!linkage_.beyond || ranges.runs.empty()) return;
+    const DriveSpan span = inside_longest(ranges);
+    linkage_.problem.drive.start = span.from;
+    linkage_.problem.drive.end = span.to;
   }
 
   problems::AnalysisResult positions() {

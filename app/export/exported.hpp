@@ -6,7 +6,9 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "app/console/options.hpp"
+#include "app/drawing/drive_span.hpp"
 #include "app/drawing/gear_plan.hpp"
 #include "app/drawing/linkage_scene.hpp"
 #include "app/export/export_options.hpp"
@@ -25,6 +27,9 @@ tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given
 /// that it was made of, of a synthesis the mechanism over the drive of `result_linkage`. The same
 /// errors.
 tl::expected<nlohmann::ordered_json, std::string> analysis_of_design(const ResultDesign& given);
+
+/// The longest of `ranges`, which are not empty, a hair inside its ends, at which rounding decides.
+DriveSpan inside_longest(const AssemblyRanges& ranges);
 
 /// "walk.design2": what files made of design 2 of walk.result.json are called.
 std::string design_stem(const std::string& stem, int design);

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "analysis/numbers/constants.hpp"
-#include "app/drawing/drive_span.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/toml_text.hpp"
 #include "problems/read.hpp"
@@ -62,9 +61,19 @@ std::vector<Vec2d> targets(const ordered_json& problem) {
   return points;
 }
 
+/// `value` with 0 for numbers too small for a file, which are rounding.
+ordered_json without_rounding(const ordered_json& value) {
+  constexpr double kLeast = 1e-30;
+  if (value.is_number()) return std::abs(value.get<double>()) < kLeast ? ordered_json(0) : value;
+  if (!value.is_structured()) return value;
+  ordered_json clean = value;
+  for (auto& part : clean) part = without_rounding(part);
+  return clean;
+}
+
 /// The analysis of the design's mechanism, as a file would ask for it.
 ordered_json analysis_tables(const ResultDesign& given) {
-  const ordered_json& mechanism = given.table["mechanism"];
+  const ordered_json mechanism = without_rounding(given.table["mechanism"]);
   ordered_json tables = {{"kind", "analysis"},
                          {"title", text_under(given.problem, "title")},
                          {"mechanism", mechanism}};
@@ -123,17 +132,25 @@ tl::expected<ordered_json, std::string> analysis_of_design(const ResultDesign& g
   if (is_analysis(given)) return given.problem;
   ordered_json tables = {{"kind", "analysis"},
                          {"title", text_under(given.problem, "title")},
-                         {"mechanism", given.table["mechanism"]}};
+                         {"mechanism", without_rounding(given.table["mechanism"])}};
   if (linkage->round) return tables;
-  constexpr double kInside = 1e-9;  // of the range: at its very ends rounding decides
   const auto& drive = linkage->problem.drive;
+  const auto ranges = follow(linkage->problem.mechanism.mechanism, drive.start, drive.end);
+  if (ranges.runs.empty()) return tables;
+  const DriveSpan span = inside_longest(ranges);
   const bool slides = is_driven_by_slider(*linkage);
-  const auto end = [&](double share) {
-    return std::lerp(drive.start, drive.end, share) * (slides ? 1 : 360 / kTurn);
-  };
-  tables["drive"] = {{slides ? "start" : "start_deg", end(kInside)},
-                     {slides ? "end" : "end_deg", end(1 - kInside)}};
+  const double unit = slides ? 1 : 360 / kTurn;
+  tables["drive"] = {{slides ? "start" : "start_deg", unit * span.from},
+                     {slides ? "end" : "end_deg", unit * span.to}};
   return tables;
+}
+
+DriveSpan inside_longest(const AssemblyRanges& ranges) {
+  constexpr double kInside = 1e-9;  // of the range
+  const auto& longest = *std::ranges::max_element(
+      ranges.runs, {}, [](const AssemblyRange& range) { return range.to - range.from; });
+  return {std::lerp(longest.from, longest.to, kInside),
+          std::lerp(longest.from, longest.to, 1 - kInside)};
 }
 
 std::string design_stem(const std::string& stem, int design) {

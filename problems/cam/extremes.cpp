@@ -141,7 +141,9 @@ double CamExtremes::face_width() const {
 
 ValueAt CamExtremes::contact_force(bool both_ways) const {
   const TurnExtremes& all = whole(CamQuantity::contact_force);
-  return both_ways ? larger(all) : found(all.greatest);
+  if (!both_ways) return found(all.greatest);
+  const ValueAt either = larger(all);
+  return {std::abs(either.value), either.angle};
 }
 
 ValueAt CamExtremes::least_demand() const {

@@ -26,6 +26,9 @@ TurnPlace place_at(const cam::MotionProgramme& programme, double angle) {
   return {angle, static_cast<int>(index), std::min(1.0, (within - piece.begin) / piece.span)};
 }
 
+/// Curves with a radius so many times the cam's size are straight but for rounding.
+constexpr double kStraight = 1e9;
+
 class TurnTable {
  public:
   TurnTable(const CamProblem& problem, const CamDesign& design, int steps)
@@ -69,7 +72,8 @@ class TurnTable {
     add_curve("profile", -radius);
     add("curvature_radius", "length", [&, radius](const auto&, const auto& m) {
       if (is_flat(problem_.follower)) return value_of(CamQuantity::face_radius, system_, m);
-      return 1 / value_of(CamQuantity::pitch_curvature, system_, m) - radius;
+      const double pitch = 1 / value_of(CamQuantity::pitch_curvature, system_, m);
+      return std::abs(pitch) < kStraight * size() ? pitch - radius : kNaN;
     });
     if (radius > 0) add_curve("centre", 0);
   }
@@ -86,6 +90,11 @@ class TurnTable {
   std::vector<Column> take() && { return std::move(columns_); }
 
  private:
+  double size() const {
+    const auto& lengths = system_.follower.dimensions;
+    return lengths.base_radius + lengths.roller_radius + design_.cam.programme.highest();
+  }
+
   /// Adds a column of what `value` gives for a place and the motion there.
   template <class Value>
   void add(std::string name, std::string unit, Value value) {

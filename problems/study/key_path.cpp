@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "problems/toml/expression.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -119,6 +120,11 @@ Node* find_node(Table& document, const KeyPath& path) {
 bool is_number(const Node& node) {
   return std::holds_alternative<double>(node.value) ||
          std::holds_alternative<std::int64_t>(node.value);
+}
+
+bool is_expression(const Node& node) {
+  const auto* text = std::get_if<std::string>(&node.value);
+  return text && evaluate_expression(*text).has_value();
 }
 
 std::vector<std::string> number_keys(const Table& document) {

@@ -19,6 +19,9 @@ Node* find_node(Table& document, const KeyPath& path);
 
 bool is_number(const Node& node);
 
+/// Whether `node` is a string that stands for a number, "7/8".
+bool is_expression(const Node& node);
+
 /// Where every number of `document` stands, as `parse_key_path` reads it, the first 10000 of them.
 std::vector<std::string> number_keys(const Table& document);
 

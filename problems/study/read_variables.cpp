@@ -74,6 +74,8 @@ void read_key(TableReader& table, const BaseFile* base, const Study& study,
     table.fault(kKey, fmt::format("is {} a second time; each number varies once", in_quotes(*key)));
   }
   if (!base || std::ranges::find(base->number_keys, *key) != base->number_keys.end()) return;
+  Table document = base->document;
+  if (const Node* node = find_node(document, *path); node && is_expression(*node)) return;
   table.fault(kKey, fmt::format("is {}, no number of the base: {}; {}", in_quotes(*key),
                                 misfit(base->document, *path), hint(*base, *key)));
 }

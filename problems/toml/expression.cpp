@@ -55,6 +55,7 @@ class Expression {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       parser_.DefineVar(variables_[i], &values_[i]);
     }
+    parser_.ClearConst();  // the parser's own _pi is rounded
     parser_.DefineConst("pi", kPi);
     parser_.DefineConst("e", std::numbers::e);
     parser_.SetExpr(text_);

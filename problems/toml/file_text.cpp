@@ -30,7 +30,8 @@ std::string similar_file(const std::filesystem::path& file) {
   std::ranges::sort(names);
   const std::vector<std::string_view> known(names.begin(), names.end());
   const auto meant = nearest(file.stem().string(), known);
-  return meant ? (file.parent_path() / *meant).string() + ".toml" : "";
+  const bool is_other = meant && file.extension() == ".toml" && file.stem() != *meant;
+  return is_other ? (file.parent_path() / *meant).string() + ".toml" : "";
 }
 
 }  // namespace

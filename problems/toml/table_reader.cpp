@@ -443,7 +443,9 @@ std::optional<double> TableReader::value_at(const Node& node, const std::string&
   const auto value = evaluate_expression(*text);
   if (value) return *value;
   const std::string quoted = in_quotes(*text);
-  const std::string why = value.error().message.substr(0, value.error().message.find(';'));
+  const std::string& message = value.error().message;
+  const std::string why =
+      message.substr(0, std::min(message.find("; known are "), message.find("; expected ")));
   const bool is_word = why.find(quoted) != std::string::npos;
   faults_->add(node.where, fmt::format("{} is {}{}; expected {}", name, quoted,
                                        is_word ? "" : ", which " + why, wanted));
