@@ -88,8 +88,9 @@ ExitStatus run_export(const CLI::App& command, const Arguments& arguments, const
     return exit_bad_input;
   }
   if (!arguments.exporting.format) {
-    complain(
-        "--format is required: dxf, svg, csv, json, dot or toml; of a study file --row ID instead");
+    const auto any = [](const FormatDeclaration&) { return true; };
+    complain("--format is required: " + format_words(any, " or ") +
+             "; of a study file --row ID instead");
     return exit_bad_input;
   }
   const auto wanted = export_options(arguments.exporting);

@@ -30,12 +30,29 @@ void add_folder(CLI::App& command, Arguments& arguments) {
       ->type_name("DIR");
 }
 
+/// "dxf|svg|...".
+std::string alternatives() {
+  std::string text;
+  for (const FormatDeclaration& format : kExportFormats) {
+    text.append(text.empty() ? "" : "|").append(format.word);
+  }
+  return text;
+}
+
+std::string export_footer() {
+  std::string text = kExportHead;
+  for (const FormatDeclaration& format : kExportFormats) {
+    text.append("    ").append(format.help).append("\n");
+  }
+  return text + kExportTail;
+}
+
 void add_export_options(CLI::App& command, Arguments& arguments) {
   const auto add = [&](const char* name, auto& value, const char* unit, const char* what) {
     command.add_option(name, value, what)->type_name(unit);
   };
   ExportTexts& texts = arguments.exporting;
-  add("--format", texts.format, "dxf|svg|csv|json|dot|toml", "what to write");
+  add("--format", texts.format, alternatives().c_str(), "what to write");
   add("--row", arguments.row, "ID", "of a study file: the design with this id");
   add("--design", texts.design, "N", "which design, from 1 (default 1, the best)");
   add("--chord-tolerance", texts.chord_tolerance, "T", "of polygons (default 1e-4 of the size)");
@@ -126,9 +143,9 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
                               "the study, a TOML file", {".toml"}),
              arguments);
-  auto& exporting = add_file_command("export", "Write a result for CAD, as a picture or a table.",
-                                     kExportFooter, "NAME.result.json, or a study, NAME.study.db",
-                                     {".result.json", ".study.db"});
+  auto& exporting = add_file_command(
+      "export", "Write a result for CAD, as a picture or a table.", export_footer().c_str(),
+      "NAME.result.json, or a study, NAME.study.db", {".result.json", ".study.db"});
   add_folder(exporting, arguments);
   add_export_options(exporting, arguments);
   add_files_command("check", "Validate a file without solving it.", kCheckFooter,

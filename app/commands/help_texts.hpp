@@ -107,16 +107,13 @@ Examples:
   sqlite3 results/sizes.study.db 'SELECT * FROM best LIMIT 5'
   mpirun -n 64 cognate sweep sizes.toml --out results)";
 
-inline constexpr const char* kExportFooter = R"(Output:
+/// What `cognate export` writes of linkages stands between these two, by the formats' own words.
+inline constexpr const char* kExportHead = R"(Output:
   One file in DIR, NAME being that of NAME.result.json. Of a linkage:
-    NAME.dxf   one position and the paths of the points, on layers FRAME,
-               GUIDES, LINKS, JOINTS, POINTS, PATHS, TARGET and LABELS
-    NAME.svg   a picture with the same
-    NAME.csv   where every point is over the drive, units in the header
-    NAME.json  lengths, joints, paths and positions in one document
-    NAME.dot   the chain for Graphviz: links as boxes, joints as edges
-    NAME.designN.toml   the mechanism and its drive, for cognate analyze
-  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the
+)";
+
+inline constexpr const char* kExportTail =
+    R"(  With --parts NAME.parts.dxf, .svg or .json: a plate for each link and the
   frame with holes for pins and slots for sliders, side by side on layers
   OUTLINES, HOLES, SLOTS and LABELS. The label says in which plane the part
   lies, from 1, so that links pass one another. Outlines are lines and true

@@ -140,9 +140,7 @@ using problems::KindTraits;
 
 std::vector<Entry> solvers() {
   std::vector<Entry> all;
-  for (const auto& named : problems::names<synthesis::Solver>()) {
-    all.push_back({named.name, meaning(named.value)});
-  }
+  for (const auto& solver : synthesis::kSolvers) all.push_back({solver.name, solver.meaning});
   return all;
 }
 

@@ -162,40 +162,6 @@ std::span<const Entry> solve_options() {
   return options;
 }
 
-std::string_view meaning(synthesis::Solver solver) {
-  switch (solver) {
-    case synthesis::Solver::automatic:
-      return "the one that suits the problem";
-    case synthesis::Solver::gauss_newton:
-      return "Gauss-Newton with constraints, made for linkages";
-    case synthesis::Solver::ceres:
-      return "Levenberg-Marquardt (Ceres): least squares within bounds only";
-    case synthesis::Solver::slsqp:
-      return "sequential quadratic programming (NLopt)";
-    case synthesis::Solver::mma:
-      return "method of moving asymptotes (NLopt)";
-    case synthesis::Solver::ccsaq:
-      return "conservative separable quadratic models (NLopt)";
-    case synthesis::Solver::cobyla:
-      return "linear models without derivatives (NLopt)";
-    case synthesis::Solver::bobyqa:
-      return "quadratic models without derivatives (NLopt)";
-    case synthesis::Solver::ags:
-      return "global: intervals on a space-filling curve, ten unknowns at most (NLopt)";
-    case synthesis::Solver::isres:
-      return "global: evolution strategy with stochastic ranking (NLopt)";
-    case synthesis::Solver::crs:
-      return "global: controlled random search (NLopt)";
-    case synthesis::Solver::mlsl:
-      return "global: multi-level single linkage of local searches (NLopt)";
-    case synthesis::Solver::direct:
-      return "global: dividing rectangles (NLopt)";
-    case synthesis::Solver::ipopt:
-      return "interior point (Ipopt)";
-  }
-  return "";
-}
-
 std::span<const Metric> metrics() {
   return kMetrics;
 }

@@ -57,9 +57,6 @@ constexpr auto with_cycle_quantities(const Row (&first)[First], const Declared& 
 /// The keys of `[solve]`.
 std::span<const Entry> solve_options();
 
-/// What `solve.solver = "…"` does.
-std::string_view meaning(synthesis::Solver solver);
-
 /// Every key that may stand under `metrics` of a design that was found.
 std::span<const Metric> metrics();
 

@@ -191,11 +191,8 @@ std::size_t point_count(const CamDrawing& drawing) {
 
 tl::expected<Exported, std::string> export_cam(const ResultCam& given, const ExportOptions& wanted,
                                                const std::string& stem) {
-  if (wanted.format != ExportFormat::dxf && wanted.format != ExportFormat::svg &&
-      wanted.format != ExportFormat::csv) {
-    return tl::unexpected(
-        std::string("--format: json, dot and toml are for linkages; of a cam dxf, svg or csv is "
-                    "allowed"));
+  if (!declaration(wanted.format).of_cams) {
+    return tl::unexpected(refused_format(&FormatDeclaration::of_cams, "a cam"));
   }
   if (!wanted.of_linkages.empty()) {
     return tl::unexpected(wanted.of_linkages +

@@ -118,9 +118,8 @@ std::vector<ExportedFile> files_of(const ResultGears& given,
 tl::expected<Exported, std::string> export_gears(const ResultGears& given,
                                                  const ExportOptions& wanted,
                                                  const std::string& stem) {
-  if (wanted.format == ExportFormat::dot || wanted.format == ExportFormat::toml) {
-    return tl::unexpected(std::string(
-        "--format: dot and toml are for linkages; of gears dxf, svg, csv or json is allowed"));
+  if (!declaration(wanted.format).of_gears) {
+    return tl::unexpected(refused_format(&FormatDeclaration::of_gears, "gears"));
   }
   for (const auto& [option, of] :
        {std::pair(&wanted.of_linkages, "linkages"), std::pair(&wanted.of_cams, "cams")}) {

@@ -109,21 +109,6 @@ using Result = tl::expected<Exported, std::string>;
 constexpr double kDefaultTolerance = 1e-4;  // of the linkage's size
 constexpr double kLeastTolerance = 1e-9;
 
-const char* ending(ExportFormat format) {
-  switch (format) {
-    case ExportFormat::svg:
-      return ".svg";
-    case ExportFormat::csv:
-      return ".csv";
-    case ExportFormat::json:
-      return ".json";
-    case ExportFormat::dot:
-      return ".dot";
-    default:
-      return ".dxf";
-  }
-}
-
 /// The text of a drawing; an error where numbers beyond all measure are in it.
 tl::expected<std::string, std::string> drawn(const Plan& plan, const ExportOptions& wanted) {
   if (!std::isfinite(norm(plan.high - plan.low))) {
@@ -172,12 +157,12 @@ class LinkageExporter {
  private:
   /// Why a tolerance that is given has nothing to do.
   std::optional<std::string> idle_tolerance() const {
-    const bool has_paths = !wanted_.parts && wanted_.format != ExportFormat::csv &&
-                           wanted_.format != ExportFormat::dot;
+    const bool has_paths = !wanted_.parts && declaration(wanted_.format).is_drawn();
     if (has_paths || !wanted_.chord_tolerance) return std::nullopt;
-    return "--chord-tolerance: is that of the paths of a linkage; expected --format dxf, svg or "
-           "json "
-           "without --parts with it";
+    return fmt::format(
+        "--chord-tolerance: is that of the paths of a linkage; expected --format {} without "
+        "--parts with it",
+        format_words([](const auto& format) { return format.is_drawn(); }, " or "));
   }
 
   /// Why there is no position to draw.
@@ -211,7 +196,8 @@ class LinkageExporter {
   Result file(tl::expected<std::string, std::string> text, std::string summary,
               ordered_json quantities = ordered_json::object()) {
     if (!text) return tl::unexpected(text.error());
-    const std::string name = stem_ + (wanted_.parts ? ".parts" : "") + ending(wanted_.format);
+    const std::string name = fmt::format("{}{}.{}", stem_, wanted_.parts ? ".parts" : "",
+                                         declaration(wanted_.format).word);
     return Exported{{{name, *std::move(text)}}, notes_, std::move(summary), std::move(quantities)};
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -15,14 +16,23 @@ namespace {
 using Text = std::optional<std::string>;
 
 tl::expected<ExportFormat, std::string> parse_format(std::string_view text) {
-  if (text == "dxf") return ExportFormat::dxf;
-  if (text == "svg") return ExportFormat::svg;
-  if (text == "csv") return ExportFormat::csv;
-  if (text == "json") return ExportFormat::json;
-  if (text == "dot") return ExportFormat::dot;
-  if (text == "toml") return ExportFormat::toml;
+  const auto found = std::ranges::find(kExportFormats, text, &FormatDeclaration::word);
+  if (found != kExportFormats.end()) return found->id;
+  const auto of_cams = [](const auto& format) { return format.of_cams; };
+  const auto of_no_cams = [](const auto& format) { return format.of_gears && !format.of_cams; };
+  const auto of_linkages = [](const auto& format) { return !format.of_gears && !format.of_cams; };
   return refusal("--format", text,
-                 "dxf, svg or csv, of gears and linkages also json, of linkages also dot and toml");
+                 fmt::format("{}, of gears and linkages also {}, of linkages also {}",
+                             format_words(of_cams, " or "), format_words(of_no_cams, " and "),
+                             format_words(of_linkages, " and ")));
+}
+
+std::string drawn_formats() {
+  return format_words([](const auto& format) { return format.is_drawn(); }, " or ");
+}
+
+std::string tabled_formats() {
+  return format_words([](const auto& format) { return format.is_tabled(); }, " or ");
 }
 
 tl::expected<DxfVersion, std::string> parse_version(std::string_view text) {
@@ -145,22 +155,24 @@ class OptionReader {
     if (texts_.dxf_version && options_.format != ExportFormat::dxf) {
       faults_.emplace_back("--dxf-version: only DXF has one; expected --format dxf with it");
     }
-    const bool tabled =
-        options_.format == ExportFormat::csv || options_.format == ExportFormat::json;
-    if (options_.steps && (!tabled || options_.parts)) {
-      faults_.emplace_back("--steps: are those of a table; expected --format csv or json with it");
+    const FormatDeclaration& format = declaration(options_.format);
+    if (options_.steps && (!format.is_tabled() || options_.parts)) {
+      faults_.push_back(fmt::format("--steps: are those of a table; expected --format {} with it",
+                                    tabled_formats()));
     }
-    const bool shown = options_.format != ExportFormat::csv && options_.format != ExportFormat::dot;
+    // What is written as a problem refuses the options of linkages itself.
+    const bool shown = format.is_drawn() || format.content == ExportContent::problem;
     if (options_.position && (!shown || options_.parts)) {
-      faults_.emplace_back(
-          "--position: is that of a drawing; expected --format dxf, svg or json with it");
+      faults_.push_back(fmt::format(
+          "--position: is that of a drawing; expected --format {} with it", drawn_formats()));
     }
     check_parts(shown);
   }
 
   void check_parts(bool shown) {
     if (options_.parts && !shown) {
-      faults_.emplace_back("--parts: are drawn; expected --format dxf, svg or json with it");
+      faults_.push_back(
+          fmt::format("--parts: are drawn; expected --format {} with it", drawn_formats()));
     }
     if (options_.parts && !(options_.parts->hole < options_.parts->width)) {
       faults_.push_back(
@@ -212,6 +224,13 @@ std::string ExportTexts::any() const {
 
 tl::expected<ExportOptions, std::vector<std::string>> export_options(const ExportTexts& texts) {
   return OptionReader(texts).read();
+}
+
+std::string refused_format(bool FormatDeclaration::*has, std::string_view subject) {
+  const auto of_subject = [has](const auto& format) { return format.*has; };
+  const auto of_others = [has](const auto& format) { return !(format.*has); };
+  return fmt::format("--format: {} are for linkages; of {} {} is allowed",
+                     format_words(of_others, " and "), subject, format_words(of_subject, " or "));
 }
 
 tl::expected<int, std::string> parse_design(std::string_view text) {

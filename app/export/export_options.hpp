@@ -1,6 +1,8 @@
 /// @file The options of `cognate export`, and what each may be.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +17,75 @@
 namespace cognate::app {
 
 enum class ExportFormat { dxf, svg, csv, json, dot, toml };
+
+/// What a file of a linkage holds.
+enum class ExportContent {
+  drawing,   ///< one position, with paths
+  table,     ///< positions over the drive
+  document,  ///< both
+  chain,     ///< links and joints in no position
+  problem    ///< the mechanism, for `cognate analyze`
+};
+
+/// What is said once of a format. All are of linkages.
+struct FormatDeclaration {
+  ExportFormat id;
+  std::string_view word;  ///< of `--format`, and the ending of its files
+  ExportContent content;
+  bool of_cams = false;
+  bool of_gears = false;
+  std::string_view help;  ///< the lines of `cognate export --help` on files of linkages
+
+  constexpr bool is_drawn() const {
+    return content == ExportContent::drawing || content == ExportContent::document;
+  }
+  constexpr bool is_tabled() const {
+    return content == ExportContent::table || content == ExportContent::document;
+  }
+};
+
+/// In the order of `ExportFormat`.
+inline constexpr std::array kExportFormats{
+    FormatDeclaration{ExportFormat::dxf, "dxf", ExportContent::drawing, true, true,
+                      "NAME.dxf   one position and the paths of the points, on layers FRAME,\n"
+                      "               GUIDES, LINKS, JOINTS, POINTS, PATHS, TARGET and LABELS"},
+    FormatDeclaration{ExportFormat::svg, "svg", ExportContent::drawing, true, true,
+                      "NAME.svg   a picture with the same"},
+    FormatDeclaration{ExportFormat::csv, "csv", ExportContent::table, true, true,
+                      "NAME.csv   where every point is over the drive, units in the header"},
+    FormatDeclaration{ExportFormat::json, "json", ExportContent::document, false, true,
+                      "NAME.json  lengths, joints, paths and positions in one document"},
+    FormatDeclaration{ExportFormat::dot, "dot", ExportContent::chain, false, false,
+                      "NAME.dot   the chain for Graphviz: links as boxes, joints as edges"},
+    FormatDeclaration{ExportFormat::toml, "toml", ExportContent::problem, false, false,
+                      "NAME.designN.toml   the mechanism and its drive, for cognate analyze"}};
+
+constexpr const FormatDeclaration& declaration(ExportFormat format) {
+  return kExportFormats.at(static_cast<std::size_t>(format));
+}
+
+static_assert([] {
+  for (const FormatDeclaration& format : kExportFormats) {
+    if (declaration(format.id).word != format.word) return false;
+  }
+  return true;
+}());
+
+/// "dxf, svg or csv": the words of the formats of which `has` is true, `last` between the last two.
+template <class Has>
+std::string format_words(Has has, std::string_view last) {
+  std::string text;
+  std::string_view word;
+  for (const FormatDeclaration& format : kExportFormats) {
+    if (!has(format)) continue;
+    if (!word.empty()) text.append(text.empty() ? "" : ", ").append(word);
+    word = format.word;
+  }
+  return text.append(text.empty() ? "" : last).append(word);
+}
+
+/// Why a format is not one of `subject` ("a cam"), whose formats are those with `has`.
+std::string refused_format(bool FormatDeclaration::*has, std::string_view subject);
 
 /// The options as they were written; empty where they were not.
 struct ExportTexts {

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "problems/cam/motion_laws.hpp"
 #include "problems/cam/problem.hpp"
 
 namespace cognate::problems {
@@ -15,21 +20,6 @@ constexpr Named<cam::Closure> kClosures[] = {{"force", cam::Closure::force},
                                              {"groove", cam::Closure::groove},
                                              {"conjugate", cam::Closure::conjugate},
                                              {"constant-breadth", cam::Closure::constant_breadth}};
-constexpr Named<cam::MotionLaw> kMotionLaws[] = {
-    {"dwell", cam::MotionLaw::dwell},
-    {"constant-velocity", cam::MotionLaw::constant_velocity},
-    {"constant-acceleration", cam::MotionLaw::constant_acceleration},
-    {"harmonic", cam::MotionLaw::harmonic},
-    {"cycloidal", cam::MotionLaw::cycloidal},
-    {"3-4-5", cam::MotionLaw::polynomial_345},
-    {"4-5-6-7", cam::MotionLaw::polynomial_4567},
-    {"modified-sine", cam::MotionLaw::modified_sine},
-    {"modified-trapezoid", cam::MotionLaw::modified_trapezoid},
-    {"modified-constant-velocity", cam::MotionLaw::modified_constant_velocity},
-    {"double-harmonic", cam::MotionLaw::double_harmonic},
-    {"universal", cam::MotionLaw::universal},
-    {"polynomial", cam::MotionLaw::polynomial},
-    {"spline", cam::MotionLaw::spline}};
 constexpr Named<CamDimension> kCamDimensionNames[] = {
     {"base_radius", CamDimension::base_radius},
     {"offset", CamDimension::offset},
@@ -66,7 +56,14 @@ std::span<const Named<cam::Closure>> names<cam::Closure>() {
 
 template <>
 std::span<const Named<cam::MotionLaw>> names<cam::MotionLaw>() {
-  return kMotionLaws;
+  static constexpr auto kNames = [] {
+    std::array<Named<cam::MotionLaw>, std::size(kMotionLaws)> names;
+    std::ranges::transform(kMotionLaws, names.begin(), [](const MotionLawDeclaration& declared) {
+      return Named<cam::MotionLaw>{declared.word, declared.law};
+    });
+    return names;
+  }();
+  return kNames;
 }
 
 template <>

@@ -18,6 +18,7 @@
 #include "analysis/mechanism/transmission_extremes.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/output_travel.hpp"
+#include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 #include "problems/mechanism/joint_names.hpp"
 
@@ -36,20 +37,12 @@ struct TimeRatio {
   std::optional<double> operator()(const FourBar& linkage) const {
     return is_change_point(lengths(linkage)) ? of_motion() : time_ratio(lengths(linkage));
   }
-  std::optional<double> operator()(const SliderCrank& dimensions) const {
-    return is_change_point(dimensions) ? of_motion() : time_ratio(dimensions);
-  }
-  std::optional<double> operator()(const GuideBar& dimensions) const {
-    return is_change_point(dimensions) ? of_motion() : time_ratio(dimensions);
-  }
-  std::optional<double> operator()(const FixedBlock& dimensions) const {
-    return (*this)(as_slider_crank(dimensions));
-  }
-  std::optional<double> operator()(const OscillatingBlock& dimensions) const {
-    return (*this)(as_guide_bar(dimensions));
-  }
-  template <class Other>
-  std::optional<double> operator()(const Other&) const {
+  template <class Type>
+  std::optional<double> operator()(const Type& described) const {
+    const auto& dimensions = dimensions_of_formulas(described);
+    if constexpr (requires { time_ratio(dimensions); }) {
+      if (!is_change_point(dimensions)) return time_ratio(dimensions);
+    }
     return of_motion();
   }
 

@@ -66,26 +66,18 @@ struct QuantitiesOf {
     }
     return quantities;
   }
-  Quantities operator()(const SliderCrank& dimensions) const {
-    return rotation_quantities(name(mobility_class(dimensions)), is_change_point(dimensions),
-                               crank_rotates(dimensions));
-  }
-  Quantities operator()(const GuideBar& dimensions) const {
-    return rotation_quantities(name(mobility_class(dimensions)), is_change_point(dimensions),
-                               crank_rotates(dimensions));
-  }
-  Quantities operator()(const FixedBlock& dimensions) const {
-    return (*this)(as_slider_crank(dimensions));
-  }
-  Quantities operator()(const OscillatingBlock& dimensions) const {
-    return (*this)(as_guide_bar(dimensions));
-  }
   Quantities operator()(const ChainDescription&) const {
     return {quantity(kClassKey, chain_name(mechanism.mechanism))};
   }
-  template <class DoubleSlider>
-  Quantities operator()(const DoubleSlider&) const {
-    return {quantity(kClassKey, std::string(to_string(mechanism.type())))};
+  template <class Type>
+  Quantities operator()(const Type& described) const {
+    const auto& dimensions = dimensions_of_formulas(described);
+    if constexpr (requires { mobility_class(dimensions); }) {
+      return rotation_quantities(name(mobility_class(dimensions)), is_change_point(dimensions),
+                                 crank_rotates(dimensions));
+    } else {
+      return {quantity(kClassKey, std::string(to_string(mechanism.type())))};
+    }
   }
 };
 

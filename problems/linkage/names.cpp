@@ -89,15 +89,14 @@ std::span<const Named<MovingLink>> names<MovingLink>() {
 
 template <>
 std::span<const Named<synthesis::Solver>> names<synthesis::Solver>() {
-  static const auto solvers = [] {
-    std::array<Named<synthesis::Solver>, synthesis::kSolverCount> all;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto solver = static_cast<synthesis::Solver>(i);
-      all[i] = {synthesis::name(solver), solver};
-    }
+  static constexpr auto kNames = [] {
+    std::array<Named<synthesis::Solver>, synthesis::kSolvers.size()> all;
+    std::ranges::transform(synthesis::kSolvers, all.begin(), [](const auto& solver) {
+      return Named<synthesis::Solver>{solver.name, solver.id};
+    });
     return all;
   }();
-  return solvers;
+  return kNames;
 }
 
 template <>

@@ -1,7 +1,6 @@
 #include "synthesis/optimise/solver.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -33,25 +32,13 @@ Solution solve_dense(Solver solver, const Model& model, std::span<const double> 
 }  // namespace
 
 std::string_view name(Solver solver) {
-  constexpr std::string_view kNames[] = {"auto",  "gauss-newton", "ceres",  "slsqp", "mma",
-                                         "ccsaq", "cobyla",       "bobyqa", "ags",   "isres",
-                                         "crs",   "mlsl",         "direct", "ipopt"};
-  static_assert(std::size(kNames) == kSolverCount);
   const auto index = static_cast<std::size_t>(solver);
-  return index < kSolverCount ? kNames[index] : std::string_view{};
+  return index < kSolvers.size() ? kSolvers[index].name : std::string_view{};
 }
 
 bool is_global(Solver solver) {
-  switch (solver) {
-    case Solver::ags:
-    case Solver::isres:
-    case Solver::crs:
-    case Solver::mlsl:
-    case Solver::direct:
-      return true;
-    default:
-      return false;
-  }
+  const auto index = static_cast<std::size_t>(solver);
+  return index < kSolvers.size() && kSolvers[index].is_global;
 }
 
 bool linearises_residuals(Solver solver) {

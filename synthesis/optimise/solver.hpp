@@ -1,7 +1,9 @@
 /// @file Solvers: each takes a model, a start and options, and returns a point and why it stopped.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -75,7 +77,44 @@ enum class Solver {
   direct,  ///< Gablonsky & Kelley 2001: dividing rectangles, locally biased
   ipopt,
 };
-constexpr std::size_t kSolverCount = static_cast<std::size_t>(Solver::ipopt) + 1;
+
+/// What is said once of a solver.
+struct SolverDeclaration {
+  Solver id;
+  std::string_view name;  ///< as files and results write it
+  std::string_view meaning;
+  bool is_global = false;  ///< see `is_global`
+};
+
+/// In the order of `Solver`.
+inline constexpr std::array kSolvers{
+    SolverDeclaration{Solver::automatic, "auto", "the one that suits the problem"},
+    SolverDeclaration{Solver::gauss_newton, "gauss-newton",
+                      "Gauss-Newton with constraints, made for linkages"},
+    SolverDeclaration{Solver::ceres, "ceres",
+                      "Levenberg-Marquardt (Ceres): least squares within bounds only"},
+    SolverDeclaration{Solver::slsqp, "slsqp", "sequential quadratic programming (NLopt)"},
+    SolverDeclaration{Solver::mma, "mma", "method of moving asymptotes (NLopt)"},
+    SolverDeclaration{Solver::ccsaq, "ccsaq", "conservative separable quadratic models (NLopt)"},
+    SolverDeclaration{Solver::cobyla, "cobyla", "linear models without derivatives (NLopt)"},
+    SolverDeclaration{Solver::bobyqa, "bobyqa", "quadratic models without derivatives (NLopt)"},
+    SolverDeclaration{Solver::ags, "ags",
+                      "global: intervals on a space-filling curve, ten unknowns at most (NLopt)",
+                      true},
+    SolverDeclaration{Solver::isres, "isres",
+                      "global: evolution strategy with stochastic ranking (NLopt)", true},
+    SolverDeclaration{Solver::crs, "crs", "global: controlled random search (NLopt)", true},
+    SolverDeclaration{Solver::mlsl, "mlsl",
+                      "global: multi-level single linkage of local searches (NLopt)", true},
+    SolverDeclaration{Solver::direct, "direct", "global: dividing rectangles (NLopt)", true},
+    SolverDeclaration{Solver::ipopt, "ipopt", "interior point (Ipopt)"}};
+
+static_assert([] {
+  for (std::size_t i = 0; i < kSolvers.size(); ++i) {
+    if (static_cast<std::size_t>(kSolvers[i].id) != i) return false;
+  }
+  return true;
+}());
 
 /// As files name it: "auto", "gauss-newton"; empty for a number that is no solver.
 std::string_view name(Solver solver);

@@ -6,8 +6,8 @@
 #include "analysis/cam/motion_law.hpp"
 #include "app/console/text_table.hpp"
 #include "app/kinds/cam/kind.hpp"
-#include "problems/basics/names.hpp"
 #include "problems/cam/keys.hpp"
+#include "problems/cam/motion_laws.hpp"
 
 namespace cognate::app {
 namespace {
@@ -122,44 +122,6 @@ constexpr KeyedEntry kTables[] = {
     {"[contact]", "materials, for contact stress", kContact},
     {"[solve]", "how it is found", kSolve}};
 
-std::string_view meaning(MotionLaw law) {
-  switch (law) {
-    case MotionLaw::dwell:
-      return "the follower stays where it is";
-    case MotionLaw::constant_velocity:
-      return "knocks at its ends";
-    case MotionLaw::constant_acceleration:
-      return "parabolic: the minimum acceleration, which jumps";
-    case MotionLaw::harmonic:
-      return "half a cosine: acceleration jumps against a dwell";
-    case MotionLaw::cycloidal:
-      return "acceleration a full sine: smooth at dwells";
-    case MotionLaw::polynomial_345:
-      return "polynomial without velocity and acceleration at its ends";
-    case MotionLaw::polynomial_4567:
-      return "and without jerk there";
-    case MotionLaw::modified_sine:
-      return "low torque at dwells";
-    case MotionLaw::modified_trapezoid:
-      return "low acceleration, smooth at dwells";
-    case MotionLaw::modified_constant_velocity:
-      return "constant over the middle half of the segment";
-    case MotionLaw::double_harmonic:
-      return "smooth at the dwell below, not above, where the return follows";
-    case MotionLaw::universal:
-      return "sine, constant, cosine and zero acceleration by shares";
-    case MotionLaw::polynomial:
-      return "by conditions";
-    case MotionLaw::spline:
-      return "through points";
-  }
-  return {};
-}
-
-bool has_parameters(MotionLaw law) {
-  return law == MotionLaw::universal || law == MotionLaw::polynomial || law == MotionLaw::spline;
-}
-
 constexpr Metric kCamMetrics[] = {
     {"stroke", "length", "maximum displacement of a translating follower"},
     {"swing_deg", "deg", "of an oscillating one"},
@@ -205,11 +167,11 @@ struct MotionLawEntry {
 
 std::vector<MotionLawEntry> motion_laws() {
   std::vector<MotionLawEntry> all;
-  for (const auto& [name, law] : problems::names<MotionLaw>()) {
-    MotionLawEntry entry{name, meaning(law), std::nullopt, cam::handbook_factors(law)};
+  for (const auto& [law, word, meaning, has_parameters] : problems::kMotionLaws) {
+    MotionLawEntry entry{word, meaning, std::nullopt, cam::handbook_factors(law)};
     if (law == MotionLaw::dwell) {
       entry.handbook.reset();
-    } else if (!has_parameters(law)) {
+    } else if (!has_parameters) {
       entry.factors = cam::peak_factors({.law = law, .over = 1, .rise = 1});
     }
     all.push_back(entry);

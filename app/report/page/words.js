@@ -23,6 +23,9 @@ export function say(key, values = {}) {
   return part.replace(/\{(\w+)\}/g, (_, name) => (name === "n" && typeof values.n === "number" ? values.n.toLocaleString(language) : String(values[name])));
 }
 
+// Whether there are words for a key.
+export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
+
 // A word or a name that the result holds in English, such as the class of a linkage.
 export const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
 

@@ -5,7 +5,7 @@ import { factName, factRows } from "../fact_text.js";
 import { degrees, degreesShort, duration, number, sentence } from "../format.js";
 import { showHead } from "../head.js";
 import { RADIANS } from "../sampling.js";
-import { say, term } from "../words.js";
+import { knows, say, term } from "../words.js";
 import { ERRORS, isSearched, originText, straightLength } from "./table.js";
 
 const units = (x, digits = 7) => element("span", { title: `${x}` }, `${number(x, digits)}`);
@@ -96,8 +96,6 @@ export function showFindings(facts) {
   byId("findings-list").replaceChildren(...Array.from({ length: pairs.length / 2 }, (_, i) => element("div", {}, pairs[2 * i], pairs[2 * i + 1])));
 }
 
-const KINDS = ["path-generation", "function-generation", "motion-generation", "quick-return", "straight-line"];
-
 // What is to be known first of the best design.
 function bestText(best, kind) {
   if (!best) return "";
@@ -110,7 +108,7 @@ function bestText(best, kind) {
 
 export function showDesignHead(result, kind) {
   const { problem, designs, work } = result;
-  showHead(result, KINDS.includes(problem?.kind) ? say(`kind.${problem.kind}`) : problem?.kind ?? "",
+  showHead(result, knows(`kind.${problem?.kind}`) ? say(`kind.${problem.kind}`) : problem?.kind ?? "",
     [say("count.designs", { n: designs.length }), bestText(designs[0], kind), work ? duration(work.seconds) : ""],
     say("head.keys_crank"));
 }
