@@ -59,8 +59,21 @@ class Cursor {
   std::size_t offset_ = 0;
 };
 
-/// One past the number that begins at `begin`.
+/// One past the string that begins at `begin`, with one quotation mark or three.
+std::size_t end_of_string(const std::string& text, std::size_t begin) {
+  const std::string three(3, text[begin]);
+  const std::string mark = text.compare(begin, 3, three) == 0 ? three : three.substr(0, 1);
+  for (std::size_t at = begin + mark.size(); at < text.size(); ++at) {
+    if (text.compare(at, mark.size(), mark) == 0) return at + mark.size();
+    if (text[at] == '\\' && mark.front() == '"') ++at;
+  }
+  return text.size();
+}
+
+/// One past the number that begins at `begin`, which may be an expression in a string.
 std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  const bool quoted = begin < text.size() && (text[begin] == '"' || text[begin] == '\'');
+  if (quoted) return end_of_string(text, begin);
   const auto belongs = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' ||
            c == '-' || c == '.' || c == '_';

@@ -1,6 +1,6 @@
 """The table of a cam over its turn, against closed forms and the geometry of roller and profile.
 
-Run as: cam_test.py PROGRAM, the built program.
+Run as: cam_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
 """
 
 import csv
@@ -13,6 +13,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
+LIBRARY = pathlib.Path()
 
 CAM = """
 kind = "cam"
@@ -126,6 +127,43 @@ class CamTable(unittest.TestCase):
         least = min(row["curvature_radius"] for row in rows if row.get("curvature_radius", -1) > 0)
         self.assertAlmostEqual(least, metrics["curvature_radius_min"], delta=1e-6)
 
+    def test_both_walls_of_a_groove_keep_to_the_limit(self):
+        """A load that presses the outer wall counts as one that presses the inner does."""
+        text = """
+kind = "cam"
+[follower]
+type = "translating-roller"
+closure = "groove"
+load = {load}
+[[motion]]
+law = "cycloidal"
+over_deg = 180
+rise = 20
+[[motion]]
+law = "cycloidal"
+over_deg = 180
+rise = -20
+[mechanism]
+base_radius = 50
+offset = 0
+roller_radius = 8
+[constraints]
+pressure_angle_deg_max = 60
+contact_force_max = {limit}
+[drive]
+speed = 1
+"""
+        for load in (-1000, 1000):
+            self.table(text.format(load=load, limit=500), status=1)
+            self.table(text.format(load=load, limit=1500))
+            design = json.loads((self.at / "cam.result.json").read_text())["designs"][0]
+            self.assertGreater(design["metrics"]["contact_force_max"], 1000)
+
+    def test_a_straight_profile_has_no_radius(self):
+        rows = self.table((LIBRARY / "cam" / "pressure-angle.toml").read_text())
+        self.assertNotIn("curvature_radius", rows[0])
+        self.assertTrue(all(abs(row.get("curvature_radius", 0)) < 1e12 for row in rows))
+
     def test_steps_are_checked(self):
         for steps in ("0", "-3", "2.5", "many", "100001", ""):
             self.assertIn("--steps", self.table(CAM.format(more=""), "--steps", steps, status=2))
@@ -133,4 +171,5 @@ class CamTable(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    LIBRARY = pathlib.Path(sys.argv.pop(1)).resolve()
     unittest.main()

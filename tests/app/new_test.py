@@ -48,6 +48,8 @@ class NewTest(unittest.TestCase):
                 command = COMMANDS.get(kind, "solve")
                 self.assertEqual(said.stdout,
                                  f"wrote {kind}.toml; next: cognate {command} {kind}.toml\n")
+                there = self.run_program("new", kind, "--out", "there").stdout
+                self.assertTrue(there.endswith(f"next: cognate {command} there/{kind}.toml\n"))
                 self.run_program("check", f"{kind}.toml")
                 self.run_program(command, f"{kind}.toml", "--quiet", "--out", "out")
 
@@ -164,6 +166,18 @@ class NewTest(unittest.TestCase):
             for key in ("class", "transmission_angle_deg", "output_swing_deg"):
                 self.assertEqual(again["designs"][0]["metrics"][key], whole["designs"][0]["metrics"][key])
 
+    def test_a_design_that_ends_at_dead_points_is_analysed_within_one_range(self):
+        """A crank as long as its coupler but for rounding turns from one dead point to the next."""
+        (self.at / "line.toml").write_text(
+            'kind = "straight-line"\n[target]\nlength = 1\n[mechanism]\ntype = "slider-crank"\n')
+        self.run_program("solve", "line.toml", "--quiet")
+        self.run_program("analyze", "line.result.json", "--quiet")
+        document = json.loads((self.at / "line.design1.result.json").read_text())
+        self.assertFalse([note for note in document["notes"] if "separate ranges" in note])
+        found = json.loads((self.at / "line.result.json").read_text())["designs"][0]
+        self.assertGreater(document["designs"][0]["metrics"]["output_stroke"],
+                           found["mechanism"]["crank"])
+
     def test_an_analysis_comes_back_as_its_file(self):
         self.run_program("new", "analysis")
         self.run_program("analyze", "analysis.toml", "--quiet")
@@ -177,7 +191,8 @@ class NewTest(unittest.TestCase):
     def test_what_is_no_linkage_is_not_analysed(self):
         self.run_program("new", "cam")
         self.run_program("solve", "cam.toml", "--quiet")
-        self.run_program("analyze", "cam.result.json", status=2)
+        refused = self.run_program("analyze", "cam.result.json", status=2)
+        self.assertIn("is the result of a cam; expected that of a linkage", refused.stderr)
         refused = self.run_program("export", "cam.result.json", "--format", "toml", status=2)
         self.assertIn("toml are for linkages", refused.stderr)
         refused = self.run_program("analyze", "cam.toml", "--design", "2", status=2)

@@ -64,7 +64,7 @@ TEST(ExpressionTest, NumbersNeedNoVariable) {
   EXPECT_EQ(evaluate_expression("170*2*pi/60").value(), 170 * 2 * kPi / 60);
   EXPECT_EQ(evaluate_expression(" 2 ^ 0.5 ").value(), std::sqrt(2.0));
   EXPECT_TRUE(std::isinf(evaluate_expression("1/0").value()));
-  for (const char* text : {"", "x", "2*", "1,5", "2 pi", "a = 3", "two"}) {
+  for (const char* text : {"", "x", "2*", "1,5", "2 pi", "a = 3", "two", "_pi", "1;2"}) {
     EXPECT_FALSE(evaluate_expression(text)) << text;
   }
 }

@@ -167,6 +167,14 @@ TEST(DesignText, AByteOrderMarkHasNoColumn) {
             "gravity = [1.5, 2.0]\n");
 }
 
+TEST(DesignText, AnExpressionIsReplacedWithItsQuotationMarks) {
+  for (const char* written : {"\"7/8\"", "'7/8'", "\"\"\"7/8\"\"\"", "\"7\\u002F8\""}) {
+    const std::string before = "gravity = [1, ", behind = "]  # \"down\"\n";
+    const Study study = study_of(before + written + behind, {{"g", {"gravity", std::size_t{1}}}});
+    EXPECT_EQ(design_text(study, std::vector{2.5}), before + "2.5" + behind);
+  }
+}
+
 TEST(DesignText, ReadsBackAsTheSameDoubles) {
   const Study study = every_number();
   std::mt19937 random(1);
