@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/linkage/result.hpp"
+#include "problems/path/problem.hpp"
 #include "synthesis/exact/nine_point/certificate.hpp"
 #include "synthesis/exact/nine_point/fixed_parts.hpp"
 

@@ -54,7 +54,7 @@ struct LinkageKind : KindBase<Problem, problems::Result> {
 
   static Evaluated evaluate(const Problem& problem, const std::vector<std::string>& /*names*/,
                             const problems::Run& run) {
-    const Result result = problems::solve(problem, run);
+    const Result result = solve(problem, run);
     Evaluated evaluated{result.status, LinkageKind::best_design_json(problem, result)};
     if (!result.designs.empty()) {
       add_size(evaluated.design["metrics"], result.designs.front().mechanism);
