@@ -27,8 +27,8 @@ struct Metric {
 
 template <class List>
 inline constexpr std::size_t kSizeOf = std::tuple_size_v<List>;
-template <class Row, std::size_t n>
-inline constexpr std::size_t kSizeOf<Row[n]> = n;
+template <class Row, std::size_t Size>
+inline constexpr std::size_t kSizeOf<Row[Size]> = Size;
 
 /// The names and meanings in `lists` of entries or of declared keys, one after the other.
 template <class... Lists>

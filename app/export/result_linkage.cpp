@@ -25,10 +25,10 @@ std::optional<double> number(const ordered_json& value) {
 
 /// What is under `key`; null where there is nothing.
 const ordered_json& member(const ordered_json& table, const char* key) {
-  static const ordered_json kNothing;
-  if (!table.is_object()) return kNothing;
+  static const ordered_json nothing;
+  if (!table.is_object()) return nothing;
   const auto found = table.find(key);
-  return found == table.end() ? kNothing : *found;
+  return found == table.end() ? nothing : *found;
 }
 
 bool is_analysis(const ResultDesign& given) {

@@ -12,7 +12,6 @@ namespace cognate::problems {
 namespace {
 
 using cam::CamQuantity;
-using cam::FollowerMotion;
 using cam::TurnPlace;
 
 /// The place at `angle` of a turn, on the later piece at a border.

@@ -7,10 +7,10 @@ namespace reading {
 namespace {
 
 /// The name of a value; empty where it is none.
-template <class Enum, std::size_t n>
-std::string_view name_in(const std::array<std::string_view, n>& names, Enum value) {
+template <class Enum, std::size_t Size>
+std::string_view name_in(const std::array<std::string_view, Size>& names, Enum value) {
   const auto index = static_cast<std::size_t>(value);
-  return index < n ? names.at(index) : std::string_view{};
+  return index < Size ? names.at(index) : std::string_view{};
 }
 
 TableWriter slider_crank_writer(const Given& given, const std::optional<double>& offset,

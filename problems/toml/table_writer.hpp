@@ -38,8 +38,8 @@ template <class T>
 Node node(const std::pair<T, T>& two);
 template <class T>
 Node node(const std::vector<T>& list);
-template <class T, std::size_t n>
-Node node(const std::array<T, n>& list);
+template <class T, std::size_t Size>
+Node node(const std::array<T, Size>& list);
 
 template <class List>
 Array array_of(const List& list) {
@@ -55,8 +55,8 @@ template <class T>
 Node node(const std::vector<T>& list) {
   return node(array_of(list));
 }
-template <class T, std::size_t n>
-Node node(const std::array<T, n>& list) {
+template <class T, std::size_t Size>
+Node node(const std::array<T, Size>& list) {
   return node(array_of(list));
 }
 
