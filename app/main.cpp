@@ -54,7 +54,7 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   }
   const bool solves = app.get_subcommands().front()->get_name() == "solve";
   if (solves && given("--steps")) {
-    allowed &= take(parse_steps(arguments.steps), options.steps);
+    allowed &= take(parse_steps(arguments.steps), options.steps.emplace());
   }
   if (given("--out")) allowed &= take(parse_folder(arguments.out), options.out);
   return allowed ? std::optional(options) : std::nullopt;

@@ -15,6 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a cam's table over its turn.
+constexpr int kTurnSteps = 360;
+
+template <class K, class Problem>
+constexpr bool has_turn_table = requires(const Problem& problem, const typename K::Result& result) {
+  K::csv(problem, result, kTurnSteps);
+};
+
 /// The files of a result besides the document.
 template <class K, class Problem>
 std::vector<OutputFile> files_of(const Problem& problem, const typename K::Result& result,
@@ -22,8 +30,9 @@ std::vector<OutputFile> files_of(const Problem& problem, const typename K::Resul
   std::vector<OutputFile> files;
   if constexpr (requires { K::csv(result); }) {
     files.push_back({".csv", [&](const auto&) { return K::csv(result); }});
-  } else if constexpr (requires { K::csv(problem, result, options.steps); }) {
-    files.push_back({".csv", [&](const auto&) { return K::csv(problem, result, options.steps); }});
+  } else if constexpr (has_turn_table<K, Problem>) {
+    const int steps = options.steps.value_or(kTurnSteps);
+    files.push_back({".csv", [&, steps](const auto&) { return K::csv(problem, result, steps); }});
   }
   files.push_back({".report.html",
                    [&](const auto& document) { return report_html(document, problem, result); }});
@@ -33,6 +42,10 @@ std::vector<OutputFile> files_of(const Problem& problem, const typename K::Resul
 /// Computes what `problem`, read from `file`, asks for, writes and prints it.
 template <class K, class Problem>
 ExitStatus compute_problem(const fs::path& file, const Problem& problem, const Options& options) {
+  if (options.steps && !has_turn_table<K, Problem>) {
+    complain("--steps: divides the turn of a cam; remove it for other kinds of problem");
+    return exit_bad_input;
+  }
   const auto known = K::known_designs(problem);
   if (!known) return refuse(file, known.error(), options);
   typename K::Result result;

@@ -18,7 +18,7 @@ struct Options {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   std::optional<std::filesystem::path> out;
-  int steps = 360;  ///< of the table of a cam over its turn
+  std::optional<int> steps;  ///< of the table of a cam over its turn
 };
 
 /// The errors of these say what is wrong with the text and what is allowed.

@@ -164,6 +164,11 @@ speed = 1
         self.assertNotIn("curvature_radius", rows[0])
         self.assertTrue(all(abs(row.get("curvature_radius", 0)) < 1e12 for row in rows))
 
+    def test_steps_are_for_cams(self):
+        text = (LIBRARY / "quick-return" / "guide-bar.toml").read_text()
+        self.assertIn("--steps: divides the turn of a cam",
+                      self.table(text, "--steps", "10", status=2))
+
     def test_steps_are_checked(self):
         for steps in ("0", "-3", "2.5", "many", "100001", ""):
             self.assertIn("--steps", self.table(CAM.format(more=""), "--steps", steps, status=2))
