@@ -1,0 +1,52 @@
+/// @file Which chain is designed: its points with their names, and what of its dimensions is given.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/basics/range.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
+#include "synthesis/chain/chain.hpp"
+
+namespace cognate::problems {
+
+/// A line of a topology. Lengths are in the file's unit.
+struct TopologyLine {
+  std::string name;  ///< of the point
+  synthesis::Line line;
+  std::array<std::optional<double>, 2> given{};  ///< of its parameters; empty: found
+  std::array<Range, 2> bounds{Range{-kUnbounded, kUnbounded}, Range{-kUnbounded, kUnbounded}};
+  std::optional<Assembly> assembly{};  ///< of a dyad; empty: either
+
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+};
+
+/// A chain whose dimensions are found where they are not given.
+struct Topology {
+  std::string name;  ///< as files write it: "watt-1"; "chain" for one that the file tells
+  std::vector<TopologyLine> lines;
+  int trace = 0;  ///< the line of the point whose path counts
+};
+
+/// The topologies that the word `mechanism.type` stands for: one, or several that are tried in
+/// turns ("six-bar"). Empty for a word that is no topology.
+std::vector<Topology> topologies(std::string_view word);
+
+/// The words that `topologies` knows.
+std::span<const std::string_view> topology_words();
+
+/// The lines of `topology` alone.
+synthesis::Chain chain_of(const Topology& topology);
+
+/// The mechanism that `design` is, with the names of `topology`.
+NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& design);
+
+/// The dimensions of a mechanism of this topology.
+synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism& mechanism);
+
+}  // namespace cognate::problems
