@@ -3,7 +3,6 @@
 /// bodies: as short as a search of many thousand designs wants it.
 #pragma once
 
-#include <span>
 #include <vector>
 
 namespace cognate::synthesis {
@@ -21,22 +20,43 @@ constexpr int parameter_count(LineType type) {
   return type == LineType::crank ? 1 : 2;
 }
 
-struct Line {
+struct ChainLine {
   LineType type = LineType::pivot;
   int first = -1, second = -1;  ///< lines before this one, where its type has them
 };
 
+/// The longest chain that is swept, and the most parameters it may have.
+inline constexpr int kMostLines = 24;
+inline constexpr int kMostChainParameters = 2 * kMostLines;
+
 /// One crank; lines only name lines before them. A body that carries attached points is known by
 /// two of its points.
 struct Chain {
-  std::vector<Line> lines;
+  std::vector<ChainLine> lines;
 };
 
 /// How many parameters a chain has; those of a line stand together, in the order of the lines.
-inline int parameter_count(std::span<const Line> lines) {
+inline int parameter_count(const Chain& chain) {
   int count = 0;
-  for (const Line& line : lines) count += parameter_count(line.type);
+  for (const ChainLine& line : chain.lines) count += parameter_count(line.type);
   return count;
+}
+
+/// A line with the place of its parameters.
+struct PlacedLine {
+  ChainLine line;
+  int parameter = 0;
+};
+
+/// The lines of `chain` with the places of their parameters.
+inline std::vector<PlacedLine> placed_lines(const Chain& chain) {
+  std::vector<PlacedLine> placed;
+  int next = 0;
+  for (const ChainLine& line : chain.lines) {
+    placed.push_back({line, next});
+    next += parameter_count(line.type);
+  }
+  return placed;
 }
 
 /// The dimensions of a chain.

@@ -16,6 +16,9 @@ namespace cognate::synthesis::COGNATE_ISA {
 
 class FunctionLanes {
  public:
+  static constexpr int kMostUnknowns = 10;
+  using Equations = NormalEquations<kMostUnknowns>;
+
   explicit FunctionLanes(const FunctionFitTask& task) : task_(task) {
     while (lengths_ < task.unknowns && task.unknown[lengths_] <= function_frame) ++lengths_;
     // Lanes without a start follow a harmless linkage, whose result is not looked at.
@@ -58,7 +61,7 @@ class FunctionLanes {
     return i < lengths_ ? step_to(Real(task_.upper[i]), task_.unknown[i]) : Real(1.0);
   }
 
-  void linearise(NormalEquations& equations) {
+  void linearise(Equations& equations) {
     equations.clear(task_.unknowns);
     const Lengths<Real> links = lengths(here_);
     const HalfClosure<Real> closure(links, +1);
@@ -74,7 +77,7 @@ class FunctionLanes {
     }
   }
 
-  Real reduce(const Real&, NormalEquations&) const { return Real(0.0); }
+  Real reduce(const Real&, Equations&) const { return Real(0.0); }
 
   void attempt(const Real* step, const Real&) {
     next_ = here_;
@@ -181,7 +184,7 @@ class FunctionLanes {
   }
 
   void add_sample(int j, const Lengths<Real>& links, const HalfClosure<Real>& closure,
-                  NormalEquations& equations) const {
+                  Equations& equations) const {
     const Place at(closure, half_input(j, here_), assembly_);
     const Real residual = doubled_tangent(j, at, here_);
     const Real stretch = Real(1.0) + Real(0.25) * residual * residual;
@@ -196,7 +199,7 @@ class FunctionLanes {
   }
 
   /// cos μ = (l₂² + l₃² − d²)/(2 l₂ l₃) with d² = l₁² + l₄² − 2 l₁ l₄ cos θ.
-  void add_transmission(const Place& at, const Lengths<Real>& l, NormalEquations& equations) const {
+  void add_transmission(const Place& at, const Lengths<Real>& l, Equations& equations) const {
     const Real beyond = cosine_beyond(at);
     const Real weight = choose(beyond != Real(0.0), transmission_weight(), Real(0.0));
     const Real cosine = dot(at.links.coupler, at.links.rocker);

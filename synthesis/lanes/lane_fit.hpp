@@ -12,9 +12,8 @@
 
 namespace cognate::synthesis::COGNATE_ISA {
 
-inline constexpr int kMostUnknowns = 10;
-
-/// A sum of squares |r|² at a point of each lane.
+/// A sum of squares |r|² at a point of each lane, of at most `kMostUnknowns` unknowns.
+template <int kMostUnknowns>
 struct NormalEquations {
   Real cost;                                   ///< |r|²
   Real gradient[kMostUnknowns];                ///< Jᵀr
@@ -45,11 +44,12 @@ struct NormalEquations {
 };
 
 /// Minimises ½ dᵀ(H + λD)d + gᵀd over the unknowns that are not held, by LDLᵀ.
+template <int kMostUnknowns>
 class DampedStep {
  public:
   /// `step`: in, of those that are held; out, of all.
-  void solve(const NormalEquations& at, const Real* damped_diagonal, const Mask* held, int n,
-             Real* step) {
+  void solve(const NormalEquations<kMostUnknowns>& at, const Real* damped_diagonal,
+             const Mask* held, int n, Real* step) {
     Real rhs[kMostUnknowns];
     for (int i = 0; i < n; ++i) {
       rhs[i] = -at.gradient[i];
@@ -70,8 +70,8 @@ class DampedStep {
   }
 
  private:
-  void eliminate(const NormalEquations& at, const Real* damped_diagonal, const Mask* held, int i,
-                 int k) {
+  void eliminate(const NormalEquations<kMostUnknowns>& at, const Real* damped_diagonal,
+                 const Mask* held, int i, int k) {
     const Real zero(0.0);
     Real sum = i == k ? choose(held[i], Real(1.0), at.hessian[i][i] + damped_diagonal[i])
                       : choose(held[i] | held[k], zero, at.hessian[i][k]);
@@ -98,16 +98,18 @@ struct FitLimits {
 
 /// `Problem` has
 ///
+///   static constexpr int kMostUnknowns; using Equations = NormalEquations<kMostUnknowns>;
 ///   int unknowns() const;
 ///   bool take(int lane);   puts the next start into a lane, if there is one
 ///   void give(int lane, double cost, int iterations);   takes the result out of it
 ///   Real lowest_step(int i) const, highest_step(int i) const;   of unknown i, to its bounds
-///   void linearise(NormalEquations&);   at the point where the lanes are
-///   Real reduce(const Real& damping, NormalEquations&);   eliminates unknowns of single residuals,
+///   void linearise(Equations&);   at the point where the lanes are
+///   Real reduce(const Real& damping, Equations&);   eliminates unknowns of single residuals,
 ///                                                  if there are any; what their step alone gains
 ///   void attempt(Real* step, const Real& damping);   looks `step` ahead
 ///   Real cost();   of the attempt, not a number where it has none
-///   void keep(const Mask& lanes);   goes there.
+///   void keep(const Mask& lanes);   goes there;
+///   bool is_hopeless(double cost, int iterations) const;   optional: gives a start up.
 template <class Problem>
 class LaneFit {
  public:
@@ -162,8 +164,8 @@ class LaneFit {
     Real largest(0.0);
     for (int i = 0; i < n; ++i) largest = larger(largest, diagonal_[i]);
     const Real floor = Real(1e-14) * largest + Real(1e-300);
-    Real damped[kMostUnknowns];
-    Mask held[kMostUnknowns];
+    Real damped[Problem::kMostUnknowns];
+    Mask held[Problem::kMostUnknowns];
     const Real zero(0.0);
     for (int i = 0; i < n; ++i) {
       damped[i] = damping * diagonal_[i] + floor;
@@ -209,6 +211,9 @@ class LaneFit {
     lane.cost = before;
     ++lane.iterations;
     lane.finished = lane.iterations >= limits_.most_iterations || !std::isfinite(before);
+    if constexpr (requires { problem_.is_hopeless(before, lane.iterations); }) {
+      lane.finished |= problem_.is_hopeless(before, lane.iterations);
+    }
     const double gained = before - after;
     double& damping = damping_[index];
     if (gained > 1e-4 * predicted && gained > 0) {
@@ -233,8 +238,10 @@ class LaneFit {
 
   Problem& problem_;
   FitLimits limits_;
-  NormalEquations now_;
-  DampedStep solver_;
+  static constexpr int kMostUnknowns = Problem::kMostUnknowns;
+
+  NormalEquations<kMostUnknowns> now_;
+  DampedStep<kMostUnknowns> solver_;
   Real diagonal_[kMostUnknowns], step_[kMostUnknowns];
   Lane lanes_[kLanes];
   double damping_[kLanes] = {};

@@ -17,6 +17,9 @@ namespace cognate::synthesis::COGNATE_ISA {
 
 class PathLanes {
  public:
+  static constexpr int kMostUnknowns = 10;
+  using Equations = NormalEquations<kMostUnknowns>;
+
   explicit PathLanes(const PathFitTask& task) : task_(task) {
     double* next = task.workspace;
     const auto reserve = [&](int per_point) {
@@ -70,7 +73,7 @@ class PathLanes {
   Real lowest_step(int i) const { return step_to(i, task_.lower[i], -kNoBound); }
   Real highest_step(int i) const { return step_to(i, task_.upper[i], kNoBound); }
 
-  void linearise(NormalEquations& equations) {
+  void linearise(Equations& equations) {
     equations.clear(task_.unknowns);
     const Linkage linkage(task_, here_);
     for (int j = 0; j < task_.points; ++j) {
@@ -88,7 +91,7 @@ class PathLanes {
   }
 
   /// What is left of the equations when each crank angle takes its best, damped step.
-  Real reduce(const Real& damping, NormalEquations& equations) const {
+  Real reduce(const Real& damping, Equations& equations) const {
     Real gain(0.0);
     if (!task_.any_free) return gain;
     const Real more = Real(1.0) + damping;
@@ -280,7 +283,7 @@ class PathLanes {
     return missing * missing;
   }
 
-  void add_limit(const LinkLimit& limit, NormalEquations& equations) const {
+  void add_limit(const LinkLimit& limit, Equations& equations) const {
     const LinkFunction<Real> at = evaluate(limit, here_.value);
     const Real weight = choose(at.value < Real(0.0), Real(task_.penalty), Real(0.0));
     Real row[4];
@@ -300,7 +303,7 @@ class PathLanes {
     return side % 2 == 0 ? at - Real(task_.box[side]) : Real(task_.box[side]) - at;
   }
 
-  void add_box(NormalEquations& equations) const {
+  void add_box(Equations& equations) const {
     const Vec2<Real> pivot = other_pivot(here_);
     const Real zero(0.0);
     const Vec2<Real> along =

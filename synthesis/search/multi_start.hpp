@@ -45,6 +45,7 @@ struct StartRule {
   /// better by less than `better_by`, relative to itself, is the same.
   double patience = 0, better_by = 1e-3;
   double met = 0;  ///< values up to this are rounding, none better than another
+  double enough = -1;  ///< a best up to this ends the search at once
   /// Nor is the best well known while `SearchStatistics::unseen` is more.
   double doubt = 1;
 };
@@ -289,6 +290,7 @@ void MultiStart<Rules>::explore(const StartRule& rule, Shares shares, const Roun
     starts_ += count;
     report(1);
     note_best(rule);
+    if (!rule.starts && !all_.empty() && merit(all_.front()) <= rule.enough) break;
     if (!rule.starts && starts_ >= rule.fewest && is_enough()) break;
   }
 }

@@ -1,0 +1,36 @@
+/// @file Where the transmission angles of a chain come nearest to their limit.
+#pragma once
+
+#include <vector>
+
+#include "problems/chain/free_chain.hpp"
+
+namespace cognate::problems {
+
+/// Angles of the crank, from ≤ to.
+struct CrankSpan {
+  double from, to;
+};
+
+/// |cos μ| of the joints of a design along its crank.
+class CosineScan {
+ public:
+  CosineScan(const ChainSpace& space, const synthesis::ChainDesign& design)
+      : space_(space), design_(design), side_(design.side.begin(), design.side.end()) {}
+
+  /// Where cosines have extremes near the limit or beyond it, between samples too, and the greatest
+  /// violation.
+  std::vector<TransmissionCheck> extremes(const CrankSpan& span, double& violation);
+
+ private:
+  double cosine(int joint, double crank);
+  void scan(int joint, const CrankSpan& span, std::vector<TransmissionCheck>& found,
+            double& violation);
+
+  const ChainSpace& space_;
+  const synthesis::ChainDesign& design_;
+  std::vector<double> side_;
+  synthesis::ChainPlace<double> place_;
+};
+
+}  // namespace cognate::problems

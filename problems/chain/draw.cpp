@@ -1,0 +1,203 @@
+#include "problems/chain/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/random.hpp"
+#include "synthesis/chain/sweep.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::ChainLine;
+using synthesis::LineType;
+
+/// Of the points of a body so many are drawn close to its second joint: the best dwells are there.
+constexpr double kShareAtJoint = 0.2;
+
+double log_uniform(std::mt19937_64& random, double low, double high) {
+  return std::exp(uniform(random, std::log(low), std::log(high)));
+}
+
+const DrawnCurve& drawn_cranks() {
+  static const DrawnCurve directions = [] {
+    DrawnCurve all;
+    for (int i = 0; i < kDrawnPositions; ++i) {
+      all[static_cast<std::size_t>(i)] = unit_vector(kTurn * i / kDrawnPositions);
+    }
+    return all;
+  }();
+  return directions;
+}
+
+struct Distances {
+  double least, greatest;
+};
+
+Distances distances(const DrawnCurve& a, const DrawnCurve& b) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double square = squared_norm(a[i] - b[i]);
+    least = std::min(least, square);
+    greatest = std::max(greatest, square);
+  }
+  return {std::sqrt(least), std::sqrt(greatest)};
+}
+
+class Drawing {
+ public:
+  Drawing(const ChainSpace& space, std::mt19937_64& random)
+      : space_(space), random_(random), curves_(space.lines.size()) {
+    drawn_.design.parameters.resize(space.given.size());
+    drawn_.design.side.assign(space.lines.size(), 0);
+    placed_.assign(space.lines.size(), false);
+  }
+
+  std::optional<DrawnChain> chain() {
+    for (std::size_t k = 0; k < space_.lines.size(); ++k) {
+      if (!draw_line(k)) return std::nullopt;
+    }
+    drawn_.curve = curves_[static_cast<std::size_t>(space_.topology->trace)];
+    return drawn_;
+  }
+
+ private:
+  bool draw_line(std::size_t k) {
+    const ChainLine& line = space_.lines[k].line;
+    switch (line.type) {
+      case LineType::pivot:
+        if (is_given(k, 0) && is_given(k, 1)) put_pivot(k, {});
+        return true;
+      case LineType::crank:
+        return draw_crank(k);
+      case LineType::dyad:
+        return draw_dyad(k);
+      case LineType::attached:
+        return draw_attached(k);
+    }
+    return false;
+  }
+
+  std::optional<double> given(std::size_t k, int i) const {
+    return space_.given[static_cast<std::size_t>(space_.lines[k].parameter + i)];
+  }
+  bool is_given(std::size_t k, int i) const { return given(k, i).has_value(); }
+
+  double put(std::size_t k, int i, double drawn) {
+    const double value = given(k, i).value_or(drawn);
+    drawn_.design.parameters[static_cast<std::size_t>(space_.lines[k].parameter + i)] = value;
+    return value;
+  }
+
+  void put_pivot(std::size_t k, const Vec2d& drawn) {
+    const Vec2d at{put(k, 0, drawn.x), put(k, 1, drawn.y)};
+    curves_[k].fill(at);
+    placed_[k] = true;
+  }
+
+  bool draw_crank(std::size_t k) {
+    const auto pivot = static_cast<std::size_t>(space_.lines[k].line.first);
+    const bool anchored = space_.is_anchored();
+    if (!placed_[pivot]) put_pivot(pivot, anchored ? around({}, 3) : Vec2d{});
+    const double length = put(k, 0, anchored ? log_uniform(random_, 0.1, 2) : 1);
+    for (std::size_t i = 0; i < curves_[k].size(); ++i) {
+      curves_[k][i] = curves_[pivot][i] + length * drawn_cranks()[i];
+    }
+    return true;
+  }
+
+  Vec2d around(const Vec2d& centre, double farthest) {
+    return centre + uniform(random_, 0, farthest) * unit_vector(uniform(random_, 0, kTurn));
+  }
+
+  /// A pivot somewhere beside the curve of the point with which its dyad joins it.
+  void place_pivot_beside(std::size_t pivot, std::size_t other) {
+    Vec2d centre;
+    for (const Vec2d& point : curves_[other]) centre = centre + (1.0 / kDrawnPositions) * point;
+    double square = 0;
+    for (const Vec2d& point : curves_[other]) square += squared_norm(point - centre);
+    const double radius = std::sqrt(square / kDrawnPositions);
+    put_pivot(pivot, centre + (radius * log_uniform(random_, 0.7, 6)) *
+                                  unit_vector(uniform(random_, 0, kTurn)));
+  }
+
+  bool draw_dyad(std::size_t k) {
+    const ChainLine& line = space_.lines[k].line;
+    const auto p = static_cast<std::size_t>(line.first), q = static_cast<std::size_t>(line.second);
+    if (!placed(p) && !placed(q)) put_pivot(p, around({}, 3));
+    if (!placed(p)) place_pivot_beside(p, q);
+    if (!placed(q)) place_pivot_beside(q, p);
+    const auto lengths = draw_lengths(k, distances(curves_[p], curves_[q]));
+    if (!lengths) return false;
+    const double a = put(k, 0, lengths->x), b = put(k, 1, lengths->y);
+    const auto assembly = space_.topology->lines[k].assembly;
+    const bool open = assembly ? *assembly == Assembly::open : uniform(random_, 0, 1) < 0.5;
+    drawn_.design.side[k] = open ? 1 : -1;
+    for (std::size_t i = 0; i < curves_[k].size(); ++i) {
+      curves_[k][i] = synthesis::dyad_joint(curves_[p][i], curves_[q][i], a, b, open ? 1.0 : -1.0);
+      if (!is_finite(curves_[k][i])) return false;
+    }
+    return true;
+  }
+
+  bool placed(std::size_t k) const {
+    return space_.lines[k].line.type != LineType::pivot || placed_[k];
+  }
+
+  std::optional<Vec2d> draw_lengths(std::size_t k, const Distances& joined) {
+    const double m = joined.least, most = joined.greatest;
+    const bool rigid = std::ranges::count(space_.joints, static_cast<int>(k)) == 0;
+    if (rigid || is_given(k, 0) || is_given(k, 1)) {
+      const double size = 0.5 * (m + most);
+      return Vec2d{size * log_uniform(random_, 0.3, 3), size * log_uniform(random_, 0.3, 3)};
+    }
+    const double limit = std::min(space_.cosine_limit, 0.98);
+    for (int attempt = 0; attempt < 8; ++attempt) {
+      double nearest = uniform(random_, -limit, limit), farthest = uniform(random_, -limit, limit);
+      if (nearest < farthest) std::swap(nearest, farthest);
+      // cos μ = (a² + b² − d²)/(2ab) at the least and the greatest distance d.
+      const double product = (most - m) * (most + m) / (2 * (nearest - farthest));
+      const double squares = m * m + 2 * product * nearest;
+      const double difference = squares - 2 * product;
+      if (!(difference >= 0) || !(product > 0)) continue;
+      const double sum = std::sqrt(squares + 2 * product);
+      const double half = 0.5 * std::sqrt(difference) * (uniform(random_, 0, 1) < 0.5 ? -1 : 1);
+      return Vec2d{0.5 * sum + half, 0.5 * sum - half};
+    }
+    return std::nullopt;
+  }
+
+  bool draw_attached(std::size_t k) {
+    const ChainLine& line = space_.lines[k].line;
+    const auto p = static_cast<std::size_t>(line.first), q = static_cast<std::size_t>(line.second);
+    const double length = norm(curves_[q][0] - curves_[p][0]);
+    const bool at_joint = uniform(random_, 0, 1) < kShareAtJoint;
+    const double farthest = at_joint ? 0.2 : 2.5, nearest = at_joint ? 0.005 : 0.15;
+    const Vec2d drawn = (length * log_uniform(random_, nearest, farthest)) *
+                            unit_vector(uniform(random_, 0, kTurn)) +
+                        Vec2d{at_joint ? length : 0, 0};
+    const Vec2d at{put(k, 0, drawn.x), put(k, 1, drawn.y)};
+    for (std::size_t i = 0; i < curves_[k].size(); ++i) {
+      const Vec2d axis = (1 / length) * (curves_[q][i] - curves_[p][i]);
+      curves_[k][i] = curves_[p][i] + at * axis;
+    }
+    return true;
+  }
+
+  const ChainSpace& space_;
+  std::mt19937_64& random_;
+  DrawnChain drawn_;
+  std::vector<DrawnCurve> curves_;
+  std::vector<bool> placed_;
+};
+
+}  // namespace
+
+std::optional<DrawnChain> draw(const ChainSpace& space, std::mt19937_64& random) {
+  return Drawing(space, random).chain();
+}
+
+}  // namespace cognate::problems

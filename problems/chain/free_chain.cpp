@@ -1,0 +1,25 @@
+#include "problems/chain/free_chain.hpp"
+
+#include <cmath>
+
+namespace cognate::problems {
+
+void transmission_constraints(FreeChain& chain, std::span<const TransmissionCheck> checks,
+                              std::size_t columns, std::span<double> c,
+                              std::span<double> jacobian) {
+  const double limit = chain.space().cosine_limit;
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    const double cosine = chain.cosine(checks[k]);
+    const bool known = std::isfinite(cosine);
+    c[2 * k] = known ? limit - cosine : -1;
+    c[2 * k + 1] = known ? limit + cosine : -1;
+    if (jacobian.empty()) continue;
+    double* row = jacobian.data() + 2 * k * columns;
+    std::fill_n(row, 2 * columns, 0.0);
+    if (!known) continue;
+    chain.cosine_slope(checks[k], cosine, row + columns);
+    for (std::size_t i = 0; i < columns; ++i) row[i] = -row[columns + i];
+  }
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,99 @@
+/// @file A chain with derivatives by its free parameters, for models.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "analysis/numbers/angle.hpp"
+#include "problems/chain/space.hpp"
+#include "synthesis/chain/sweep.hpp"
+
+namespace cognate::problems {
+
+/// A dyad and an angle of the crank at which its transmission angle is limited.
+struct TransmissionCheck {
+  int joint = 0;  ///< its line
+  double crank = 0;
+};
+
+/// A chain with its derivatives by the free parameters.
+class FreeChain {
+ public:
+  FreeChain(const ChainSpace& space, const std::vector<double>& parameters,
+            const std::vector<double>& side)
+      : space_(space),
+        view_{space.lines.data(), static_cast<int>(space.lines.size()), parameters.data(),
+              side.data()} {}
+
+  /// The points with the crank at this angle; what follows speaks of the last.
+  const Vec2d* at(double crank) {
+    synthesis::place(view_, unit_vector(crank), place_);
+    return place_.at;
+  }
+
+  /// Of `direction`·P, P the point of line `line`: fills `row` and returns the derivative by the
+  /// crank's angle.
+  double slope(int line, const Vec2d& direction, double* row) {
+    clear();
+    seed_[static_cast<std::size_t>(line)] = direction;
+    return swept(line, row);
+  }
+
+  /// Of the angle of the way from the point of line `from` to that of `to`.
+  double angle_slope(int from, int to, double* row) {
+    clear();
+    const Vec2d way = place_.at[to] - place_.at[from];
+    const Vec2d across = (1 / squared_norm(way)) * perp(way);
+    seed_[static_cast<std::size_t>(to)] = across;
+    seed_[static_cast<std::size_t>(from)] = -across;
+    return swept(std::max(from, to), row);
+  }
+
+  /// cos μ of a joint.
+  double cosine(const TransmissionCheck& check) {
+    at(check.crank);
+    return synthesis::transmission_cosine(view_, place_, check.joint);
+  }
+
+  /// Its derivatives.
+  void cosine_slope(const TransmissionCheck& check, double cosine, double* row) {
+    clear();
+    synthesis::seed_transmission(view_, place_, check.joint, cosine, 1.0, seed_.data(),
+                                 gradient_.data());
+    swept(check.joint - 1, row);
+  }
+
+  const ChainSpace& space() const { return space_; }
+
+ private:
+  double swept(int last, double* row) {
+    const double turn = synthesis::sweep_back(view_, place_, last, seed_.data(), gradient_.data());
+    take(row);
+    return turn;
+  }
+
+  void clear() {
+    seed_.fill({});
+    gradient_.fill(0);
+  }
+
+  void take(double* row) const {
+    for (const int parameter : space_.free) {
+      *row++ = gradient_[static_cast<std::size_t>(parameter)];
+    }
+  }
+
+  const ChainSpace& space_;
+  synthesis::ChainView<double> view_;
+  synthesis::ChainPlace<double> place_;
+  std::array<Vec2d, synthesis::kMostLines> seed_{};
+  std::array<double, synthesis::kMostChainParameters> gradient_{};
+};
+
+/// Two constraints for each check: the limit ∓ cos μ ≥ 0. Their rows of `jacobian`, where it is not
+/// empty, have `columns` entries, the free parameters first. A dyad that does not close violates.
+void transmission_constraints(FreeChain& chain, std::span<const TransmissionCheck> checks,
+                              std::size_t columns, std::span<double> c, std::span<double> jacobian);
+
+}  // namespace cognate::problems

@@ -1,0 +1,109 @@
+#include "problems/chain/model.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/free_chain.hpp"
+
+namespace cognate::problems {
+ChainPathModel::ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
+                               std::vector<double> angles, std::vector<TransmissionCheck> checks)
+    : problem_(problem),
+      design_(design),
+      angles_(std::move(angles)),
+      side_(design.side.begin(), design.side.end()),
+      checks_(std::move(checks)) {
+  add_variables();
+  for (std::size_t j = 0; !problem.timed() && j < problem.points.size(); ++j) {
+    locals_.insert(locals_.end(), 2, static_cast<int>(j));
+  }
+}
+
+void ChainPathModel::add_variables() {
+  for (const int parameter : problem_.free) {
+    const auto i = static_cast<std::size_t>(parameter);
+    const double size = std::max(0.1, std::abs(design_.parameters[i]));
+    variables_.push_back(
+        {fmt::format("parameter {}", parameter), problem_.lower[i], problem_.upper[i], size});
+  }
+  if (problem_.timed()) {
+    variables_.push_back({"phase", angles_[0] - kTurn, angles_[0] + kTurn, 1});
+    return;
+  }
+  const std::size_t count = angles_.size();
+  const double sense = angles_.back() >= angles_.front() ? 1 : -1;
+  for (std::size_t j = 0; j < count; ++j) {
+    const double here = sense * angles_[j];
+    const double seam = problem_.closed ? kTurn : 2 * kTurn;
+    const double before = j > 0 ? sense * angles_[j - 1] : sense * angles_[count - 1] - seam;
+    const double after = j + 1 < count ? sense * angles_[j + 1] : sense * angles_[0] + seam;
+    double low = 0.5 * (before + here), high = 0.5 * (here + after);
+    if (sense < 0) std::tie(low, high) = std::pair(-high, -low);
+    variables_.push_back({fmt::format("crank angle {}", j), low, high, 1});
+  }
+}
+
+int ChainPathModel::local_count() const {
+  return problem_.timed() ? 0 : static_cast<int>(problem_.points.size());
+}
+
+std::vector<double> ChainPathModel::start() const {
+  std::vector<double> x;
+  for (const int parameter : problem_.free) {
+    const auto i = static_cast<std::size_t>(parameter);
+    x.push_back(std::clamp(design_.parameters[i], problem_.lower[i], problem_.upper[i]));
+  }
+  x.insert(x.end(), angles_.begin(), angles_.end());
+  return x;
+}
+
+synthesis::ChainDesign ChainPathModel::design(std::span<const double> x) const {
+  synthesis::ChainDesign found = design_;
+  for (std::size_t i = 0; i < problem_.free.size(); ++i) {
+    found.parameters[static_cast<std::size_t>(problem_.free[i])] = x[i];
+  }
+  return found;
+}
+
+std::vector<double> ChainPathModel::angles(std::span<const double> x) const {
+  return {x.begin() + static_cast<std::ptrdiff_t>(problem_.free.size()), x.end()};
+}
+
+bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
+                               std::span<double> jacobian, std::span<double> local) const {
+  const synthesis::ChainDesign here = design(x);
+  FreeChain chain(problem_, here.parameters, side_);
+  const std::size_t unknowns = problem_.free.size(), points = problem_.points.size();
+  const std::size_t columns = unknowns + (problem_.timed() ? 1 : 0);
+  const double weight = 1 / std::sqrt(double(points));
+  const int trace = problem_.topology->trace;
+  for (std::size_t j = 0; j < points; ++j) {
+    const double crank =
+        problem_.timed() ? x[unknowns] + problem_.crank_angles[j] : x[unknowns + j];
+    const Vec2d error = weight * (chain.at(crank)[trace] - problem_.points[j]);
+    if (!is_finite(error)) return false;
+    r[2 * j] = error.x;
+    r[2 * j + 1] = error.y;
+    if (jacobian.empty()) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      double* row = jacobian.data() + (2 * j + axis) * columns;
+      const Vec2d direction = axis == 0 ? Vec2d{weight, 0} : Vec2d{0, weight};
+      const double turn = chain.slope(trace, direction, row);
+      (problem_.timed() ? row[unknowns] : local[2 * j + axis]) = turn;
+    }
+  }
+  return true;
+}
+
+void ChainPathModel::constraints(std::span<const double> x, std::span<double> c,
+                                 std::span<double> jacobian) const {
+  const synthesis::ChainDesign here = design(x);
+  FreeChain chain(problem_, here.parameters, side_);
+  const std::size_t columns = problem_.free.size() + (problem_.timed() ? 1 : 0);
+  transmission_constraints(chain, checks_, columns, c, jacobian);
+}
+
+}  // namespace cognate::problems

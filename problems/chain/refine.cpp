@@ -1,0 +1,56 @@
+#include "problems/chain/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/cosine_scan.hpp"
+#include "problems/chain/model.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr int kMostExchanges = 6;
+constexpr double kHeld = 1e-10;  ///< violation of a cosine that is rounding
+
+CrankSpan limited_span(const ScaledChain& problem, const std::vector<double>& angles) {
+  if (problem.over_turn) return {0, kTurn};
+  if (!problem.timed()) {
+    const auto [least, greatest] = std::ranges::minmax(angles);
+    return {least, greatest};
+  }
+  const auto [least, greatest] = std::ranges::minmax(problem.crank_angles);
+  return {angles[0] + least, angles[0] + greatest};
+}
+
+}  // namespace
+
+RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& design,
+                    const std::vector<double>& angles, synthesis::Solver solver,
+                    const synthesis::Options& options) {
+  RefinedChain best{design, angles};
+  best.objective = std::numeric_limits<double>::infinity();
+  RefinedChain here = best;
+  std::vector<TransmissionCheck> checks;
+  for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
+    const auto fresh = CosineScan(problem, here.design)
+                           .extremes(limited_span(problem, here.angles), here.violation);
+    if (exchange > 0 && here.violation <= kHeld) break;
+    checks.insert(checks.end(), fresh.begin(), fresh.end());
+    const ChainPathModel model(problem, here.design, here.angles, checks);
+    const auto start = model.start();
+    const synthesis::Solution solution = synthesis::solve(solver, model, start, options);
+    here.evaluations += solution.evaluations;
+    here.gradients += solution.gradients;
+    here.iterations += solution.iterations;
+    if (!std::isfinite(solution.objective) || solution.stop == synthesis::Stop::no_value) break;
+    here.design = model.design(solution.x);
+    here.angles = model.angles(solution.x);
+    here.objective = solution.objective;
+  }
+  CosineScan(problem, here.design).extremes(limited_span(problem, here.angles), here.violation);
+  return here;
+}
+
+}  // namespace cognate::problems

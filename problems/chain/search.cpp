@@ -1,0 +1,343 @@
+#include "problems/chain/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <numeric>
+#include <optional>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/parallel.hpp"
+#include "analysis/numbers/random.hpp"
+#include "problems/chain/alignment.hpp"
+#include "problems/chain/draw.hpp"
+#include "problems/chain/refine.hpp"
+#include "synthesis/chain/chain_fit.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::ChainFitState;
+
+constexpr int kRound = 256;      ///< starts between two looks at what was found
+constexpr int kTrialRounds = 2;  ///< after which topologies are compared
+constexpr double kBehind = 3;    ///< a topology whose error is so many times the best's is left
+constexpr int kDraws = 16;       ///< chains drawn for each start, of which the nearest is taken
+constexpr std::size_t kMostFitted = 64;  ///< targets that the search looks at
+constexpr std::size_t kKept = 40;        ///< minima kept while searching
+constexpr std::size_t kRefined = 12;     ///< of which so many are refined
+constexpr double kHopShare = 0.6;        ///< of the starts that disturb a design known
+constexpr double kMetCost = 1e-20;       ///< mean squared distance that is rounding
+constexpr double kEnough = 1e-11;        ///< and that no workshop can tell from it
+constexpr double kNearlyMet = 1e-8;      ///< from here on the best is refined at once
+constexpr double kSameChain = 1e-3;      ///< of parameters: designs closer than this are one
+constexpr double kOneValley = 0.25;      ///< closer than this they are in one valley, of which
+constexpr int kMostOfValley = 3;         ///< so many are kept
+
+struct ChainRules {
+  using Candidate = struct Kept {
+    ChainFitState state;
+    int hits = 1;
+  };
+
+  bool has_value(const Candidate& one) const { return std::isfinite(one.state.cost); }
+  bool precedes(const Candidate& a, const Candidate& b) const {
+    return a.state.cost < b.state.cost;
+  }
+  double value(const Candidate& one) const { return one.state.cost; }
+  bool is_same(const Candidate& known, const Candidate& other, double tolerance) const {
+    if (known.state.design.side != other.state.design.side) return false;
+    const auto& a = known.state.design.parameters;
+    const auto& b = other.state.design.parameters;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (std::abs(a[i] - b[i]) > tolerance * std::max(1.0, std::abs(a[i]))) return false;
+    }
+    return true;
+  }
+
+  /// The best `most`, but few of one valley, so that others are searched too.
+  void keep(std::vector<Candidate>& sorted, std::size_t most) const {
+    std::vector<Candidate> kept;
+    for (Candidate& one : sorted) {
+      if (kept.size() == most) break;
+      const auto near = std::ranges::count_if(
+          kept, [&](const Candidate& known) { return is_same(known, one, kOneValley); });
+      if (near < kMostOfValley) kept.push_back(std::move(one));
+    }
+    sorted = std::move(kept);
+  }
+};
+
+using Candidate = ChainRules::Candidate;
+
+/// What is fitted, of a target with many points of some alone.
+struct FitTargets {
+  synthesis::ChainFit fit;
+  std::vector<std::size_t> chosen;  ///< which points
+
+  explicit FitTargets(const ScaledChain& problem) {
+    const std::size_t points = problem.points.size();
+    const std::size_t count = std::min(points, kMostFitted);
+    fit.chain = problem.chain;
+    fit.trace = problem.topology->trace;
+    fit.closed = problem.closed;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t last = problem.closed ? points : points - 1;
+      const std::size_t steps = problem.closed ? count : count - 1;
+      const std::size_t which = i * last / steps;
+      chosen.push_back(which);
+      fit.x.push_back(problem.points[which].x);
+      fit.y.push_back(problem.points[which].y);
+      fit.root_weight.push_back(1 / std::sqrt(double(count)));
+      if (problem.timed()) fit.crank_angles.push_back(problem.crank_angles[which]);
+    }
+    fit.free = problem.free;
+    for (const int parameter : problem.free) {
+      fit.lower.push_back(problem.lower[static_cast<std::size_t>(parameter)]);
+      fit.upper.push_back(problem.upper[static_cast<std::size_t>(parameter)]);
+    }
+    fit.joints = problem.joints;
+    fit.cosine_limit = problem.cosine_limit;
+    fit.checks = problem.over_turn ? 36 : 0;
+  }
+
+  /// Angles at all points from those at the chosen ones.
+  std::vector<double> at_all(const ScaledChain& problem, const std::vector<double>& angles) const {
+    if (problem.timed() || chosen.size() == problem.points.size()) return angles;
+    std::vector<double> all;
+    const double turn = angles.back() > angles.front() ? kTurn : -kTurn;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const bool last = i + 1 == chosen.size();
+      const std::size_t end = last ? problem.points.size() : chosen[i + 1];
+      const double from = angles[i], to = last ? angles.front() + turn : angles[i + 1];
+      for (std::size_t j = chosen[i]; j < end; ++j) {
+        all.push_back(from + (to - from) * double(j - chosen[i]) / double(end - chosen[i]));
+      }
+    }
+    return all;
+  }
+};
+
+/// The search of one topology.
+class ChainExplorer {
+ public:
+  ChainExplorer(const ScaledChain& problem, std::size_t number, const Run& run,
+                const Deadline& deadline)
+      : problem_(problem),
+        number_(number),
+        run_(run),
+        targets_(problem),
+        alignment_(problem),
+        search_({}, {run.threads, deadline, run.progress}) {}
+
+  void explore(const synthesis::StartRule& rule, synthesis::Shares shares) {
+    search_.explore(rule, shares, [&](int first, int count) { round(first, count); });
+  }
+
+  double best() const {
+    return search_.all().empty() ? std::numeric_limits<double>::infinity()
+                                 : search_.all().front().state.cost;
+  }
+  const synthesis::MultiStart<ChainRules>& search() const { return search_; }
+  const ScaledChain& problem() const { return problem_; }
+  std::uint64_t drawn() const { return drawn_; }
+
+  /// The best designs, with angles at all targets.
+  std::vector<FoundChain> found() const {
+    std::vector<FoundChain> all;
+    for (const Candidate& one : search_.all()) {
+      if (all.size() == kRefined) break;
+      all.push_back({&problem_, one.state.design, targets_.at_all(problem_, one.state.angles),
+                     std::sqrt(one.state.cost)});
+    }
+    return all;
+  }
+
+ private:
+  std::mt19937_64 random_of(int start) const {
+    std::seed_seq seed{run_.seed, std::uint64_t{number_}, static_cast<std::uint64_t>(start)};
+    return std::mt19937_64(seed);
+  }
+
+  void round(int first, int count) {
+    std::vector<ChainFitState> states(static_cast<std::size_t>(count));
+    search_.for_each(states.size(), [&](std::size_t i) {
+      auto random = random_of(first + static_cast<int>(i));
+      const bool hop = !search_.all().empty() && uniform(random, 0, 1) < kHopShare;
+      states[i] = hop ? disturbed(random) : nearest_drawn(random);
+    });
+    drawn_ += states.size() * kDraws;
+    std::erase_if(states, [](const ChainFitState& state) { return state.angles.empty(); });
+    fit(states);
+    std::vector<Candidate> fresh;
+    for (ChainFitState& state : states) fresh.push_back({std::move(state)});
+    search_.add(std::move(fresh), kSameChain);
+    search_.keep(kKept);
+    if (best() < kNearlyMet && best() > kMetCost) refine_best();
+  }
+
+  /// An exact design is known as such by its refinement alone.
+  void refine_best() {
+    Candidate refined = search_.all().front();
+    const RefinedChain to =
+        refine(problem_, refined.state.design, targets_.at_all(problem_, refined.state.angles),
+               synthesis::Solver::gauss_newton, {});
+    const bool is_better = to.violation <= 0 && to.objective < refined.state.cost;
+    if (!is_better || to.objective > kMetCost) return;
+    refined.state.design = to.design;
+    refined.state.cost = to.objective;
+    search_.add({std::move(refined)}, 0);
+  }
+
+  void fit(std::vector<ChainFitState>& states) const {
+    synthesis::ChainFitOptions options;
+    const double known = std::min(best(), 1.0);
+    options.early_cost = std::max(0.05 * 0.05, 100 * known);
+    options.late_cost = std::max(0.015 * 0.015, 6.25 * known);
+    options.threads = run_.threads;
+    options.stop = [&] { return search_.is_over(); };
+    synthesis::fit_chains(targets_.fit, states, options);
+  }
+
+  /// The nearest of some chains drawn, placed on the target.
+  ChainFitState nearest_drawn(std::mt19937_64& random) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    ChainFitState best;
+    for (int i = 0; i < kDraws; ++i) {
+      const auto drawn = draw(problem_, random);
+      if (!drawn) continue;
+      const Alignment alignment = alignment_.align(drawn->curve);
+      if (!(alignment.error < nearest)) continue;
+      nearest = alignment.error;
+      best.design = aligned(problem_, *drawn, alignment);
+      best.angles = fitted_angles(alignment);
+    }
+    return best;
+  }
+
+  std::vector<double> fitted_angles(const Alignment& alignment) const {
+    const double turned = problem_.is_anchored() ? 0 : angle_of(alignment.turn);
+    std::vector<double> angles;
+    if (problem_.timed()) return {alignment.angles[0] + turned};
+    for (const std::size_t which : targets_.chosen) {
+      angles.push_back(alignment.angles[which] + turned);
+    }
+    return angles;
+  }
+
+  /// A design known with its dimensions disturbed, half of the time those of one line alone, a
+  /// tenth of the time with one dyad assembled the other way.
+  ChainFitState disturbed(std::mt19937_64& random) const {
+    const auto& all = search_.all();
+    const auto which = static_cast<std::size_t>(uniform(random, 0, double(all.size())));
+    ChainFitState state = all[which].state;
+    const double size = std::exp(uniform(random, std::log(0.003), std::log(0.4)));
+    const bool one_line = uniform(random, 0, 1) < 0.5;
+    const auto line = static_cast<std::size_t>(uniform(random, 0, double(problem_.lines.size())));
+    for (std::size_t k = 0; k < problem_.lines.size(); ++k) {
+      if (one_line && k != line) continue;
+      const auto& [own, parameter] = problem_.lines[k];
+      for (int i = 0; i < synthesis::parameter_count(own.type); ++i) {
+        const auto at = static_cast<std::size_t>(parameter + i);
+        double& value = state.design.parameters[at];
+        const double by = size * uniform(random, -1, 1) * std::max(0.3, std::abs(value));
+        if (!problem_.given[at]) value += by;
+      }
+    }
+    const auto joint = static_cast<std::size_t>(
+        problem_
+            .joints[static_cast<std::size_t>(uniform(random, 0, double(problem_.joints.size())))]);
+    const bool free_side = !problem_.topology->lines[joint].assembly;
+    if (uniform(random, 0, 1) < 0.1 && free_side) state.design.side[joint] *= -1;
+    return state;
+  }
+
+  const ScaledChain& problem_;
+  std::size_t number_;
+  const Run& run_;
+  FitTargets targets_;
+  AlignmentTarget alignment_;
+  synthesis::MultiStart<ChainRules> search_;
+  std::uint64_t drawn_ = 0;
+};
+
+synthesis::StartRule rule_of(const Solve& options) {
+  synthesis::StartRule rule;
+  rule.starts = options.starts;
+  rule.round = kRound;
+  rule.fewest = 20 * kRound;
+  rule.most = 48 * kRound;
+  rule.enough_hits = 1;
+  rule.patience = 3;
+  rule.better_by = 0.02;
+  rule.met = kEnough;
+  rule.enough = kMetCost;
+  return rule;
+}
+
+void refine_all(std::vector<FoundChain>& designs, const Solve& options, const Run& run,
+                const Deadline& deadline, Work& work) {
+  std::vector<RefinedChain> refined(designs.size());
+  synthesis::Options own;
+  own.tolerance = options.tolerance.value_or(1e-13);
+  own = synthesis::until(deadline, own);
+  parallel_for(static_cast<int>(designs.size()), run.threads, [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    if (deadline.reached()) return;
+    const FoundChain& from = designs[i];
+    refined[i] =
+        refine(*from.problem, from.design, from.angles, synthesis::chosen(options.solver), own);
+  });
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    const RefinedChain& to = refined[i];
+    if (to.angles.empty() || !std::isfinite(to.objective)) continue;
+    work.positions += to.evaluations * designs[i].problem->points.size();
+    work.gradients += to.gradients;
+    work.solver_iterations += static_cast<std::uint64_t>(to.iterations);
+    designs[i].design = to.design;
+    designs[i].angles = to.angles;
+    designs[i].rms = std::sqrt(to.objective);
+  }
+}
+
+}  // namespace
+
+ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const Solve& options,
+                                const Run& run, const Deadline& deadline, Work& work) {
+  std::list<ChainExplorer> explorers;
+  for (const ScaledChain& problem : problems) {
+    explorers.emplace_back(problem, explorers.size(), run, deadline);
+  }
+  const synthesis::StartRule rule = rule_of(options);
+  if (problems.size() > 1 && !options.starts) {
+    synthesis::StartRule trial = rule;
+    trial.starts = kTrialRounds * kRound;
+    double best = std::numeric_limits<double>::infinity();
+    for (ChainExplorer& one : explorers) {
+      one.explore(trial, {0, 0.2});
+      best = std::min(best, one.best());
+    }
+    const double behind = std::max(kBehind * kBehind * best, kMetCost);
+    std::erase_if(explorers, [&](const ChainExplorer& one) { return one.best() > behind; });
+  }
+  ChainSearchResult result;
+  double share = 0.2;
+  const double step = 0.7 / double(std::max<std::size_t>(1, explorers.size()));
+  for (ChainExplorer& one : explorers) {
+    one.explore(rule, {share, share + step});
+    share += step;
+    work.candidates += one.drawn();
+    std::ranges::move(one.found(), std::back_inserter(result.designs));
+  }
+  refine_all(result.designs, options, run, deadline, work);
+  std::ranges::stable_sort(result.designs, {}, &FoundChain::rms);
+  for (const ChainExplorer& one : explorers) {
+    if (result.designs.empty() || &one.problem() != result.designs.front().problem) continue;
+    result.statistics = one.search().statistics(synthesis::kBestMinima);
+  }
+  return result;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,31 @@
+/// @file The search for the dimensions of a chain: designs drawn at random, aligned with the
+/// target, fitted in lanes, and the best refined within their limits.
+#pragma once
+
+#include <vector>
+
+#include "problems/chain/scaled.hpp"
+#include "problems/linkage/result.hpp"
+#include "synthesis/search/multi_start.hpp"
+
+namespace cognate::problems {
+
+/// What the search found of one topology, in units of the target.
+struct FoundChain {
+  const ScaledChain* problem = nullptr;
+  synthesis::ChainDesign design;
+  std::vector<double> angles;  ///< of the crank at the targets, radians
+  double rms = 0;              ///< distance from the targets, root mean square
+};
+
+struct ChainSearchResult {
+  std::vector<FoundChain> designs;  ///< best first
+  synthesis::SearchStatistics statistics;
+};
+
+/// Designs for `problems`, the same target with different topologies, which are searched in turns;
+/// those that stay far behind the best are given up.
+ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const Solve& options,
+                                const Run& run, const Deadline& deadline, Work& work);
+
+}  // namespace cognate::problems

@@ -1,0 +1,113 @@
+/// Path generation by chains from problem to designs: search, conversion to the file's units,
+/// verification.
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/chain/problem.hpp"
+#include "problems/chain/scaled.hpp"
+#include "problems/chain/search.hpp"
+#include "problems/chain/verify.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/search/solver_origin.hpp"
+#include "problems/search/statistics.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Designs whose dimensions differ by less, relative to the target, are one: they are in one
+/// valley.
+constexpr double kSameDimensions = 0.03;
+
+std::vector<double> angles_of_targets(const FoundChain& found) {
+  if (!found.problem->timed()) return found.angles;
+  std::vector<double> angles = found.problem->crank_angles;
+  for (double& angle : angles) angle += found.angles.front();
+  return angles;
+}
+
+bool is_known(const std::vector<FoundChain>& taken, const FoundChain& other) {
+  return std::ranges::any_of(taken, [&](const FoundChain& known) {
+    if (known.problem != other.problem || known.design.side != other.design.side) return false;
+    const auto& a = known.design.parameters;
+    const auto& b = other.design.parameters;
+    double apart = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      apart = std::max(apart, std::abs(a[i] - b[i]) / std::max(1.0, std::abs(a[i])));
+    }
+    return apart < kSameDimensions;
+  });
+}
+
+/// Different designs, those that meet every limit before the others; of these only where there are
+/// no such.
+std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScale& scale,
+                               const std::vector<FoundChain>& found) {
+  std::vector<Design> feasible, others;
+  std::vector<FoundChain> taken;
+  for (const FoundChain& one : found) {
+    if (is_known(taken, one)) continue;
+    const Topology& topology = *one.problem->topology;
+    auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
+    Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));
+    if (!std::isfinite(design.error.sum_of_squares)) continue;
+    taken.push_back(one);
+    design.origin = search_origin(synthesis::chosen(problem.solve.solver));
+    (all_satisfied(design.constraints) ? feasible : others).push_back(std::move(design));
+  }
+  auto& best = feasible.empty() ? others : feasible;
+  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
+  if (best.size() > wanted)
+    best.erase(best.begin() + static_cast<std::ptrdiff_t>(wanted), best.end());
+  return std::move(best);
+}
+
+Status status_of(const std::vector<Design>& designs, const Deadline& deadline) {
+  if (deadline.reached()) {
+    return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  }
+  if (designs.empty()) return Status::no_solution;
+  return all_satisfied(designs.front().constraints) ? Status::solved : Status::infeasible;
+}
+
+void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
+                   Result& result) {
+  std::size_t unknowns = 0;
+  for (const ScaledChain& chain : chains) unknowns = std::max(unknowns, chain.free.size());
+  const bool timed = !problem.crank_angles.empty();
+  const std::size_t equations = (timed ? 2 : 1) * problem.points.size();
+  if (equations >= unknowns + (timed ? 1 : 0)) return;
+  result.notes.push_back(
+      "The target has fewer points than the chain has dimensions: infinitely many designs meet it "
+      "exactly. More points say more of what is wanted between them.");
+}
+
+}  // namespace
+
+Result solve(const ChainPathProblem& given, const Run& run) {
+  const auto valid = KindTraits<ChainPathProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const ChainPathProblem& problem = *valid;
+  const Deadline deadline(run);
+  const TargetScale scale(problem.points);
+  std::vector<ScaledChain> chains;
+  for (const Topology& topology : problem.topologies) chains.emplace_back(problem, topology, scale);
+  Result result;
+  const ChainSearchResult found = search_chains(chains, problem.solve, run, deadline, result.work);
+  result.designs = designs_of(problem, scale, found.designs);
+  result.status = status_of(result.designs, deadline);
+  result.quantities = quantities(found.statistics);
+  note_unknowns(problem, chains, result);
+  if (result.designs.empty()) {
+    result.notes.push_back(
+        "No chain was found that closes at every target point; wider bounds or more starts may "
+        "help.");
+  }
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

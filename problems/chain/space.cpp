@@ -1,0 +1,74 @@
+#include "problems/chain/space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/chain/bodies.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::LineType;
+
+/// Lengths and coordinates without a bound end at so many times the target's size, links at so
+/// small a part of it: beyond, a search runs after designs that nobody builds.
+constexpr double kMostSizes = 12, kLeastSize = 0.02;
+/// Of |cos μ| where no limit is given: a dead point is excluded, its neighbourhood is not.
+constexpr double kNearDead = 1 - 1e-4;
+
+bool is_length(LineType type) {
+  return type == LineType::crank || type == LineType::dyad;
+}
+
+struct ParameterScale {
+  double origin, size;
+  double into(double value) const { return (value - origin) / size; }
+};
+
+ParameterScale scale_of(const TargetScale& scale, LineType type, int index) {
+  const bool is_place = type == LineType::pivot;
+  return {is_place ? (index == 0 ? scale.centre.x : scale.centre.y) : 0, scale.size};
+}
+
+}  // namespace
+
+TargetScale::TargetScale(std::span<const Vec2d> points) {
+  for (const Vec2d& point : points) centre = centre + (1.0 / double(points.size())) * point;
+  double square = 0;
+  for (const Vec2d& point : points) square += squared_norm(point - centre);
+  size = std::sqrt(square / double(points.size()));
+}
+
+synthesis::ChainDesign TargetScale::out_of(const synthesis::Chain& chain,
+                                           synthesis::ChainDesign design) const {
+  for (const auto& [line, parameter] : placed_lines(chain)) {
+    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
+      const ParameterScale own = scale_of(*this, line.type, i);
+      double& value = design.parameters[static_cast<std::size_t>(parameter + i)];
+      value = own.origin + own.size * value;
+    }
+  }
+  return design;
+}
+
+ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range& transmission)
+    : topology(&of),
+      chain(chain_of(of)),
+      lines(placed_lines(chain)),
+      joints(synthesis::joints(chain)),
+      cosine_limit(std::min({kNearDead, std::cos(transmission.min), -std::cos(transmission.max)})) {
+  for (const TopologyLine& line : of.lines) {
+    for (int i = 0; i < synthesis::parameter_count(line.line.type); ++i) {
+      const ParameterScale own = scale_of(scale, line.line.type, i);
+      const auto& value = line.given[static_cast<std::size_t>(i)];
+      const Range bound = line.bounds[static_cast<std::size_t>(i)];
+      if (!value) free.push_back(static_cast<int>(given.size()));
+      given.push_back(value ? std::optional(own.into(*value)) : std::nullopt);
+      const double least = is_length(line.line.type) ? kLeastSize : -kMostSizes;
+      lower.push_back(std::isfinite(bound.min) ? own.into(bound.min) : least);
+      upper.push_back(std::isfinite(bound.max) ? own.into(bound.max) : kMostSizes);
+    }
+  }
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,47 @@
+/// @file Which dimensions of a chain are sought, and within what.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/numbers/vec2.hpp"
+#include "problems/chain/topology.hpp"
+#include "synthesis/chain/chain.hpp"
+
+namespace cognate::problems {
+
+/// Where the unit of a search is: of a path the centroid of its points, and the root of their mean
+/// squared distance from there.
+struct TargetScale {
+  Vec2d centre;
+  double size = 1;
+
+  TargetScale() = default;
+  explicit TargetScale(std::span<const Vec2d> points);
+
+  Vec2d into(const Vec2d& point) const { return (1 / size) * (point - centre); }
+  /// A design back in the file's unit.
+  synthesis::ChainDesign out_of(const synthesis::Chain& chain, synthesis::ChainDesign design) const;
+};
+
+/// The designs of a topology, in the unit of the search.
+struct ChainSpace {
+  const Topology* topology = nullptr;
+  synthesis::Chain chain;
+  std::vector<synthesis::PlacedLine> lines;
+  /// Of each parameter: what is given, and bounds, which are finite.
+  std::vector<std::optional<double>> given;
+  std::vector<double> lower, upper;
+  std::vector<int> free;    ///< the parameters that are not given
+  std::vector<int> joints;  ///< lines of the dyads that move
+  double cosine_limit = 1;  ///< of |cos μ|, below 1
+
+  /// `transmission`: radians; the narrower side counts.
+  ChainSpace(const Topology& topology, const TargetScale& scale, const Range& transmission);
+
+  /// Whether a dimension is given, so that drawn designs cannot be enlarged and moved.
+  bool is_anchored() const { return free.size() < given.size(); }
+};
+
+}  // namespace cognate::problems

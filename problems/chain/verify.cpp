@@ -1,0 +1,139 @@
+#include "problems/chain/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/mechanism/transmission_extremes.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/verify.hpp"
+#include "synthesis/chain/bodies.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kNoError = std::numeric_limits<double>::infinity();
+constexpr double kSameAngle = 1e-9;  ///< radians: the crank angles of two targets are equal
+
+Attached<double> traced_point(const NamedMechanism& mechanism, const std::string& name) {
+  const auto found = std::ranges::find(mechanism.points, name, &NamedPoint::name);
+  return found->at;
+}
+
+TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
+                         const NamedMechanism& mechanism, const std::vector<double>& angles) {
+  const auto point =
+      traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
+  MechanismMotion<0> motion(mechanism.mechanism);
+  TargetError error;
+  for (std::size_t j = 0; j < angles.size(); ++j) {
+    if (!motion.move_to(angles[j])) return {kNoError, kNoError, kNoError};
+    const double distance = norm(motion.point(point)[0] - problem.points[j]);
+    error.sum_of_squares += distance * distance;
+    error.max = std::max(error.max, distance);
+  }
+  error.rms = std::sqrt(error.sum_of_squares / double(angles.size()));
+  return error;
+}
+
+/// The part of the crank's turn over which limits hold.
+AssemblyRanges limited_motion(const ChainPathProblem& problem, const NamedMechanism& mechanism,
+                              const std::vector<double>& angles) {
+  if (problem.constraints.over == LimitSpan::turn) return follow(mechanism.mechanism, 0, kTurn);
+  const auto [least, greatest] = std::ranges::minmax(angles);
+  return follow(mechanism.mechanism, least, greatest);
+}
+
+bool is_whole(const AssemblyRanges& motion) {
+  return motion.runs.size() == 1 && motion.points.empty();
+}
+
+/// Whether the angles go once round at most, in one sense; equal ones are in order.
+bool in_order(const std::vector<double>& angles) {
+  double least = kNoError, greatest = -kNoError;
+  for (std::size_t j = 1; j < angles.size(); ++j) {
+    least = std::min(least, angles[j] - angles[j - 1]);
+    greatest = std::max(greatest, angles[j] - angles[j - 1]);
+  }
+  const double whole = std::abs(angles.back() - angles.front());
+  return (least >= -kSameAngle || greatest <= kSameAngle) && whole <= kTurn + kSameAngle;
+}
+
+struct Transmission {
+  double least = kNoError, greatest = -kNoError;
+};
+
+/// Over all joints; those of each are added to `quantities`.
+Transmission transmission(const Topology& topology, const NamedMechanism& mechanism,
+                          const AssemblyRanges& motion, std::vector<Quantity>& quantities) {
+  Transmission all;
+  const auto moving = synthesis::joints(chain_of(topology));
+  int dyad = 0;
+  for (std::size_t k = 0; k < topology.lines.size(); ++k) {
+    if (topology.lines[k].line.type != synthesis::LineType::dyad) continue;
+    const int own = dyad++;
+    if (std::ranges::count(moving, static_cast<int>(k)) == 0) continue;
+    const auto extremes = transmission_extremes(mechanism.mechanism, motion, own);
+    if (!extremes) continue;
+    const double least = extremes->least.angle, greatest = extremes->greatest.angle;
+    all = {std::min(all.least, least), std::max(all.greatest, greatest)};
+    quantities.push_back({"transmission_" + topology.lines[k].name + "_min_deg",
+                          degrees(std::min(least, kPi - greatest))});
+  }
+  return all;
+}
+
+void check_transmission(const ChainPathProblem& problem, Design& design) {
+  const Range limit = problem.constraints.transmission_angle;
+  if (limit.min <= 0 && limit.max >= kPi) return;
+  const Metrics& metrics = design.metrics;
+  const double below = limit.min - metrics.transmission_min,
+               above = metrics.transmission_max - limit.max;
+  const double value = below > above ? metrics.transmission_min : metrics.transmission_max;
+  design.constraints.push_back({"transmission_angle_deg", degrees(value),
+                                Range{degrees(limit.min), degrees(limit.max)},
+                                std::max(below, above) <= kCheckTolerance});
+}
+
+void check_defects(const ChainPathProblem& problem, bool whole, bool ordered, Design& design) {
+  if (!whole) design.metrics.defects.push_back(Defect::circuit);
+  if (!ordered) design.metrics.defects.push_back(Defect::order);
+  design.constraints.push_back(
+      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
+  if (problem.crank_angles.empty()) {
+    design.constraints.push_back(
+        {"no_order_defect", std::string(ordered ? "none" : "order"), std::string("none"), ordered});
+  }
+}
+
+void check_error_limit(const ChainPathProblem& problem, Design& design) {
+  const auto& limit = problem.constraints.rms_error_max;
+  if (limit) check_error(ErrorLimit{ErrorMeasure::rms_length, *limit}, design.error.rms, design);
+}
+
+}  // namespace
+
+Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
+                const std::vector<double>& angles) {
+  Design design;
+  design.error = target_error(problem, topology, mechanism, angles);
+  const AssemblyRanges motion = limited_motion(problem, mechanism, angles);
+  design.metrics.quantities.push_back({"topology", topology.name});
+  const Transmission found = transmission(topology, mechanism, motion, design.metrics.quantities);
+  design.metrics.transmission_min = found.least;
+  design.metrics.transmission_max = found.greatest;
+  design.metrics.transmission_acute_min = std::min(found.least, kPi - found.greatest);
+  check_transmission(problem, design);
+  const bool ordered = !problem.crank_angles.empty() || in_order(angles);
+  check_defects(problem, is_whole(motion), ordered, design);
+  check_error_limit(problem, design);
+  for (const double angle : angles) design.crank_angles.push_back(in_one_turn(angle));
+  design.mechanism = std::move(mechanism);
+  return design;
+}
+
+}  // namespace cognate::problems

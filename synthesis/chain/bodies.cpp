@@ -1,0 +1,52 @@
+#include "synthesis/chain/bodies.hpp"
+
+#include <algorithm>
+
+namespace cognate::synthesis {
+namespace {
+
+using Body = std::vector<int>;
+
+Body* body_of(std::vector<Body>& all, int first, int second) {
+  const auto found = std::ranges::find_if(all, [&](const Body& body) {
+    return std::ranges::count(body, first) > 0 && std::ranges::count(body, second) > 0;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+struct Assembled {
+  std::vector<Body> bodies{{}};
+  std::vector<int> joints;
+
+  void add(const ChainLine& line, int index) {
+    if (line.type == LineType::pivot) {
+      bodies.front().push_back(index);
+    } else if (line.type == LineType::crank) {
+      bodies.push_back({line.first, index});
+    } else if (Body* common = body_of(bodies, line.first, line.second)) {
+      common->push_back(index);
+    } else if (line.type == LineType::dyad) {
+      joints.push_back(index);
+      bodies.push_back({line.first, index});
+      bodies.push_back({line.second, index});
+    }
+  }
+};
+
+Assembled assembled(const Chain& chain) {
+  Assembled all;
+  for (std::size_t k = 0; k < chain.lines.size(); ++k) all.add(chain.lines[k], static_cast<int>(k));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Body> bodies(const Chain& chain) {
+  return assembled(chain).bodies;
+}
+
+std::vector<int> joints(const Chain& chain) {
+  return assembled(chain).joints;
+}
+
+}  // namespace cognate::synthesis

@@ -1,0 +1,357 @@
+/// @file The distances of a chain's point from its targets for many chains at a time, one in each
+/// SIMD lane: the problem of a LaneFit. Include in kernels alone.
+///
+/// The crank angle of a free point touches its own two residuals alone: with τ the direction of
+/// the path there, what is across it stays as one row, and the angle follows by −τ·(r + J dx)/|P′|
+/// (orthogonal distance regression: Boggs, Byrd & Schnabel 1987, "A stable and efficient algorithm
+/// for nonlinear orthogonal distance regression"). Angles keep their order: what a step would bring
+/// out of it is moved to the nearest angles that are in order.
+#pragma once
+
+#include "synthesis/chain/chain_fit_kernel.hpp"
+#include "synthesis/chain/sweep.hpp"
+#include "synthesis/lanes/lane_directions.hpp"
+#include "synthesis/lanes/lane_fit.hpp"
+
+namespace cognate::synthesis::COGNATE_ISA {
+
+class ChainLanes {
+ public:
+  static constexpr int kMostUnknowns = 30;
+  using Equations = NormalEquations<kMostUnknowns>;
+
+  explicit ChainLanes(const ChainFitTask& task) : task_(task), timed_(task.crank_x != nullptr) {
+    double* next = task.workspace;
+    for (double** array : {&angle_, &next_angle_, &crank_, &next_crank_}) {
+      *array = next;
+      next += 2L * task.points * kLanes;
+    }
+    idle();
+  }
+
+  /// The phase of a timed path is the last unknown.
+  int unknowns() const { return task_.unknowns + timed_; }
+
+  bool take(int lane) {
+    if (next_start_ >= task_.starts) return false;
+    const int start = next_start_++;
+    start_of_[lane] = start;
+    const double* parameter = task_.parameter + long(start) * task_.parameters;
+    for (int i = 0; i < task_.parameters; ++i) set_lane(here_[i], lane, parameter[i]);
+    for (int i = 0; i < task_.unknowns; ++i) {
+      const double from = parameter[task_.unknown[i]], low = task_.lower[i], high = task_.upper[i];
+      set_lane(here_[task_.unknown[i]], lane, from < low ? low : from > high ? high : from);
+    }
+    for (int k = 0; k < task_.lines; ++k) {
+      set_lane(side_[k], lane, task_.side[long(start) * task_.lines + k]);
+    }
+    const double* angle = task_.angle + long(start) * angles();
+    for (int j = 0; j < angles(); ++j) put_angle(j, lane, angle[j]);
+    return true;
+  }
+
+  void give(int lane, double cost, int iterations) {
+    const int start = start_of_[lane];
+    double* parameter = task_.parameter + long(start) * task_.parameters;
+    for (int i = 0; i < task_.parameters; ++i) parameter[i] = lane_of(here_[i], lane);
+    double* angle = task_.angle + long(start) * angles();
+    for (int j = 0; j < angles(); ++j) angle[j] = angle_[j * kLanes + lane];
+    task_.cost[start] = cost;
+    task_.iterations[start] = iterations;
+  }
+
+  Real lowest_step(int i) const {
+    return i < task_.unknowns ? Real(task_.lower[i]) - here_[task_.unknown[i]] : Real(-kMostTurn);
+  }
+  Real highest_step(int i) const {
+    return i < task_.unknowns ? Real(task_.upper[i]) - here_[task_.unknown[i]] : Real(kMostTurn);
+  }
+
+  bool is_hopeless(double cost, int iterations) const {
+    return (iterations == task_.early && cost > task_.early_cost) ||
+           (iterations == task_.late && cost > task_.late_cost);
+  }
+
+  void linearise(Equations& equations) {
+    equations.clear(unknowns());
+    const View chain = view(here_), limited = upto_joints(chain);
+    for (int j = 0; j < task_.points; ++j) {
+      place_at(j, chain, crank_);
+      timed_ ? add_timed(chain, j, equations) : add_free(chain, j, equations);
+      if (task_.checks == 0) add_transmission(chain, equations);
+    }
+    for (int i = 0; i < task_.checks; ++i) {
+      place<true>(limited, check(i), place_);
+      add_transmission(chain, equations);
+    }
+  }
+
+  /// Crank angles have been eliminated by `linearise`; what their own steps gain.
+  Real reduce(const Real& damping, Equations&) const {
+    const Real share = Real(1.0) / (Real(1.0) + damping);
+    return along_ * share * (Real(2.0) - share);
+  }
+
+  void attempt(const Real* step, const Real& damping) {
+    for (int i = 0; i < task_.parameters; ++i) {
+      next_[i] = here_[i];
+      rate_[i] = Real(0.0);
+    }
+    for (int i = 0; i < task_.unknowns; ++i) {
+      const int which = task_.unknown[i];
+      rate_[which] = step[i];
+      next_[which] =
+          larger(Real(task_.lower[i]), smaller(Real(task_.upper[i]), here_[which] + step[i]));
+    }
+    if (timed_) {
+      turn_all(step[task_.unknowns]);
+    } else {
+      turn_each(damping);
+    }
+  }
+
+  Real cost() {
+    const View chain = view(next_), limited = upto_joints(chain);
+    Real sum(0.0);
+    for (int j = 0; j < task_.points; ++j) {
+      place_at(j, chain, next_crank_);
+      sum = sum + squared_norm(Real(task_.root_weight[j]) * (place_.at[task_.trace] - target(j)));
+      if (task_.checks == 0) sum = sum + transmission_cost(chain);
+    }
+    for (int i = 0; i < task_.checks; ++i) {
+      place<true>(limited, check(i), place_);
+      sum = sum + transmission_cost(chain);
+    }
+    return sum;
+  }
+
+  void keep(const Mask& lanes) {
+    for (int i = 0; i < task_.parameters; ++i) here_[i] = choose(lanes, next_[i], here_[i]);
+    keep(lanes, next_angle_, angle_, angles());
+    keep(lanes, next_crank_, crank_, 2 * (timed_ ? 1 : task_.points));
+  }
+
+ private:
+  using View = ChainView<Real>;
+
+  static constexpr double kMostTurn = 0.3;    ///< of a crank angle in one step
+  static constexpr double kLeastShare = 0.1;  ///< of the step between two angles that must be left
+
+  int angles() const { return timed_ ? 1 : task_.points; }
+  View view(const Real* parameters) const { return {task_.line, task_.lines, parameters, side_}; }
+  Direction target(int j) const { return {Real(task_.target_x[j]), Real(task_.target_y[j])}; }
+  Direction check(int i) const { return {Real(task_.check_x[i]), Real(task_.check_y[i])}; }
+
+  /// Lanes without a start hold numbers that no arithmetic stops at.
+  void idle() {
+    for (int i = 0; i < task_.parameters; ++i) here_[i] = Real(1.0);
+    for (int k = 0; k < task_.lines; ++k) side_[k] = Real(1.0);
+    for (int j = 0; j < angles(); ++j) {
+      for (int lane = 0; lane < kLanes; ++lane) put_angle(j, lane, 0);
+    }
+  }
+
+  void put_angle(int j, int lane, double angle) {
+    angle_[j * kLanes + lane] = next_angle_[j * kLanes + lane] = angle;
+    for (double* array : {crank_, next_crank_}) {
+      array[2 * j * kLanes + lane] = std::cos(angle);
+      array[(2 * j + 1) * kLanes + lane] = std::sin(angle);
+    }
+  }
+
+  /// The direction of the crank at point j; of a timed path `array` holds that of the phase.
+  Direction crank_at(int j, const double* array) const {
+    const int from = timed_ ? 0 : 2 * j * kLanes;
+    const Direction own{load(array + from), load(array + from + kLanes)};
+    return timed_ ? own * Direction{Real(task_.crank_x[j]), Real(task_.crank_y[j])} : own;
+  }
+
+  /// Without the lines that no joint depends on.
+  View upto_joints(View chain) const {
+    chain.count = 0;
+    for (int i = 0; i < task_.joints; ++i) {
+      if (task_.joint[i] >= chain.count) chain.count = task_.joint[i] + 1;
+    }
+    return chain;
+  }
+
+  void place_at(int j, const View& chain, const double* cranks) {
+    const Direction crank = crank_at(j, cranks);
+    j == 0 ? place(chain, crank, place_) : place<true>(chain, crank, place_);
+  }
+
+  void keep(const Mask& lanes, const double* from, double* to, int count) const {
+    for (int i = 0; i < count; ++i) {
+      store(choose(lanes, load(from + i * kLanes), load(to + i * kLanes)), to + i * kLanes);
+    }
+  }
+
+  /// The derivatives of `direction`·P by the unknowns; returns that by the crank's angle.
+  Real row_of(const View& chain, const Direction& direction, Real* row) {
+    for (int i = 0; i < task_.parameters; ++i) gradient_[i] = Real(0.0);
+    for (int k = 0; k < task_.trace; ++k) seed_[k] = {Real(0.0), Real(0.0)};
+    seed_[task_.trace] = direction;
+    const Real turn = sweep_back(chain, place_, task_.trace, seed_, gradient_);
+    for (int i = 0; i < task_.unknowns; ++i) row[i] = gradient_[task_.unknown[i]];
+    return turn;
+  }
+
+  void add_timed(const View& chain, int j, Equations& equations) {
+    const Real weight(task_.root_weight[j]), zero(0.0);
+    const Direction error = weight * (place_.at[task_.trace] - target(j));
+    Real row[kMostUnknowns];
+    row[task_.unknowns] = row_of(chain, {weight, zero}, row);
+    equations.add(error.x, row, unknowns());
+    row[task_.unknowns] = row_of(chain, {zero, weight}, row);
+    equations.add(error.y, row, unknowns());
+    along_ = zero;
+  }
+
+  void add_free(const View& chain, int j, Equations& equations) {
+    if (j == 0) along_ = Real(0.0);
+    move(chain, place_, Real(1.0), static_cast<const Real*>(nullptr), velocity_);
+    const Direction path = velocity_[task_.trace], error = place_.at[task_.trace] - target(j);
+    const Real weight(task_.root_weight[j]);
+    const Direction along = (Real(1.0) / (root(squared_norm(path)) + Real(1e-300))) * path;
+    Real row[kMostUnknowns];
+    row_of(chain, weight * perp(along), row);
+    equations.add(weight * cross(along, error), row, task_.unknowns);
+    const Real tangential = weight * dot(along, error);
+    equations.cost = equations.cost + tangential * tangential;
+    along_ = along_ + tangential * tangential;
+  }
+
+  Real excess(const Real& cosine) const {
+    return Real(task_.penalty) * larger(Real(0.0), magnitude(cosine) - Real(task_.cosine_limit));
+  }
+
+  void add_transmission(const View& chain, Equations& equations) {
+    for (int i = 0; i < task_.joints; ++i) {
+      const int k = task_.joint[i];
+      const Real cosine = transmission_cosine(chain, place_, k), beyond = excess(cosine);
+      if (!any(beyond > Real(0.0))) continue;
+      for (int n = 0; n < task_.parameters; ++n) gradient_[n] = Real(0.0);
+      for (int n = 0; n <= k; ++n) seed_[n] = {Real(0.0), Real(0.0)};
+      const Real sign = choose(cosine > Real(0.0), Real(1.0), Real(-1.0));
+      const Real slope = choose(beyond > Real(0.0), sign * Real(task_.penalty), Real(0.0));
+      seed_transmission(chain, place_, k, cosine, slope, seed_, gradient_);
+      sweep_back(chain, place_, k - 1, seed_, gradient_);
+      Real row[kMostUnknowns];
+      for (int n = 0; n < task_.unknowns; ++n) row[n] = gradient_[task_.unknown[n]];
+      if (timed_) row[task_.unknowns] = Real(0.0);
+      equations.add(beyond, row, unknowns());
+    }
+  }
+
+  Real transmission_cost(const View& chain) const {
+    Real sum(0.0);
+    for (int i = 0; i < task_.joints; ++i) {
+      const Real beyond = excess(transmission_cosine(chain, place_, task_.joint[i]));
+      sum = sum + beyond * beyond;
+    }
+    return sum;
+  }
+
+  void turn_all(const Real& step) {
+    store(load(angle_) + Real(2.0) * tangent_angle(step), next_angle_);
+    const Direction now = turned({load(crank_), load(crank_ + kLanes)}, Real(0.5) * step);
+    const Direction next = turned(now, Real(0.5) * step);
+    store(next.x, next_crank_);
+    store(next.y, next_crank_ + kLanes);
+  }
+
+  /// arctan(step/2) where |step| ≤ kMostTurn, to rounding.
+  static Real tangent_angle(const Real& step) {
+    const Real t = Real(0.5) * step, s = t * t;
+    Real sum(0.0);
+    for (int power = 19; power >= 1; power -= 2) {
+      sum = sum * s + Real((power / 2) % 2 == 0 ? 1.0 / power : -1.0 / power);
+    }
+    return t * sum;
+  }
+
+  void turn_each(const Real& damping) {
+    const View chain = view(here_);
+    const Real share = Real(1.0) / (Real(1.0) + damping);
+    for (int j = 0; j < task_.points; ++j) {
+      place_at(j, chain, crank_);
+      move(chain, place_, Real(1.0), static_cast<const Real*>(nullptr), velocity_);
+      const Direction path = velocity_[task_.trace];
+      move(chain, place_, Real(0.0), rate_, velocity_);
+      const Direction ahead = place_.at[task_.trace] - target(j) + velocity_[task_.trace];
+      const Real step = -share * dot(path, ahead) / (squared_norm(path) + Real(1e-300));
+      const Real turn = larger(Real(-kMostTurn), smaller(Real(kMostTurn), step));
+      store(load(angle_ + j * kLanes) + turn, next_angle_ + j * kLanes);
+    }
+    keep_order();
+    for (int j = 0; j < task_.points; ++j) {
+      const Real turn = load(next_angle_ + j * kLanes) - load(angle_ + j * kLanes);
+      const double* from = crank_ + 2 * j * kLanes;
+      double* to = next_crank_ + 2 * j * kLanes;
+      const Direction next = Direction{load(from), load(from + kLanes)} * small_rotation(turn);
+      store(next.x, to);
+      store(next.y, to + kLanes);
+    }
+  }
+
+  /// e^{i·angle} to rounding where |angle| is at most some kMostTurn; normalised, so that errors do
+  /// not grow.
+  static Direction small_rotation(const Real& angle) {
+    const Real s = angle * angle;
+    const Real cosine =
+        Real(1.0) +
+        s * (Real(-1.0 / 2) +
+             s * (Real(1.0 / 24) +
+                  s * (Real(-1.0 / 720) + s * (Real(1.0 / 40320) - s * Real(1.0 / 3628800)))));
+    const Real sine =
+        angle *
+        (Real(1.0) +
+         s * (Real(-1.0 / 6) +
+              s * (Real(1.0 / 120) +
+                   s * (Real(-1.0 / 5040) + s * (Real(1.0 / 362880) - s * Real(1.0 / 39916800))))));
+    return {cosine, sine};
+  }
+
+  Real angle_at(const double* array, int j) const { return load(array + j * kLanes); }
+
+  /// The half-way angles between two sequences that are in order, one pushed forwards from the
+  /// first angle, one backwards from the last. Of each gap a share of what it was is left.
+  void keep_order() {
+    const int last = task_.points - 1;
+    const Real share(kLeastShare), turn(2 * 3.14159265358979323846);
+    const Real sense = choose(angle_at(angle_, last) > angle_at(angle_, 0), Real(1.0), Real(-1.0));
+    const auto gap = [&](int j) {
+      return share * magnitude(angle_at(angle_, j) - angle_at(angle_, j - 1));
+    };
+    const Real seam = turn - magnitude(angle_at(angle_, last) - angle_at(angle_, 0));
+    const Real most = task_.closed ? turn - share * seam : Real(1e300);
+    const auto next = [&](int j) { return sense * angle_at(next_angle_, j); };
+    double* pushed = next_crank_;  // free until the cranks are turned
+    Real before = larger(next(0), next(last) - most);
+    store(before, pushed);
+    for (int j = 1; j <= last; ++j) {
+      before = larger(next(j), before + gap(j));
+      store(before, pushed + j * kLanes);
+    }
+    Real after = smaller(next(last), next(0) + most);
+    for (int j = last; j >= 0; --j) {
+      if (j < last) after = smaller(next(j), after - gap(j + 1));
+      const Real between = Real(0.5) * (after + load(pushed + j * kLanes));
+      store(sense * between, next_angle_ + j * kLanes);
+    }
+  }
+
+  const ChainFitTask& task_;
+  const bool timed_;
+  int next_start_ = 0;
+  int start_of_[kLanes] = {};
+  double *angle_, *next_angle_;  ///< of the crank at each point, or the phase
+  double *crank_, *next_crank_;  ///< their directions
+  Real here_[kMostChainParameters], next_[kMostChainParameters], rate_[kMostChainParameters];
+  Real side_[kMostLines], gradient_[kMostChainParameters];
+  Real along_ = Real(0.0);  ///< what the angles' own steps gain
+  Direction seed_[kMostLines], velocity_[kMostLines];
+  ChainPlace<Real> place_;
+};
+
+}  // namespace cognate::synthesis::COGNATE_ISA

@@ -1,0 +1,186 @@
+/// @file A chain at one position of its crank: where its points are, how fast they move, and the
+/// derivative of any combination of them by all parameters. The number type may be double, a SIMD
+/// pack, a dual number or one of extended precision.
+///
+/// The derivative is taken backwards, from the last line to the first: the two closure equations of
+/// a dyad, M dx = c, need one solution of the transposed system Mᵀλ = f whatever the number of
+/// parameters (implicit function theorem; Griewank & Walther 2008, "Evaluating Derivatives", §3.2).
+/// det M = u × v = a b sin μ: it is infinite at dead points, and only there.
+#pragma once
+
+#include <cmath>
+
+#include "analysis/numbers/vec2.hpp"
+#include "synthesis/chain/chain.hpp"
+
+namespace cognate::synthesis {
+
+/// What of a chain is the same at all positions.
+template <class T>
+struct ChainView {
+  const PlacedLine* lines;
+  int count;  ///< of lines, at most kMostLines
+  const T* parameters;
+  const T* side;  ///< of each line, see ChainDesign
+};
+
+/// A chain at a position of its crank. Not a number from the first dyad on that does not close.
+template <class T>
+struct ChainPlace {
+  Vec2<T> crank;             ///< the direction of the crank
+  Vec2<T> at[kMostLines];    ///< the points
+  Vec2<T> axis[kMostLines];  ///< of attached points: the first axis of their body
+  T inverse[kMostLines];     ///< of these: one over the distance of its two points
+};
+
+/// The joint of two links of lengths a and b from p and q, to the `side` of the way from p to q.
+template <class T>
+Vec2<T> dyad_joint(const Vec2<T>& p, const Vec2<T>& q, const T& a, const T& b, const T& side) {
+  using std::sqrt;
+  const Vec2<T> way = q - p;
+  const T square = squared_norm(way), half = T(0.5) / square;
+  const T along = square + (a - b) * (a + b);
+  // 16 area² as a product: it keeps its digits near the dead points.
+  const T sum = a + b, difference = a - b;
+  const T height = sqrt((sum * sum - square) * (square - difference * difference));
+  return p + half * (Vec2<T>{along, side * height} * way);
+}
+
+/// Places all lines at the direction `crank` of the crank. `kAgain`: `out` is a place of the same
+/// chain with the same dimensions, so that the distances within its bodies are known.
+template <bool kAgain = false, class T>
+void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
+  using std::sqrt;
+  out.crank = crank;
+  for (int k = 0; k < chain.count; ++k) {
+    const auto& [line, parameter] = chain.lines[k];
+    const T* own = chain.parameters + parameter;
+    switch (line.type) {
+      case LineType::pivot:
+        out.at[k] = {own[0], own[1]};
+        break;
+      case LineType::crank:
+        out.at[k] = out.at[line.first] + own[0] * crank;
+        break;
+      case LineType::dyad:
+        out.at[k] =
+            dyad_joint(out.at[line.first], out.at[line.second], own[0], own[1], chain.side[k]);
+        break;
+      case LineType::attached: {
+        const Vec2<T> way = out.at[line.second] - out.at[line.first];
+        if constexpr (!kAgain) out.inverse[k] = T(1) / sqrt(squared_norm(way));
+        out.axis[k] = out.inverse[k] * way;
+        out.at[k] = out.at[line.first] + Vec2<T>{own[0], own[1]} * out.axis[k];
+        break;
+      }
+    }
+  }
+}
+
+/// How the points move when the crank turns at the rate `turn` and the parameters change at the
+/// rates `rates` (null: not at all).
+template <class T>
+void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, const T* rates,
+          Vec2<T>* velocity) {
+  const auto rate = [&](int parameter) { return rates ? rates[parameter] : T(0); };
+  for (int k = 0; k < chain.count; ++k) {
+    const auto& [line, parameter] = chain.lines[k];
+    const T* own = chain.parameters + parameter;
+    const T first = rate(parameter),
+            second = line.type == LineType::crank ? T(0) : rate(parameter + 1);
+    switch (line.type) {
+      case LineType::pivot:
+        velocity[k] = {first, second};
+        break;
+      case LineType::crank:
+        velocity[k] = velocity[line.first] + first * at.crank + (own[0] * turn) * perp(at.crank);
+        break;
+      case LineType::dyad: {
+        const Vec2<T> u = at.at[k] - at.at[line.first], v = at.at[k] - at.at[line.second];
+        const T along_u = dot(u, velocity[line.first]) + own[0] * first;
+        const T along_v = dot(v, velocity[line.second]) + own[1] * second;
+        velocity[k] = (T(1) / cross(u, v)) * (along_v * perp(u) - along_u * perp(v));
+        break;
+      }
+      case LineType::attached: {
+        const Vec2<T>& axis = at.axis[k];
+        const T spin = at.inverse[k] * cross(axis, velocity[line.second] - velocity[line.first]);
+        velocity[k] = velocity[line.first] + Vec2<T>{first, second} * axis +
+                      spin * perp(at.at[k] - at.at[line.first]);
+        break;
+      }
+    }
+  }
+}
+
+/// The gradient by all parameters of a goal whose derivatives by the points are `seed`, up to line
+/// `last`; `seed` is used up. What of the goal depends on parameters directly is in `gradient`
+/// already. Returns the derivative by the crank's angle.
+template <class T>
+T sweep_back(const ChainView<T>& chain, const ChainPlace<T>& at, int last, Vec2<T>* seed,
+             T* gradient) {
+  T turn(0);
+  for (int k = last; k >= 0; --k) {
+    const auto& [line, parameter] = chain.lines[k];
+    const T* own = chain.parameters + parameter;
+    T* slope = gradient + parameter;
+    const Vec2<T> f = seed[k];
+    switch (line.type) {
+      case LineType::pivot:
+        slope[0] = slope[0] + f.x;
+        slope[1] = slope[1] + f.y;
+        break;
+      case LineType::crank:
+        slope[0] = slope[0] + dot(f, at.crank);
+        turn = turn + own[0] * cross(at.crank, f);
+        seed[line.first] = seed[line.first] + f;
+        break;
+      case LineType::dyad: {
+        const Vec2<T> u = at.at[k] - at.at[line.first], v = at.at[k] - at.at[line.second];
+        const T inverse = T(1) / cross(u, v);
+        const T first = inverse * cross(f, v), second = inverse * cross(u, f);
+        seed[line.first] = seed[line.first] + first * u;
+        seed[line.second] = seed[line.second] + second * v;
+        slope[0] = slope[0] + first * own[0];
+        slope[1] = slope[1] + second * own[1];
+        break;
+      }
+      case LineType::attached: {
+        const Vec2<T>& axis = at.axis[k];
+        slope[0] = slope[0] + dot(f, axis);
+        slope[1] = slope[1] + cross(axis, f);
+        const T torque = cross(at.at[k] - at.at[line.first], f);
+        const Vec2<T> couple = (torque * at.inverse[k]) * perp(axis);
+        seed[line.second] = seed[line.second] + couple;
+        seed[line.first] = seed[line.first] + (f - couple);
+        break;
+      }
+    }
+  }
+  return turn;
+}
+
+/// The cosine of the transmission angle of the dyad of line `k`: that between its two links.
+template <class T>
+T transmission_cosine(const ChainView<T>& chain, const ChainPlace<T>& at, int k) {
+  const auto& [line, parameter] = chain.lines[k];
+  const T &a = chain.parameters[parameter], &b = chain.parameters[parameter + 1];
+  const T square = squared_norm(at.at[line.second] - at.at[line.first]);
+  return (a * a + b * b - square) / (T(2) * a * b);
+}
+
+/// Adds `weight` times the derivatives of that cosine to `seed` and `gradient`.
+template <class T>
+void seed_transmission(const ChainView<T>& chain, const ChainPlace<T>& at, int k, const T& cosine,
+                       const T& weight, Vec2<T>* seed, T* gradient) {
+  const auto& [line, parameter] = chain.lines[k];
+  const T &a = chain.parameters[parameter], &b = chain.parameters[parameter + 1];
+  const T share = weight / (a * b);
+  const Vec2<T> way = at.at[line.second] - at.at[line.first];
+  seed[line.second] = seed[line.second] - share * way;
+  seed[line.first] = seed[line.first] + share * way;
+  gradient[parameter] = gradient[parameter] + weight * (T(1) / b - cosine / a);
+  gradient[parameter + 1] = gradient[parameter + 1] + weight * (T(1) / a - cosine / b);
+}
+
+}  // namespace cognate::synthesis
