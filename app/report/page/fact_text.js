@@ -3,7 +3,7 @@
 import { degreesShort, number, sentence } from "./format.js";
 import { say, sentenceOf, term } from "./words.js";
 
-const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: "N·m", N: "N", deg: "°" };
+const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say("unit.torque"), N: say("unit.force"), deg: "°" };
 
 // Shares of a segment's length to which it is straight, as names end.
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };

@@ -13,11 +13,22 @@ export const remember = (name, value) => { try { localStorage.setItem(`cognate-$
 export const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
   .find((tag) => LANGUAGES.includes(tag));
 
+const WRITTEN = WORDS[language].words;
+
+// The unit of the file's lengths; undefined where it gives none.
+export const LENGTH_UNIT = document.documentElement.dataset.lengthUnit;
+
+// What any text may name besides its own values: the unit of lengths, of one and of several, and what
+// forces hold for where it is not known.
+const OF_LENGTHS = LENGTH_UNIT ? { length_unit: LENGTH_UNIT, lengths: LENGTH_UNIT, for_metres: "" }
+  : { length_unit: WRITTEN["unit.of_problem"], lengths: WRITTEN["unit.of_problem_many"], for_metres: WRITTEN["unit.for_metres"] };
+
 // The text named `key`. {name} stands for a value of that name; of "one|many" the part that suits
 // `values.n` is taken.
-export function say(key, values = {}) {
-  const text = WORDS[language].words[key];
+export function say(key, own = {}) {
+  const text = WRITTEN[key];
   if (text === undefined) throw new Error(`no words for ${key}`);
+  const values = { ...OF_LENGTHS, ...own };
   const parts = text.split("|");
   const part = "n" in values && parts.length > 1 && values.n !== 1 ? parts[1] : parts[0];
   return part.replace(/\{(\w+)\}/g, (_, name) => (name === "n" && typeof values.n === "number" ? values.n.toLocaleString(language) : String(values[name])));

@@ -3,7 +3,7 @@
 import { extremes, interpolate, locate, quantile } from "../sampling.js";
 import { say, term } from "../words.js";
 
-const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", "N m": "N·m", "1/length": say("unit.curvature") };
+const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", N: say("unit.force"), "N m": say("unit.torque"), "1/length": say("unit.curvature") };
 export const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
 const UNIT_SUFFIX = /_(deg|per_s2|per_s|rad_s2|rad_s|N_m|N)$/;
 
