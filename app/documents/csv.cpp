@@ -45,8 +45,8 @@ std::string heading(const problems::Column& column, std::string_view length) {
 
 }  // namespace
 
-std::string csv_text(std::span<const problems::Column> columns, std::string_view length,
-                     const CsvWords& words) {
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words,
+                     std::string_view length) {
   std::string text;
   const auto append_line = [&](std::string_view word, auto&& append_cell) {
     append_text(text, word);

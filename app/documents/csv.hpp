@@ -23,7 +23,7 @@ struct CsvWords {
 ///
 /// `length`, the unit of lengths where it is known, stands in the names of columns that hold
 /// lengths: "C_x_mm", "C_vx_mm_per_s".
-std::string csv_text(std::span<const problems::Column> columns, std::string_view length = {},
-                     const CsvWords& words = {});
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words = {},
+                     std::string_view length = {});
 
 }  // namespace cognate::app

@@ -85,7 +85,7 @@ std::string curve_csv(const CamOutline& curve, std::string_view length) {
                             radius};
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
-  return csv_text(columns, length);
+  return csv_text(columns, {}, length);
 }
 
 using Refusal = std::optional<std::string>;

@@ -225,7 +225,7 @@ class LinkageExporter {
   Result table() {
     const auto columns = positions().columns;
     const std::size_t rows = columns.front().values.size();
-    return file(csv_text(columns, length_word(linkage_.problem.length_unit)),
+    return file(csv_text(columns, {}, length_word(linkage_.problem.length_unit)),
                 fmt::format("{} positions", rows), {{"rows", rows}});
   }
 

@@ -126,7 +126,7 @@ std::string Kind<AnalysisProblem>::table(const AnalysisProblem& problem,
 
 std::string Kind<AnalysisProblem>::csv(const AnalysisProblem& problem,
                                        const AnalysisResult& result) {
-  return csv_text(result.columns, length_word(problem.length_unit));
+  return csv_text(result.columns, {}, length_word(problem.length_unit));
 }
 
 std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {

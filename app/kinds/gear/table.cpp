@@ -138,7 +138,7 @@ std::string Kind<GearProblem>::table(const GearProblem& problem, const GearResul
 }
 
 std::string Kind<GearProblem>::csv(const GearProblem& problem, const GearResult& result) {
-  return csv_text(result.columns, length_word(problem.length_unit));
+  return csv_text(result.columns, {}, length_word(problem.length_unit));
 }
 
 std::string Kind<GearPairProblem>::table(const GearPairProblem& problem,

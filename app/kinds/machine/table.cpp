@@ -101,7 +101,7 @@ std::string Kind<MachineProblem>::csv(const MachineProblem& problem, const Machi
       columns[i].values.insert(columns[i].values.end(), values.begin(), values.end());
     }
   }
-  return csv_text(columns, length_word(problem.length_unit), {"task", tasks});
+  return csv_text(columns, {"task", tasks}, length_word(problem.length_unit));
 }
 
 }  // namespace cognate::app

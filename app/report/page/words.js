@@ -40,6 +40,10 @@ export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
 // A word or a name that the result holds in English, such as the class of a linkage.
 export const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
 
+// A key of problem files, or one of the words that may stand under it; undefined where it has no
+// translation.
+export const keyword = (text) => WORDS[language].keys?.[text] ?? WORDS[language].terms?.[text];
+
 // A sentence that the result holds in English, translated where it has the form of one that is known;
 // {0}, {1}, … stand for its numbers, names and parts that are sentences of their own.
 export function sentenceOf(text) {
