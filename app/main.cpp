@@ -56,6 +56,9 @@ std::optional<Options> options_of(const CLI::App& app, const Arguments& argument
   if (solves && given("--steps")) {
     allowed &= take(parse_steps(arguments.steps), options.steps.emplace());
   }
+  if (given("--length-unit")) {
+    allowed &= take(parse_length_unit(arguments.length_unit), options.length_unit);
+  }
   if (given("--out")) allowed &= take(parse_folder(arguments.out), options.out);
   return allowed ? std::optional(options) : std::nullopt;
 }

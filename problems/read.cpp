@@ -18,9 +18,13 @@ tl::expected<TaskAt, Faults> parse_task_at(std::string_view text) {
       [](const reading::Table& document) { return reading::read_task(document, {}); });
 }
 
-tl::expected<TaskAt, Faults> read_task_at(const std::filesystem::path& file) {
-  return reading::read_source(file).and_then([](const reading::Source& source) {
-    return reading::read_task(source.document, source.folder);
+tl::expected<TaskAt, Faults> read_task_at(const std::filesystem::path& file,
+                                          std::optional<LengthUnit> length_unit) {
+  return reading::read_source(file).and_then([&](const reading::Source& source) {
+    return reading::with_length_unit(source.document, length_unit)
+        .and_then([&](const reading::Table& document) {
+          return reading::read_task(document, source.folder);
+        });
   });
 }
 

@@ -26,7 +26,9 @@ tl::expected<TaskAt, std::vector<Fault>> parse_task_at(std::string_view text);
 
 /// As `parse_task_at`, for a file. One that cannot be read or is larger than 8 MiB is a fault at
 /// 1:1.
-tl::expected<TaskAt, std::vector<Fault>> read_task_at(const std::filesystem::path& file);
+/// A `length_unit` is that of a file that has none; that the file has another one is a fault.
+tl::expected<TaskAt, std::vector<Fault>> read_task_at(const std::filesystem::path& file,
+                                                      std::optional<LengthUnit> length_unit = {});
 
 /// The same without the place.
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);

@@ -89,10 +89,15 @@ Task read_of_kind(std::string_view word, TableReader& document, const Folder& fo
 std::optional<TaskAt> read_document(TableReader& document, const Folder& folder) {
   const auto kind = read_kind(document);
   const std::string title = document.text("title").value_or("");
+  const auto length_unit = document.choice<LengthUnit>(kLengthUnit);
   if (!kind) return std::nullopt;
   const Where where = document.where(kKind);
   TaskAt read{read_of_kind(*kind, document, folder), where.line, where.column};
-  std::visit([&](auto& problem) { problem.title = title; }, read.task);
+  const auto set_head = [&](auto& problem) {
+    problem.title = title;
+    problem.length_unit = length_unit;
+  };
+  std::visit(set_head, read.task);
   document.finish();
   return read;
 }
@@ -134,6 +139,25 @@ tl::expected<TaskAt, Faults> read_task(const Table& document, const Folder& fold
   auto read = read_document(reader, folder);
   if (!faults.empty() || !read) return tl::unexpected(std::move(faults).sorted());
   return *std::move(read);
+}
+
+tl::expected<Table, Faults> with_length_unit(Table document,
+                                             std::optional<LengthUnit> length_unit) {
+  if (!length_unit) return document;
+  const std::string word(to_string(*length_unit));
+  const auto given = std::ranges::find(document, kLengthUnit, &Entry::key);
+  if (given == document.end()) {
+    document.push_back({std::string(kLengthUnit), {}, {.where = {}, .value = word}});
+    return document;
+  }
+  const auto* const own = std::get_if<std::string>(&given->node.value);
+  if (!own || *own == word) return document;
+  const Where where = given->node.where;
+  return tl::unexpected(Faults{
+      {where.line, where.column,
+       fmt::format("length_unit is {}, but --length-unit says {}; remove one of them, or let "
+                   "both say the same",
+                   in_quotes(*own), in_quotes(word))}});
 }
 
 bool is_study(const Table& document) {

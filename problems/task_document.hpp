@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
@@ -12,6 +13,7 @@
 namespace cognate::problems::reading {
 
 inline constexpr std::string_view kKind = "kind";
+inline constexpr std::string_view kLengthUnit = "length_unit";
 inline constexpr std::string_view kStudyKind = "study";
 
 /// The document in `text`, which is small enough, is text and is not blank; else why not.
@@ -30,6 +32,10 @@ tl::expected<Source, std::vector<Fault>> read_source(const std::filesystem::path
 /// `folder`; there are none where that is empty.
 tl::expected<TaskAt, std::vector<Fault>> read_task(const Table& document,
                                                    const std::filesystem::path& folder);
+
+/// `document` with `length_unit` where it has none, or the fault that it has another one.
+tl::expected<Table, std::vector<Fault>> with_length_unit(Table document,
+                                                         std::optional<LengthUnit> length_unit);
 
 /// Whether `document` is a study: `kind = "study"`, or no kind and a `base`.
 bool is_study(const Table& document);

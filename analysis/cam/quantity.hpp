@@ -35,8 +35,8 @@ struct CamSystem {
 /// where the follower must be held back.
 template <class T>
 T demand(const Operation& o, const FollowerMotion<T>& m) {
-  return T(o.inertia * o.speed * o.speed) * m.acceleration + T(o.spring_rate) * m.displacement +
-         T(o.preload + o.load);
+  return T(o.inertia * o.speed * o.speed * o.displacement) * m.acceleration +
+         T(o.spring_rate) * m.displacement + T(o.preload + o.load);
 }
 
 /// tan of the pressure angle as a quotient, across / along, of lengths (of numbers, for a sliding
@@ -57,14 +57,15 @@ PressureParts<T> pressure_parts(const CamSystem<T>& cam, const FollowerMotion<T>
   return {state.across, state.along};
 }
 
-/// Force over demand: 1 / cos α, over the arm where moments are demanded.
+/// Force over demand: 1 / cos α, over the arm in metres where moments are demanded.
 template <class T>
 T force_ratio(const CamSystem<T>& cam, const T& across, const T& along) {
   using std::sqrt;
   const auto type = cam.follower.type;
-  if (type == FollowerType::oscillating_flat) return T(1) / along;
+  if (type == FollowerType::oscillating_flat) return T(1) / (T(cam.operation.metres) * along);
   const T ratio = sqrt(across * across + along * along) / along;
-  return type == FollowerType::oscillating_roller ? ratio / cam.follower.dimensions.arm : ratio;
+  if (type != FollowerType::oscillating_roller) return ratio;
+  return ratio / (T(cam.operation.metres) * cam.follower.dimensions.arm);
 }
 
 /// Speed of a roller about its axis as seen from the follower, over that of the cam: rolling
@@ -149,7 +150,9 @@ T face_quantity(CamQuantity quantity, const CamSystem<T>& cam, const FollowerMot
 template <class T>
 T value_of(CamQuantity quantity, const CamSystem<T>& cam, const FollowerMotion<T>& m) {
   if (quantity == CamQuantity::demand) return demand(cam.operation, m);
-  if (quantity == CamQuantity::torque) return demand(cam.operation, m) * m.velocity;
+  if (quantity == CamQuantity::torque) {
+    return demand(cam.operation, m) * (T(cam.operation.displacement) * m.velocity);
+  }
   return is_flat(cam.follower.type) ? face_quantity(quantity, cam, m)
                                     : roller_quantity(quantity, cam, m);
 }

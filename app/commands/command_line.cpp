@@ -30,6 +30,11 @@ void add_folder(CLI::App& command, Arguments& arguments) {
       ->type_name("DIR");
 }
 
+void add_length_unit(CLI::App& command, Arguments& arguments) {
+  command.add_option("--length-unit", arguments.length_unit, "of a file that gives none")
+      ->type_name("mm|cm|m|in");
+}
+
 /// "dxf|svg|...".
 std::string alternatives() {
   std::string text;
@@ -133,6 +138,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_folder(solving, arguments);
   solving.add_option("--steps", arguments.steps, "of a cam's table over a turn (default 360)")
       ->type_name("N");
+  add_length_unit(solving, arguments);
   auto& analyzing =
       add_files_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
                         "TOML files of mechanisms, or results", {".toml", ".result.json"});
@@ -140,6 +146,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   analyzing
       .add_option("--design", arguments.exporting.design, "of a result: which design (default 1)")
       ->type_name("N");
+  add_length_unit(analyzing, arguments);
   add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
                               "the study, a TOML file", {".toml"}),
              arguments);
@@ -147,6 +154,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
       "export", "Write a result for CAD, as a picture or a table.", export_footer().c_str(),
       "NAME.result.json, or a study, NAME.study.db", {".result.json", ".study.db"});
   add_folder(exporting, arguments);
+  add_length_unit(exporting, arguments);
   add_export_options(exporting, arguments);
   add_files_command("check", "Validate a file without solving it.", kCheckFooter,
                     "problems or studies, TOML files", {".toml"});

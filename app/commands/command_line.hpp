@@ -17,7 +17,7 @@ struct Arguments {
   std::vector<std::string> files;  ///< of the commands that take several
   std::string kind;                ///< of `new` and `list`
   std::string shell;               ///< of `completion`
-  std::string seed, threads, time_limit, out, steps;
+  std::string seed, threads, time_limit, out, steps, length_unit;
   std::string row;  ///< of a study, for `export`
   ExportTexts exporting;
   bool json = false;

@@ -103,7 +103,9 @@ ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exp
 
 ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
                           const Options& options) {
-  const auto design = read_result_design(file, exporting.design);
+  const auto design = read_result_design(file, exporting.design).and_then([&](ResultDesign read) {
+    return in_length_unit(std::move(read), options.length_unit);
+  });
   if (!design) return refuse_file(design.error());
   const auto made = export_design(*design, exporting, stem_of_result(file), options);
   if (made) return write_and_tell(file, *made, options);

@@ -113,7 +113,7 @@ constexpr Entry kFlywheel[] = {{"inertia", "on the crank, for speed_fluctuation_
 constexpr Entry kLink[] = {
     {"name, between",
      "\"crank\", \"coupler\" or \"rocker\"; or two of its joints, as [\"B\", \"C\"]"},
-    {"mass_per_length", "of a slender rod as long as the link"},
+    {"mass_per_length", "in kg/length, of a slender rod as long as the link"},
     {"mass, centre, inertia", "or: given once and for all, [u, v] in the link's axes"}};
 
 constexpr Entry kLoad[] = {
@@ -130,6 +130,13 @@ constexpr KeyedEntry kCommon[] = {
     {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
     {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
     {"[[load]]", "likewise", kLoad}};
+
+constexpr Entry kHeadKeys[] = {
+    {"title", "what tables, reports and drawings are called"},
+    {"length_unit",
+     "of all lengths: \"mm\", \"cm\", \"m\" or \"in\"; forces are in N, moments in N m, inertias "
+     "in "
+     "kg m2 whatever it is; without it lengths count as m where there are forces"}};
 
 /// The tables with the same keys in every synthesis problem for which they have a meaning.
 std::span<const KeyedEntry> common_tables() {
@@ -181,6 +188,7 @@ std::vector<KeyedEntry> linkage_kinds(std::string_view word = "") {
 std::vector<ListSection> capabilities() {
   std::vector<ListSection> all{
       list_section("problem_kinds", "problem kinds (kind = ...)", kinds()),
+      list_section("head_keys", "keys at the top of any problem, before its tables", kHeadKeys),
       list_section("synthesis_problems", "keys of the kinds that cognate solve takes",
                    linkage_kinds()),
       list_section("common_tables", "tables of all these kinds", common_tables())};

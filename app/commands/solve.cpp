@@ -28,8 +28,8 @@ template <class K, class Problem>
 std::vector<OutputFile> files_of(const Problem& problem, const typename K::Result& result,
                                  const Options& options) {
   std::vector<OutputFile> files;
-  if constexpr (requires { K::csv(result); }) {
-    files.push_back({".csv", [&](const auto&) { return K::csv(result); }});
+  if constexpr (requires { K::csv(problem, result); }) {
+    files.push_back({".csv", [&](const auto&) { return K::csv(problem, result); }});
   } else if constexpr (has_turn_table<K, Problem>) {
     const int steps = options.steps.value_or(kTurnSteps);
     files.push_back({".csv", [&, steps](const auto&) { return K::csv(problem, result, steps); }});
@@ -59,7 +59,11 @@ ExitStatus compute_problem(const fs::path& file, const Problem& problem, const O
                   .document = [&] { return result_document(problem, result, options.seed); },
                   .files = files_of<K>(problem, result, options),
                   .when_interrupted = K::kWhenInterrupted,
-                  .table = [&](const Screen& screen) { return K::table(problem, result, screen); },
+                  .table =
+                      [&](Screen screen) {
+                        screen.length = length_word(problem.length_unit);
+                        return K::table(problem, result, screen);
+                      },
                   .exit_status = [&] { return K::is_done(result) ? exit_done : exit_no_design; }});
 }
 
@@ -73,7 +77,7 @@ bool is_own_type(const std::string& type) {
 }
 
 ExitStatus run(Command command, const fs::path& file, const Options& options) {
-  const auto read = problems::read_task_at(file);
+  const auto read = problems::read_task_at(file, options.length_unit);
   if (!read) return refuse(file, read.error(), options);
   return visit_kind(read->task, [&]<class K>(K, const auto& problem) {
     const std::string why = K::refusal(problem, command);
@@ -97,7 +101,9 @@ ExitStatus analyze_design_command(const fs::path& file, int design, const Option
     write_standard_error(printable(message) + '\n');
     return exit_bad_input;
   };
-  const auto given = read_result_design(file, design);
+  const auto given = read_result_design(file, design).and_then([&](ResultDesign read) {
+    return in_length_unit(std::move(read), options.length_unit);
+  });
   if (!given) return refuse_file(given.error());
   if (const std::string type = text_under(given->table["mechanism"], "type"); is_own_type(type)) {
     return refuse_file(file.string() + ": is the result of a " + type +

@@ -116,7 +116,8 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
   if (options.json) {
     text = write_json(document);
   } else if (!options.quiet) {
-    const Screen screen = standard_output();
+    Screen screen = standard_output();
+    screen.length = length_word(sweep.study.length_unit);
     text = study_table(sweep.study, summary, screen);
     text += fmt::format("wrote {} and {}\n",
                         printable(sweep.path(".study.db").lexically_normal().string()),

@@ -142,19 +142,6 @@ class Columns : public DesignTable<Design> {
           [i](const Design& d) { return number(dimensions(d.mechanism)[i].value, 6); });
     }
   }
-
-  /// Lengths are in metres where powers, torques and inertias follow from them.
-  void name_metres() {
-    const auto has_unit = [](const Design& d) {
-      return d.metrics.cycle.any([](const auto& quantity) { return quantity.is_in_metres(); });
-    };
-    if (std::ranges::none_of(designs(), has_unit)) return;
-    for (Column& column : columns()) {
-      const std::string_view unit = "[length";
-      const auto at = column.heading.find(unit);
-      if (at != std::string::npos) column.heading.replace(at, unit.size(), "[m");
-    }
-  }
 };
 
 }  // namespace
@@ -191,7 +178,6 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
   columns.add("defects", Align::left, defects_text);
   columns.add_constraints();
   columns.add("origin", Align::left, origin_text);
-  columns.name_metres();
   return std::move(columns.columns());
 }
 

@@ -45,6 +45,12 @@ tl::expected<double, std::string> parse_time_limit(std::string_view text) {
   return *seconds;
 }
 
+tl::expected<problems::LengthUnit, std::string> parse_length_unit(std::string_view text) {
+  const auto unit = problems::from_string<problems::LengthUnit>(text);
+  if (unit) return *unit;
+  return refusal("--length-unit", text, "mm, cm, m or in");
+}
+
 tl::expected<std::filesystem::path, std::string> parse_folder(std::string_view text) {
   if (text.empty()) return refusal("--out", text, "the name of a folder");
   return std::filesystem::path(text);

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "problems/basics/length_unit.hpp"
+
 namespace cognate::app {
 
 /// Options common to all commands.
@@ -18,7 +20,8 @@ struct Options {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   std::optional<std::filesystem::path> out;
-  std::optional<int> steps;  ///< of the table of a cam over its turn
+  std::optional<int> steps;                         ///< of the table of a cam over its turn
+  std::optional<problems::LengthUnit> length_unit;  ///< of files that give none
 };
 
 /// The errors of these say what is wrong with the text and what is allowed.
@@ -34,6 +37,9 @@ tl::expected<double, std::string> parse_time_limit(std::string_view text);
 
 /// A whole number from 1 to 100 000.
 tl::expected<int, std::string> parse_steps(std::string_view text);
+
+/// One of the words of `length_unit`.
+tl::expected<problems::LengthUnit, std::string> parse_length_unit(std::string_view text);
 
 /// The name of a folder: not empty.
 tl::expected<std::filesystem::path, std::string> parse_folder(std::string_view text);

@@ -13,6 +13,7 @@ struct Screen {
 
   bool colour = false;
   std::size_t width = kUnlimited;  ///< columns
+  std::string length{};            ///< the unit of lengths; empty where it is not known
 };
 
 /// How many columns of a terminal `text` takes: East-Asian characters take two, combining marks and

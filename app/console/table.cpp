@@ -62,17 +62,28 @@ std::string certificate_line(const Result& result) {
       proof.upper_bound, proof.lower_bound, proof.gap_relative, among);
 }
 
+/// Without a unit in the file lengths count as metres where powers, torques and inertias follow
+/// from them.
+Screen with_metres(Screen screen, std::span<const problems::Design> designs) {
+  const auto has_unit = [](const problems::Design& design) {
+    return design.metrics.cycle.any([](const auto& quantity) { return quantity.is_in_metres(); });
+  };
+  if (screen.length.empty() && std::ranges::any_of(designs, has_unit)) screen.length = "m";
+  return screen;
+}
+
 }  // namespace
 
 std::string design_table(const std::string& heading, const ColumnChoice& choice,
                          const Result& result, const Screen& screen) {
   const auto designs = shown_designs(result);
-  return result_table(
-      {.heading = heading,
-       .before = quantities_line(result),
-       .designs = designs.empty() ? "" : table_text(design_columns(designs, choice), screen),
-       .after = certificate_line(result)},
-      result, screen);
+  return result_table({.heading = heading,
+                       .before = quantities_line(result),
+                       .designs = designs.empty() ? ""
+                                                  : table_text(design_columns(designs, choice),
+                                                               with_metres(screen, designs)),
+                       .after = certificate_line(result)},
+                      result, screen);
 }
 
 }  // namespace cognate::app

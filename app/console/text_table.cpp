@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/console/paint.hpp"
+#include "problems/basics/length_unit.hpp"
 
 namespace cognate::app {
 namespace {
@@ -39,6 +40,13 @@ std::size_t width_of(const Column& column) {
   std::size_t width = std::max(display_width(name_of(column)), display_width(unit_of(column)));
   for (const auto& cell : column.cells) width = std::max(width, display_width(cell));
   return width;
+}
+
+/// Calls lengths by their unit, "[length/s²]" by "[mm/s²]".
+void name_lengths(Column& column, const std::string& length) {
+  const std::size_t unit = unit_begin(column.heading);
+  column.heading.replace(unit, std::string::npos,
+                         problems::in_length_unit(column.heading.substr(unit), length));
 }
 
 void append(std::string& line, const std::string& cell) {
@@ -86,8 +94,9 @@ std::vector<std::string> set_columns(const std::vector<Column>& columns) {
   return lines;
 }
 
-std::string table_text(const std::vector<Column>& columns, const Screen& screen) {
+std::string table_text(std::vector<Column> columns, const Screen& screen) {
   std::string text;
+  for (Column& column : columns) name_lengths(column, screen.length);
   if (columns.empty()) return text;
   for (const auto& block : blocks(columns, screen.width)) {
     const std::size_t heads = have_units(block) ? 2 : 1;

@@ -26,6 +26,7 @@ std::vector<std::string> set_columns(const std::vector<Column>& columns);
 
 /// The same as text for `screen`, after an empty line and with headings in bold. Where it is not
 /// wide enough for all columns they are set in blocks, one below the other, each with the first.
-std::string table_text(const std::vector<Column>& columns, const Screen& screen);
+/// Lengths are called by the unit that the screen names.
+std::string table_text(std::vector<Column> columns, const Screen& screen);
 
 }  // namespace cognate::app

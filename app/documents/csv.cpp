@@ -1,5 +1,6 @@
 #include "app/documents/csv.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,9 +31,22 @@ void append_number(std::string& line, double value) {
   line.append(digits.data(), end);
 }
 
+/// "C_vx_mm_per_s" of "C_vx_per_s", whose unit is "length/s"; "C_curvature_per_mm", of "1/length".
+std::string heading(const problems::Column& column, std::string_view length) {
+  constexpr std::string_view kLength = "length", kPer = "_per_";
+  const auto at = column.unit.find(kLength);
+  if (length.empty() || at == std::string::npos) return column.name;
+  std::string name = column.name;
+  if (at == 0)
+    return name.insert(std::min(name.rfind(kPer), name.size()), "_" + std::string(length));
+  name.append(column.unit.starts_with("1/") ? "" : "_N").append(kPer).append(length);
+  return column.unit.size() > at + kLength.size() ? name + "2" : name;
+}
+
 }  // namespace
 
-std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words) {
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words,
+                     std::string_view length) {
   std::string text;
   const auto append_line = [&](std::string_view word, auto&& append_cell) {
     append_text(text, word);
@@ -44,7 +58,8 @@ std::string csv_text(std::span<const problems::Column> columns, const CsvWords& 
     }
     text += kLineEnd;
   };
-  append_line(words.name, [&](const problems::Column& column) { append_text(text, column.name); });
+  append_line(words.name,
+              [&](const problems::Column& column) { append_text(text, heading(column, length)); });
   const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {
     append_line(words.name.empty() ? "" : words.cells[row],

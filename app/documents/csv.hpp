@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problems/evaluation/result.hpp"
@@ -19,6 +20,10 @@ struct CsvWords {
 /// that holds a comma, a quote or a line break is quoted. Numbers are the shortest that read back
 /// to the same double, with a decimal point whatever the locale; what is not a number is an empty
 /// cell.
-std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words = {});
+///
+/// `length`, the unit of lengths where it is known, stands in the names of columns that hold
+/// lengths: "C_x_mm", "C_vx_mm_per_s".
+std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words = {},
+                     std::string_view length = {});
 
 }  // namespace cognate::app

@@ -99,7 +99,7 @@ constexpr KeyedEntry kAnalysisTables[] = {
     {"[[point]]", "a further point of a body", kPointTable},
     {"[[link]]", "mass and inertia of a body", kLinkTable},
     {"[[load]]", "a force or a torque on a body", kLoadTable},
-    {"gravity", "[gx, gy] in m/s2 (default [0, 0]); a key, not a table", {}},
+    {"gravity", "[gx, gy] in length/s2 (default [0, 0]); a key, not a table", {}},
     {"[drive]", "how the crank, or the driving slider, moves", kDriveTable},
     {"[output]", "what is computed; the rest is skipped", kOutputTable}};
 

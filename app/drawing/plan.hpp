@@ -1,11 +1,13 @@
 /// @file A drawing in layers, whatever the format it is written in.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/numbers/vec2.hpp"
+#include "problems/basics/length_unit.hpp"
 
 namespace cognate::app {
 
@@ -45,9 +47,10 @@ struct PlanLabel {
   std::string text;
 };
 
-/// Lengths have no unit of their own; y points upwards.
+/// y points upwards.
 struct Plan {
   std::string title;
+  std::optional<problems::LengthUnit> length_unit{};
   Vec2d low{}, high{};  ///< corners of the rectangle that it fills
   std::vector<PlanLayer> layers;
   std::vector<PlanOutline> outlines;

@@ -28,6 +28,22 @@ int colour_index(PlanColour colour) {
   }
 }
 
+/// By the table of $INSUNITS; 0 says that there is no unit.
+int unit_index(std::optional<problems::LengthUnit> unit) {
+  if (!unit) return 0;
+  switch (*unit) {
+    case problems::LengthUnit::mm:
+      return 4;
+    case problems::LengthUnit::cm:
+      return 5;
+    case problems::LengthUnit::m:
+      return 6;
+    case problems::LengthUnit::inch:
+      return 1;
+  }
+  return 0;
+}
+
 /// The library's own writer goes to a file, with sixteen places behind the decimal point.
 class TextWriter : public DL_WriterA {
  public:
@@ -120,7 +136,11 @@ class DxfMaker {
     dxf_.writeHeader(out_);
     if (!old_) {
       out_.dxfString(9, "$INSUNITS");
-      out_.dxfInt(70, 0);
+      out_.dxfInt(70, unit_index(plan_.length_unit));
+    }
+    if (!old_ && plan_.length_unit) {
+      out_.dxfString(9, "$MEASUREMENT");
+      out_.dxfInt(70, plan_.length_unit == problems::LengthUnit::inch ? 0 : 1);
     }
     out_.dxfString(9, "$EXTMIN");
     out_.coord(10, plan_.low.x, plan_.low.y);

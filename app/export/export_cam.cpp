@@ -37,15 +37,16 @@ PlanOutline outline_of(const CamOutline& curve, const char* layer) {
 }
 
 /// Each curve a closed outline on the layer PROFILE, PITCH or CUTTER, the base circles on
-/// BASE_CIRCLE, and two crossing lines on CENTRE. It is called `title`, or "Cam" where that is
-/// empty.
-Plan cam_plan(const CamDrawing& drawing, const std::string& title) {
+/// BASE_CIRCLE, and two crossing lines on CENTRE. It is called as `problem`, or "Cam" where that
+/// has no title.
+Plan cam_plan(const CamDrawing& drawing, const problems::CamProblem& problem) {
   const char* layer = layer_of(drawing.kind);
   const double reach = reach_of(drawing);
   const PlanColour colour =
       drawing.kind == CamCurveKind::profile ? PlanColour::foreground : PlanColour::accent;
   Plan plan{
-      .title = title.empty() ? "Cam" : title,
+      .title = problem.title.empty() ? "Cam" : problem.title,
+      .length_unit = problem.length_unit,
       .low = {-reach, -reach},
       .high = {reach, reach},
       .layers = {
@@ -63,12 +64,14 @@ Plan cam_plan(const CamDrawing& drawing, const std::string& title) {
 /// The points of `curve` as CSV: cam_deg, x, y, normal_x, normal_y (unit, away from the material),
 /// radius_of_curvature (negative where the curve is concave, empty where it is straight). Numbers
 /// read back to the same doubles.
-std::string curve_csv(const CamOutline& curve) {
+std::string curve_csv(const CamOutline& curve, std::string_view length) {
   std::array<problems::Column, 6> columns;
   constexpr std::array kNames = {"cam_deg",  "x",        "y",
                                  "normal_x", "normal_y", "radius_of_curvature"};
+  constexpr std::array kUnits = {"deg", "length", "length", "", "", "length"};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     columns[i].name = kNames[i];
+    columns[i].unit = kUnits[i];
     columns[i].values.reserve(curve.points.size());
   }
   for (const auto& point : curve.points) {
@@ -82,7 +85,7 @@ std::string curve_csv(const CamOutline& curve) {
                             radius};
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
-  return csv_text(columns);
+  return csv_text(columns, {}, length);
 }
 
 using Refusal = std::optional<std::string>;
@@ -153,20 +156,20 @@ std::string named_after_curve(std::string name, CamCurveKind curve) {
   return name;
 }
 
-std::vector<ExportedFile> files_of(const CamDrawing& drawing, const std::string& title,
+std::vector<ExportedFile> files_of(const CamDrawing& drawing, const problems::CamProblem& problem,
                                    const ExportOptions& wanted, const std::string& stem) {
   if (wanted.format == ExportFormat::dxf) {
-    return {{stem + ".dxf", dxf_text(cam_plan(drawing, title), wanted.version)}};
+    return {{stem + ".dxf", dxf_text(cam_plan(drawing, problem), wanted.version)}};
   }
   if (wanted.format == ExportFormat::svg) {
-    return {{stem + ".svg", svg_text(cam_plan(drawing, title))}};
+    return {{stem + ".svg", svg_text(cam_plan(drawing, problem))}};
   }
   // NAME.csv is the table of the cam over its turn.
   const std::string only = wanted.curve == CamCurveKind::profile ? ".profile" : "";
   std::vector<ExportedFile> files;
   for (const auto& curve : drawing.curves) {
-    files.push_back(
-        {stem + (curve.name.empty() ? only : "." + curve.name) + ".csv", curve_csv(curve)});
+    files.push_back({stem + (curve.name.empty() ? only : "." + curve.name) + ".csv",
+                     curve_csv(curve, length_word(problem.length_unit))});
   }
   return files;
 }
@@ -201,12 +204,11 @@ tl::expected<Exported, std::string> export_cam(const ResultCam& given, const Exp
   const auto drawing = drawing_of(given, wanted);
   if (!drawing) return tl::unexpected(drawing.error());
   const std::size_t points = point_count(*drawing);
-  return Exported{
-      files_of(*drawing, given.problem.title, wanted, named_after_curve(stem, wanted.curve)),
-      notes_of(*drawing),
-      fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
-                  drawing->chord_tolerance),
-      {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};
+  return Exported{files_of(*drawing, given.problem, wanted, named_after_curve(stem, wanted.curve)),
+                  notes_of(*drawing),
+                  fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
+                              drawing->chord_tolerance),
+                  {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};
 }
 
 }  // namespace cognate::app

@@ -50,8 +50,9 @@ tl::expected<double, std::string> tolerance_of(const ResultGears& given,
 
 /// Rows of x, y, radius about the gear's own centre, and the part that the chord to the point
 /// stands for: root, fillet, involute, tip.
-std::string outline_csv(const GearOutline& outline) {
-  std::string text = "x,y,radius,part\r\n";
+std::string outline_csv(const GearOutline& outline, std::string_view length) {
+  const std::string unit = length.empty() ? "" : "_" + std::string(length);
+  std::string text = fmt::format("x{0},y{0},radius{0},part\r\n", unit);
   for (const auto& [at, part] : outline.points) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{}\r\n", at.x, at.y,
                    norm(at - outline.gear.centre), name_of(part));
@@ -87,8 +88,15 @@ std::string gears_document(const ResultGears& given, const std::vector<GearOutli
                            {"gearing", given.gearing},
                            {"chord_tolerance", tolerance},
                            {"gears", ordered_json::array()}};
+  if (given.length_unit) document["length_unit"] = to_string(*given.length_unit);
   for (const auto& outline : outlines) document["gears"].push_back(gear_entry(outline));
   return write_json(document);
+}
+
+Plan plan_of(const ResultGears& given, const std::vector<GearOutline>& outlines) {
+  Plan plan = gear_plan(outlines, given.title);
+  plan.length_unit = given.length_unit;
+  return plan;
 }
 
 std::vector<ExportedFile> files_of(const ResultGears& given,
@@ -96,9 +104,9 @@ std::vector<ExportedFile> files_of(const ResultGears& given,
                                    const ExportOptions& wanted, const std::string& stem) {
   switch (wanted.format) {
     case ExportFormat::dxf:
-      return {{stem + ".dxf", dxf_text(gear_plan(outlines, given.title), wanted.version)}};
+      return {{stem + ".dxf", dxf_text(plan_of(given, outlines), wanted.version)}};
     case ExportFormat::svg:
-      return {{stem + ".svg", svg_text(gear_plan(outlines, given.title))}};
+      return {{stem + ".svg", svg_text(plan_of(given, outlines))}};
     case ExportFormat::json:
       return {{stem + ".gears.json", gears_document(given, outlines, tolerance)}};
     default:
@@ -108,7 +116,7 @@ std::vector<ExportedFile> files_of(const ResultGears& given,
   for (const auto& outline : outlines) {
     std::string name = stem;
     if (!outline.gear.name.empty()) name.append(".").append(outline.gear.name);
-    files.push_back({name.append(".csv"), outline_csv(outline)});
+    files.push_back({name.append(".csv"), outline_csv(outline, length_word(given.length_unit))});
   }
   return files;
 }

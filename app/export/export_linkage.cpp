@@ -110,7 +110,9 @@ constexpr double kDefaultTolerance = 1e-4;  // of the linkage's size
 constexpr double kLeastTolerance = 1e-9;
 
 /// The text of a drawing; an error where numbers beyond all measure are in it.
-tl::expected<std::string, std::string> drawn(const Plan& plan, const ExportOptions& wanted) {
+tl::expected<std::string, std::string> drawn(Plan plan, const LinkageScene& linkage,
+                                             const ExportOptions& wanted) {
+  plan.length_unit = linkage.problem.length_unit;
   if (!std::isfinite(norm(plan.high - plan.low))) {
     return tl::unexpected(
         std::string("the linkage is too large to be drawn; lengths up to 1e100 are allowed"));
@@ -223,7 +225,8 @@ class LinkageExporter {
   Result table() {
     const auto columns = positions().columns;
     const std::size_t rows = columns.front().values.size();
-    return file(csv_text(columns), fmt::format("{} positions", rows), {{"rows", rows}});
+    return file(csv_text(columns, {}, length_word(linkage_.problem.length_unit)),
+                fmt::format("{} positions", rows), {{"rows", rows}});
   }
 
   Result sketch() {
@@ -257,8 +260,9 @@ class LinkageExporter {
                                           is_driven_by_slider(linkage_) ? "" : " deg");
     const ordered_json quantities = {{"position", drive}, {"chord_tolerance", *chord}};
     if (wanted_.format != ExportFormat::json) {
-      return file(drawn(linkage_plan(linkage_, shown_, motion_.bodies(), *paths), wanted_), where,
-                  quantities);
+      return file(
+          drawn(linkage_plan(linkage_, shown_, motion_.bodies(), *paths), linkage_, wanted_), where,
+          quantities);
     }
     ordered_json document = {{"format", "cognate-linkage/1"}};
     document.update(linkage_json(linkage_, shown_, motion_.bodies(), drive, *paths));
@@ -281,7 +285,7 @@ class LinkageExporter {
       summary += fmt::format(", {:.6g} high", layers.count * *order.thickness);
     }
     if (wanted_.format != ExportFormat::json) {
-      return file(drawn(sheet.plan, wanted_), summary, {{"sheet", told}});
+      return file(drawn(sheet.plan, linkage_, wanted_), summary, {{"sheet", told}});
     }
     ordered_json document = {{"format", "cognate-parts/1"}};
     document.update(told);

@@ -38,6 +38,7 @@ std::string design_stem(const std::string& stem, int design);
 struct ResultGears {
   std::string title;
   std::string gearing;
+  std::optional<problems::LengthUnit> length_unit;
   std::vector<GearPose> gears;
   std::vector<std::string> notes;  ///< what is wrong with them
 };

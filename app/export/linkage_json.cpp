@@ -95,6 +95,7 @@ ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
   const auto& mechanism = linkage.problem.mechanism;
   ordered_json document = {{"type", problems::to_string(mechanism.type())},
                            {"dimensions", ordered_json::object()}};
+  if (const auto unit = linkage.problem.length_unit) document["length_unit"] = to_string(*unit);
   for (const auto& dimension : dimensions(mechanism)) {
     document["dimensions"][dimension.name] = dimension.value;
   }

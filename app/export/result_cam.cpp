@@ -24,9 +24,8 @@ ordered_json problem_tables(const ResultDesign& given) {
   constexpr std::array<std::string_view, 7> kOfMechanism = {
       "base_radius", "offset",   "roller_radius", "centre_distance",
       "arm",         "rotation", "face_offset"};
-  ordered_json tables = {{"kind", "cam"},
-                         {"title", text_under(given.problem, "title")},
-                         {"follower", ordered_json::object()}};
+  ordered_json tables = head_of(given, "cam");
+  tables["follower"] = ordered_json::object();
   for (const auto& [key, value] : given.table["mechanism"].items()) {
     if (key == "type" || key == "preload") continue;
     if (key == "follower") {

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = 256U << 20U;
+constexpr const char* kLengthUnit = "length_unit";
 constexpr int kDeepest = 64;  // no result nests its values further
 
 tl::unexpected<std::string> refusal(const std::string& name, std::string_view what) {
@@ -132,6 +133,31 @@ tl::expected<ResultDesign, std::string> read_result_design(const fs::path& file,
   const auto text = text_in(file);
   if (!text) return tl::unexpected(text.error());
   return parse_result_design(*text, design, file.string());
+}
+
+std::optional<problems::LengthUnit> length_unit_of(const ResultDesign& design) {
+  return problems::from_string<problems::LengthUnit>(text_under(design.problem, kLengthUnit));
+}
+
+tl::expected<ResultDesign, std::string> in_length_unit(ResultDesign design,
+                                                       std::optional<problems::LengthUnit> unit) {
+  if (!unit) return design;
+  const auto own = length_unit_of(design);
+  if (own && *own != *unit) {
+    return refusal(
+        design.name,
+        fmt::format("the lengths are in {}, but --length-unit says {}; remove the option",
+                    to_string(*own), to_string(*unit)));
+  }
+  if (!design.problem.is_object()) design.problem = ordered_json::object();
+  design.problem[kLengthUnit] = to_string(*unit);
+  return design;
+}
+
+ordered_json head_of(const ResultDesign& design, std::string_view kind) {
+  ordered_json head = {{"kind", kind}, {"title", text_under(design.problem, "title")}};
+  if (const auto unit = length_unit_of(design)) head[kLengthUnit] = to_string(*unit);
+  return head;
 }
 
 }  // namespace cognate::app

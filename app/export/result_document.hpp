@@ -3,9 +3,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+
+#include "problems/basics/length_unit.hpp"
 
 namespace cognate::app {
 
@@ -26,6 +29,17 @@ std::string text_under(const nlohmann::ordered_json& table, const char* key);
 /// that begins with the file's name: what is wrong; what is allowed.
 tl::expected<ResultDesign, std::string> read_result_design(const std::filesystem::path& file,
                                                            int design);
+
+/// `design` of a problem whose lengths are in `unit`, where the document names none. The error says
+/// that it names another one.
+tl::expected<ResultDesign, std::string> in_length_unit(ResultDesign design,
+                                                       std::optional<problems::LengthUnit> unit);
+
+/// The unit of the problem's lengths, where the document names one.
+std::optional<problems::LengthUnit> length_unit_of(const ResultDesign& design);
+
+/// `kind`, and of the problem `title` and `length_unit`: how a file made of the design begins.
+nlohmann::ordered_json head_of(const ResultDesign& design, std::string_view kind);
 
 /// The same for the text of a document; `name` is what messages call it.
 tl::expected<ResultDesign, std::string> parse_result_design(std::string_view text, int design,

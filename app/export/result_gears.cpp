@@ -22,7 +22,7 @@ using Made = tl::expected<ResultGears, std::string>;
 
 /// The problem file that gives the mechanism of `given` and leaves nothing free.
 std::string problem_text(const ResultDesign& given, const char* kind) {
-  ordered_json tables = {{"kind", kind}, {"title", text_under(given.problem, "title")}};
+  ordered_json tables = head_of(given, kind);
   for (const auto& [key, value] : given.table["mechanism"].items()) {
     if (key == "type") continue;
     if (key == "rack") {
@@ -66,7 +66,11 @@ Made gear_of(const ResultDesign& given) {
     return tl::unexpected(
         fmt::format("the gear has no outline, since {}; expected a gear that can be made", fault));
   }
-  ResultGears made{problem->title, std::string(problems::to_string(problem->gearing)), {}, {}};
+  ResultGears made{problem->title,
+                   std::string(problems::to_string(problem->gearing)),
+                   problem->length_unit,
+                   {},
+                   {}};
   made.gears = {{"", section, {}, 0, gear::reference_radius(section)}};
   return made;
 }
@@ -99,7 +103,11 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
     return tl::unexpected(std::string(
         "its base circles overlap, so the gears do not mesh; expected a greater centre_distance"));
   }
-  ResultGears made{problem.title, std::string(problems::to_string(problem.gearing)), {}, {}};
+  ResultGears made{problem.title,
+                   std::string(problems::to_string(problem.gearing)),
+                   problem.length_unit,
+                   {},
+                   {}};
   made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
                 {"wheel", pair.gears[1], mesh.wheel_centre, mesh.wheel_angle,
                  contact.gears[1].working_radius}};

@@ -74,9 +74,8 @@ ordered_json without_rounding(const ordered_json& value) {
 /// The analysis of the design's mechanism, as a file would ask for it.
 ordered_json analysis_tables(const ResultDesign& given) {
   const ordered_json mechanism = without_rounding(given.table["mechanism"]);
-  ordered_json tables = {{"kind", "analysis"},
-                         {"title", text_under(given.problem, "title")},
-                         {"mechanism", mechanism}};
+  ordered_json tables = head_of(given, "analysis");
+  tables["mechanism"] = mechanism;
   if (is_analysis(given)) {
     tables["drive"] = member(given.problem, "drive");
   } else if (mechanism.contains("slider")) {
@@ -130,9 +129,8 @@ tl::expected<ordered_json, std::string> analysis_of_design(const ResultDesign& g
   const auto linkage = result_linkage(given);
   if (!linkage) return tl::unexpected(linkage.error());
   if (is_analysis(given)) return given.problem;
-  ordered_json tables = {{"kind", "analysis"},
-                         {"title", text_under(given.problem, "title")},
-                         {"mechanism", without_rounding(given.table["mechanism"])}};
+  ordered_json tables = head_of(given, "analysis");
+  tables["mechanism"] = without_rounding(given.table["mechanism"]);
   if (linkage->round) return tables;
   const auto& drive = linkage->problem.drive;
   const auto ranges = follow(linkage->problem.mechanism.mechanism, drive.start, drive.end);

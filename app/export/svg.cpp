@@ -143,13 +143,23 @@ void append_label(std::string& text, const PlanLabel& label) {
                  class_of(label.layer), label.at.x, label.at.y, scale, -scale, escaped(label.text));
 }
 
-/// The document of a plan whose lengths are painted as they are; `description` says what they are.
-std::string document(const Plan& plan, const std::string& description) {
+/// The attributes `width` and `height` of a picture that is so large in `unit`.
+std::string true_size(double width, double height, problems::LengthUnit unit) {
+  const double millimetres = 1000 * metres(unit);
+  return fmt::format(" width=\"{:.10g}mm\" height=\"{:.10g}mm\"", millimetres * width,
+                     millimetres * height);
+}
+
+/// The document of a plan whose lengths are painted as they are, `scale` times those of the
+/// problem; `description` says so.
+std::string document(const Plan& plan, double scale, const std::string& description) {
   const Vec2d size = plan.high - plan.low;
   const double margin = kMargin * greater_side(plan);
+  const double width = size.x + 2 * margin, height = size.y + 2 * margin;
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", plan.low.x - margin,
-      -plan.high.y - margin, size.x + 2 * margin, size.y + 2 * margin);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\"{} viewBox=\"{} {} {} {}\">\n",
+      plan.length_unit ? true_size(width / scale, height / scale, *plan.length_unit) : "",
+      plan.low.x - margin, -plan.high.y - margin, width, height);
   text += "<title>" + escaped(plan.title) + "</title>\n";
   text += description;
   text += style(plan);
@@ -165,9 +175,10 @@ std::string document(const Plan& plan, const std::string& description) {
 
 std::string svg_text(const Plan& plan) {
   const int shift = shift_of(plan);
-  if (shift == 0) return document(plan, "");
+  if (shift == 0) return document(plan, 1, "");
+  const double scale = std::pow(10.0, shift);
   return document(
-      scaled(plan, std::pow(10.0, shift)),
+      scaled(plan, scale), scale,
       fmt::format("<desc>Lengths are those of the problem times 1e{}.</desc>\n", shift));
 }
 

@@ -1,5 +1,7 @@
 #include "app/report/filled_page.hpp"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -28,8 +30,12 @@ std::string embedded(const ordered_json& value) {
 
 }  // namespace
 
-std::string filled_page(std::string page, const ordered_json& data) {
-  constexpr std::string_view kMarker = "@DATA@";
+std::string filled_page(std::string page, const ordered_json& data, std::string_view length_unit) {
+  constexpr std::string_view kRoot = "<html", kMarker = "@DATA@";
+  if (!length_unit.empty()) {
+    page.insert(page.find(kRoot) + kRoot.size(),
+                fmt::format(R"( data-length-unit="{}")", length_unit));
+  }
   return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
 }
 

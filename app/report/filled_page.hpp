@@ -3,11 +3,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace cognate::app {
 
-/// `page` (of page.hpp) with `data` in its place, as JSON that no text in it can break out of.
-std::string filled_page(std::string page, const nlohmann::ordered_json& data);
+/// `page` (of page.hpp) with `data` in its place, as JSON that no text in it can break out of, and
+/// the unit of lengths, one of the words of `length_unit`; empty where there is none.
+std::string filled_page(std::string page, const nlohmann::ordered_json& data,
+                        std::string_view length_unit);
 
 /// `page` without the kernel that evaluates what is edited: it is large, and cannot edit
 /// everything.

@@ -42,7 +42,8 @@ ordered_json without_large_tables(const ordered_json& document) {
 std::string report_page(std::string page, ordered_json data, const ordered_json& result_document) {
   data["result"] = without_large_tables(result_document);
   if (result_document.contains("machine")) data["thinned"] = are_motions_large(result_document);
-  return filled_page(std::move(page), data);
+  const auto problem = result_document.value("problem", ordered_json::object());
+  return filled_page(std::move(page), data, problem.value("length_unit", std::string()));
 }
 
 }  // namespace cognate::app

@@ -256,7 +256,7 @@ std::string study_report_html(const ordered_json& document, const problems::Stud
                               const StudyRows& rows) {
   ordered_json data = study_report_data(study, rows);
   data["result"] = without_large_lists(document);
-  return filled_page(study_page(), data);
+  return filled_page(study_page(), data, length_word(study.length_unit));
 }
 
 }  // namespace cognate::app

@@ -52,7 +52,7 @@ double typical_demand(const CamProblem& problem) {
     rise = std::max(rise, std::abs(segment.rise));
     sharpest = std::max(sharpest, std::abs(segment.rise) / (segment.over * segment.over));
   }
-  const double size = std::abs(o.inertia * o.speed * o.speed * sharpest) +
+  const double size = std::abs(o.inertia * o.speed * o.speed * o.displacement * sharpest) +
                       std::abs(o.spring_rate * rise) + std::abs(o.preload) + std::abs(o.load);
   return size > 0 ? size : 1;
 }

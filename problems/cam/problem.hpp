@@ -11,6 +11,7 @@
 #include "analysis/cam/motion_law.hpp"
 #include "analysis/cam/operation.hpp"
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
@@ -80,6 +81,7 @@ struct ContactMaterials {
 /// `kind = "cam"`.
 struct CamProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   cam::FollowerType follower = cam::FollowerType::translating_roller;
   cam::ArmSide side = cam::ArmSide::trailing;
   SecondContact second;

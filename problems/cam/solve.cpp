@@ -304,6 +304,14 @@ class CamSolver {
   CamResult& result_;
 };
 
+/// `problem` whose operation knows the unit of its lengths.
+CamProblem in_unit_of_lengths(CamProblem problem) {
+  cam::Operation& operation = problem.operation;
+  operation.metres = metres(problem.length_unit);
+  operation.displacement = is_oscillating(problem.follower) ? 1 : operation.metres;
+  return problem;
+}
+
 Status status_of(const CamResult& result, const Deadline& deadline) {
   if (deadline.interrupted()) return Status::interrupted;
   if (deadline.expired()) return Status::time_limit;
@@ -316,7 +324,7 @@ Status status_of(const CamResult& result, const Deadline& deadline) {
 CamResult solve(const CamProblem& given, const Run& run) {
   const auto valid = KindTraits<CamProblem>::checked(given);
   if (!valid) return refused<CamResult>(valid.error());
-  const CamProblem& problem = *valid;
+  const CamProblem problem = in_unit_of_lengths(*valid);
   const Deadline deadline(run);
   CamResult result;
   for (const auto& segment : problem.motion) {

@@ -227,7 +227,7 @@ reading::Written KindTraits<CamProblem>::written(const CamProblem& problem) {
   for (std::size_t i = 0; i < problem.motion.size(); ++i) {
     motion.push_back(node(segment_writer(problem, i)));
   }
-  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   document.set("follower", written_follower(problem)).set("motion", motion);
   write_lengths(problem, document);
   document.set("target", TableWriter{}.set_name("objective", problem.objective))

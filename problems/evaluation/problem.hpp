@@ -10,6 +10,7 @@
 #include "analysis/mechanism/forces.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
@@ -42,6 +43,7 @@ struct AnalysisOutput {
 /// `kind = "analysis"`.
 struct AnalysisProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   NamedMechanism mechanism;
   DriveSweep drive;
   AnalysisOutput output;

@@ -17,6 +17,7 @@
 #include "problems/evaluation/curve_metrics.hpp"
 #include "problems/evaluation/drive_rows.hpp"
 #include "problems/evaluation/force_extremes.hpp"
+#include "problems/evaluation/force_units.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
 #include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/motion_quantities.hpp"
@@ -319,7 +320,8 @@ bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, cons
 }  // namespace
 
 AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
-  AnalysisProblem problem = given;
+  const double unit = metres(given.length_unit);
+  AnalysisProblem problem = in_newtons(given, unit);
   problem.inertias.resize(problem.mechanism.bodies.size());
   const Deadline deadline(run);
   Sweep rows = sweep(problem, run, deadline);
@@ -338,6 +340,8 @@ AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
     return is_inflection_line(column) &&
            std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
   });
+  to_newton_metres(result, unit);
+  std::ranges::move(unit_notes(given, given.length_unit), std::back_inserter(result.notes));
   return result;
 }
 

@@ -74,7 +74,7 @@ TableWriter output_writer(const AnalysisProblem& problem, std::vector<std::strin
 reading::Written KindTraits<AnalysisProblem>::written(const AnalysisProblem& problem) {
   using namespace reading;
   Written all;
-  all.document = document_writer(kWord, problem.title)
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("mechanism", mechanism_writer(problem.mechanism))
                      .set("drive", sweep_writer(problem))
                      .set("output", output_writer(problem, all.faults))

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
@@ -54,6 +55,7 @@ enum class PointSpacing {
 /// `kind = "function-generation"`. All angles of links are measured from the directed line A→D.
 struct FunctionProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   MechanismType type = MechanismType::four_bar;  ///< or slider_crank, with objective `exact` alone
   std::variant<FunctionOfX, AnglePairs> target;
   FunctionObjective objective = FunctionObjective::least_squares;

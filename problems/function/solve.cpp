@@ -175,7 +175,7 @@ void add_certificate(const FunctionProblem& problem, const Run& run, const Deadl
 Result solve(const FunctionProblem& given, const Run& run) {
   const auto valid = KindTraits<FunctionProblem>::checked(given);
   if (!valid) return refused<Result>(valid.error());
-  const FunctionProblem& problem = *valid;
+  const FunctionProblem problem = in_joules(*valid);
   const Deadline deadline(run);
   const bool exact = problem.objective == FunctionObjective::exact;
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
@@ -195,6 +195,7 @@ Result solve(const FunctionProblem& given, const Run& run) {
   }
   note_motions(problem, function_samples(problem), result);
   note_oddities(std::nullopt, result, kDeadTransmission);
+  note_units(problem.constraints.operation, problem.length_unit, result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});
   result.work.threads = exact ? 1 : thread_count(run.threads);

@@ -123,7 +123,7 @@ std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
 reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& problem) {
   using namespace reading;
   Written all;
-  all.document = document_writer(kWord, problem.title)
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("target", written_target(problem))
                      .set("mechanism", written_mechanism(problem))
                      .set("bounds", written_bounds(problem))

@@ -11,6 +11,7 @@
 #include "analysis/gear/other_gears.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
@@ -22,6 +23,7 @@ enum class Gearing { spur, helical, bevel, worm };
 /// `kind = "gear"`: one gear as its rack cuts it. Bevel and worm gears are made of pairs alone.
 struct GearProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   Gearing gearing = Gearing::spur;  ///< or helical
   gear::HelicalGear gear;           ///< of a spur gear without helix
   int points = 20;                  ///< rows of the table for each part of the flank
@@ -59,6 +61,7 @@ struct GearConstraints {
 /// `kind = "gear-pair"`. What is empty is found; nothing is given twice.
 struct GearPairProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   Gearing gearing = Gearing::spur;
   gear::BasicRack rack;
   std::array<std::optional<int>, 2> teeth{};

@@ -129,7 +129,7 @@ reading::Written KindTraits<GearProblem>::written(const GearProblem& problem) {
   }
   set_unless_zero(mechanism, "face_width", problem.gear.face_width);
   mechanism.set("tip_reduction", gear.tip_reduction);
-  return {document_writer(kWord, problem.title)
+  return {document_writer(kWord, problem.title, problem.length_unit)
               .set("mechanism", mechanism)
               .set("rack", rack_writer(gear.rack))
               .set("output", TableWriter{}.set("points", problem.points))
@@ -139,7 +139,7 @@ reading::Written KindTraits<GearProblem>::written(const GearProblem& problem) {
 
 reading::Written KindTraits<GearPairProblem>::written(const GearPairProblem& problem) {
   using namespace reading;
-  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   document.set("mechanism", pair_writer(problem)).set("rack", rack_writer(problem.rack));
   const bool searched = problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
   if (searched) {

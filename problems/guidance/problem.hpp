@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
@@ -24,6 +25,7 @@ enum class MotionMethod { exact, least_squares };
 /// origin and its angle in the fixed frame.
 struct MotionProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   MotionMethod method = MotionMethod::exact;
   std::vector<synthesis::Pose> poses;
   /// `target.segments`: where two points of the body stand at each pose, as written. The body's

@@ -290,12 +290,13 @@ Result solve_exactly(const MotionProblem& problem, const Run& run) {
 Result solve(const MotionProblem& given, const Run& run) {
   const auto valid = KindTraits<MotionProblem>::checked(given);
   if (!valid) return refused<Result>(valid.error());
-  const MotionProblem& problem = *valid;
+  const MotionProblem problem = in_joules(*valid);
   const bool exact = problem.method != MotionMethod::least_squares;
   Result result = exact ? solve_exactly(problem, run) : solve_by_least_squares(problem, run);
   std::vector<Vec2d> origins;
   for (const Pose& pose : problem.poses) origins.push_back(pose.at);
   note_oddities(extent_of(origins), result);
+  note_units(problem.constraints.operation, problem.length_unit, result);
   return result;
 }
 

@@ -62,7 +62,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
   TableWriter bounds = bounds_writer(problem.bounds);
   bounds.set("moving_pivot_a", problem.moving_bounds[0])
       .set("moving_pivot_d", problem.moving_bounds[1]);
-  all.document = document_writer(kWord, problem.title)
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("target", written_target(problem))
                      .set("mechanism", written_mechanism(problem))
                      .set("bounds", bounds)

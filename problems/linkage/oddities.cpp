@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/unit_notes.hpp"
 #include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
@@ -41,6 +42,13 @@ bool is_near_change_point(const Design& design) {
 /// How far the farther fixed pivot is from a place.
 double farther_pivot(const FourBar& linkage, const Vec2d& place) {
   return std::max(norm(linkage.pivot_a - place), norm(linkage.pivot_d - place));
+}
+
+bool has_forces(const Operation& operation) {
+  return !operation.loads.empty() || norm(operation.gravity) > 0 ||
+         std::ranges::any_of(operation.links, [](const LinkMass& link) {
+           return link.mass > 0 || link.moment > 0 || link.mass_per_length > 0;
+         });
 }
 
 /// The four-bars of which something is the case.
@@ -111,6 +119,16 @@ void note_oddities(const std::optional<TargetExtent>& target, Result& result, do
       "the lengths are within a thousandth of a change point, where all links lie on one line: "
       "clearances and tolerances decide there which way the linkage goes on.",
       result);
+}
+
+void note_units(const Operation& operation, std::optional<LengthUnit> unit, Result& result) {
+  if (!has_forces(operation)) return;
+  const FourBar* best =
+      result.designs.empty() ? nullptr : result.designs.front().mechanism.four_bar();
+  const double longest = best ? longest_link(lengths(*best)) : 0;
+  for (auto& note : unit_notes({unit, operation.gravity, longest})) {
+    result.notes.push_back(std::move(note));
+  }
 }
 
 }  // namespace cognate::problems

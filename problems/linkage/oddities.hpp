@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "problems/basics/length_unit.hpp"
+#include "problems/linkage/operation.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
@@ -30,5 +32,9 @@ std::optional<TargetExtent> extent_of(std::span<const Vec2d> points);
 /// Without `target` the second is not asked. Transmission angles up to `noted`, of which a note of
 /// the kind's own says more, are left out.
 void note_oddities(const std::optional<TargetExtent>& target, Result& result, double noted = -1);
+
+/// Adds the note of `unit_notes` (basics/unit_notes.hpp), the best design being what is long, where
+/// `operation` has masses, loads or gravity.
+void note_units(const Operation& operation, std::optional<LengthUnit> unit, Result& result);
 
 }  // namespace cognate::problems

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "analysis/numbers/vec2.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/mechanism/load_rule.hpp"
 
 namespace cognate::problems {
@@ -42,8 +44,8 @@ struct WorkingLoad {
   LoadSense sense = LoadSense::always;
 };
 
-/// `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and `gravity` of a design problem. Lengths in m
-/// go with N and kg; in another unit torques are in kg·length²/s².
+/// `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and `gravity` of a design problem. Torques are
+/// in N·m where lengths are in m; in another unit for `in_joules`.
 struct Operation {
   double speed = 1;        ///< of the crank, rad/s: constant, or its mean where the speed may vary
   double flywheel = 0;     ///< inertia that turns with the crank, kg·m²
@@ -52,5 +54,17 @@ struct Operation {
   std::vector<WorkingLoad> loads;
   Vec2d gravity{};  ///< acceleration of free fall
 };
+
+/// `operation` of lengths in units of `metres`, with masses and forces so large that torques come
+/// out in N·m, inertias in kg·m² and powers in W.
+Operation in_joules(Operation operation, double metres);
+
+/// `problem` of a kind with `constraints` and `length_unit`, its operation so.
+template <class Problem>
+Problem in_joules(Problem problem) {
+  problem.constraints.operation =
+      in_joules(std::move(problem.constraints.operation), metres(problem.length_unit));
+  return problem;
+}
 
 }  // namespace cognate::problems

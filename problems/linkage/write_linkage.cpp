@@ -80,10 +80,12 @@ void check_objective_members(const Constraints& constraints, const Solve& solve,
 
 }  // namespace
 
-TableWriter document_writer(std::string_view kind, const std::string& title) {
+TableWriter document_writer(std::string_view kind, const std::string& title,
+                            std::optional<LengthUnit> length_unit) {
   TableWriter document;
   document.set("kind", kind);
-  return title.empty() ? document : document.set("title", title);
+  if (!title.empty()) document.set("title", title);
+  return document.set_name("length_unit", length_unit);
 }
 
 TableWriter given_writer(const Given& given, std::string_view type) {

@@ -1,17 +1,20 @@
 /// @file `[mechanism]`, `[bounds]`, `[constraints]` and `[solve]` of linkages, written down.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "problems/basics/length_unit.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_writer.hpp"
 
 namespace cognate::problems::reading {
 
-/// `kind` and `title`, to which the tables of the file are added.
-TableWriter document_writer(std::string_view kind, const std::string& title);
+/// `kind`, `title` and `length_unit`, to which the tables of the file are added.
+TableWriter document_writer(std::string_view kind, const std::string& title,
+                            std::optional<LengthUnit> length_unit);
 
 /// `type`: that of the mechanism.
 TableWriter given_writer(const Given& given, std::string_view type = "four-bar");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/problem.hpp"
 
@@ -72,6 +73,7 @@ struct MachineRunRequest {
 /// `kind = "machine"`.
 struct MachineProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   /// The mechanism with its masses and loads; its `drive` and `output` are not used. Empty where
   /// the file gives equivalent quantities instead.
   std::optional<AnalysisProblem> mechanism;

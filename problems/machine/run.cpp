@@ -11,6 +11,7 @@
 #include "analysis/machine/steady_state.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/quantity.hpp"
+#include "problems/evaluation/force_units.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/machine/model.hpp"
 #include "problems/machine/motion_table.hpp"
@@ -323,13 +324,27 @@ class MachineTasks {
   bool whole_ = true;
 };
 
+/// `problem` with inertias, torques and works at the drive in kg·m², N·m and J.
+MachineProblem in_joules(MachineProblem problem) {
+  if (!problem.mechanism) return problem;
+  const double unit = metres(problem.length_unit);
+  problem.mechanism = in_joules(*std::move(problem.mechanism), unit);
+  for (MachineLoad& load : problem.loads) load.rule = in_joules(load.rule, unit);
+  return problem;
+}
+
 }  // namespace
 
 MachineResult run_machine(const MachineProblem& given, const Run& run) {
   const auto valid = KindTraits<MachineProblem>::checked(given);
   if (!valid) return refused<MachineResult>(valid.error());
-  const MachineProblem& problem = *valid;
-  return MachineTasks(problem, run).answer();
+  const MachineProblem problem = in_joules(*valid);
+  MachineResult result = MachineTasks(problem, run).answer();
+  if (given.mechanism) {
+    std::ranges::move(unit_notes(*given.mechanism, given.length_unit),
+                      std::back_inserter(result.notes));
+  }
+  return result;
 }
 
 }  // namespace cognate::problems

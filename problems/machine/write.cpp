@@ -120,7 +120,7 @@ Array function_loads(const MachineProblem& problem, std::vector<std::string>& fa
 reading::Written KindTraits<MachineProblem>::written(const MachineProblem& problem) {
   using namespace reading;
   Written all;
-  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   if (problem.mechanism) {
     const Array loads = function_loads(problem, all.faults);
     document.set("mechanism", mechanism_writer(problem.mechanism->mechanism))

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
@@ -48,6 +49,7 @@ struct AtlasSource {
 /// `kind = "path-generation"`.
 struct PathProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   PathMethod method = PathMethod::least_squares;
   /// At least 3, neighbours distinct (the last may repeat the first); `exact`: 2 to 9, all
   /// distinct.

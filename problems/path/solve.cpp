@@ -241,7 +241,7 @@ void add_certificate(const PathProblem& problem, const Run& run, const Deadline&
 Result solve(const PathProblem& given, const Run& run) {
   const auto valid = KindTraits<PathProblem>::checked(given);
   if (!valid) return refused<Result>(valid.error());
-  const PathProblem& problem = *valid;
+  const PathProblem problem = in_joules(*valid);
   if (problem.method == PathMethod::exact) {
     Result exact = solve_exactly(problem, run);
     note_oddities(extent_of(problem.points), exact);
@@ -258,6 +258,7 @@ Result solve(const PathProblem& given, const Run& run) {
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   note_oddities(extent_of(problem.points), result);
+  note_units(problem.constraints.operation, problem.length_unit, result);
   if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = skipped_evaluations(problem.constraints);
   result.work.threads = thread_count(run.threads);

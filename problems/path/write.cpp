@@ -115,7 +115,7 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
   if (problem.curve) constraints.set("no_extra_loop", problem.constraints.no_extra_loop);
   TableWriter solve = solve_writer(problem.solve);
   if (problem.atlas) solve.set("atlas", problem.atlas->name);
-  all.document = document_writer(kWord, problem.title)
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("target", written_target(problem))
                      .set("mechanism", given_writer(problem.given))
                      .set("bounds", bounds_writer(problem.bounds))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
@@ -20,6 +21,7 @@ enum class QuickReturnType { four_bar, slider_crank, guide_bar, shaper };
 /// is empty is found, or does not belong to the type.
 struct QuickReturnProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   double time_ratio = 1;
   QuickReturnType type = QuickReturnType::four_bar;
   /// Crank, coupler, rocker and frame as far as the type has them. A four-bar has the rocker, and

@@ -19,7 +19,7 @@ reading::Written KindTraits<QuickReturnProblem>::written(const QuickReturnProble
   const bool four_bar = problem.type == QuickReturnType::four_bar;
   TableWriter constraints = four_bar ? constraints_writer(problem.constraints) : TableWriter{};
   constraints.set_deg("pressure_angle_deg_max", problem.pressure_angle_max);
-  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   document.set("target", TableWriter{}.set("time_ratio", problem.time_ratio))
       .set("mechanism", mechanism);
   if (four_bar) document.set("bounds", bounds_writer(problem.bounds));

@@ -10,6 +10,7 @@
 
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
@@ -52,6 +53,7 @@ struct SegmentConstraints {
 /// offset in `slider_offset`, its slide line's direction in `given.frame_angle`).
 struct StraightLineProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   std::optional<StraightLineGoal> goal;          ///< empty with method = "exact"
   MechanismType type = MechanismType::four_bar;  ///< of the linkage that is searched
   std::optional<double> slider_offset;

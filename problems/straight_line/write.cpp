@@ -52,7 +52,7 @@ TableWriter searched_mechanism(const StraightLineProblem& problem) {
 
 reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProblem& problem) {
   using namespace reading;
-  TableWriter document = document_writer(kWord, problem.title);
+  TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   TableWriter constraints = constraints_writer(problem.constraints);
   if (problem.goal) {
     write_keys(problem.segment, kSegmentKeys, constraints);

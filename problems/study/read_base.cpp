@@ -71,6 +71,8 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   BaseFile found{*std::move(document), {}, metrics(read->task)};
   found.number_keys = number_keys(found.document);
   study.drawing = drawing_of(read->task);
+  study.length_unit =
+      std::visit([](const auto& problem) { return problem.length_unit; }, read->task);
   return found;
 }
 

@@ -49,10 +49,11 @@ struct StudyObjective {
 /// and, fastest of all, the samples.
 struct Study {
   std::string title;
-  std::string base;              ///< the base file, as written
-  std::string base_text;         ///< what that file holds
-  std::filesystem::path folder;  ///< of the base file, where files that it names are
-  std::string drawing;           ///< the path data of the drawing that the base names, if any
+  std::string base;                         ///< the base file, as written
+  std::string base_text;                    ///< what that file holds
+  std::filesystem::path folder;             ///< of the base file, where files that it names are
+  std::optional<LengthUnit> length_unit{};  ///< of the base
+  std::string drawing;  ///< the path data of the drawing that the base names, if any
   std::vector<StudyVariable> variables;
   Sampling sampling = Sampling::sobol;  ///< of all sampled variables, together one set of points
   std::int64_t samples = 1;

@@ -112,7 +112,7 @@ tl::expected<Problem, std::vector<std::string>> read_back(const Problem& given) 
   const Written written = KindTraits<Problem>::written(given);
   FaultList found;
   TableReader document(written.document, found);
-  document.know({"kind", "title"});
+  document.know({"kind", "title", "length_unit"});
   Problem problem = KindTraits<Problem>::read(document, {});
   document.finish();
   std::vector<std::string> faults = written.faults;

@@ -59,6 +59,7 @@ VALUES = {
                 "max_rise_working", "max_return_working"],
     "motion.": ["back", "on"],
     "parallel.wanted_": ["least", "greatest"],
+    "problem.": ["max", "min"],
     "sampling.": ["sobol", "halton", "latin", "random"],
     "stage.": ["gear", "gear_pair", "virtual_gears", "worm"],
     "status.": ["solved", "infeasible", "no-solution", "done", "time-limit", "interrupted"],

@@ -40,7 +40,8 @@ struct Evaluated {
 /// - `table(problem, result, screen)`, what the terminal shows;
 /// - `page(problem)` and `report_data(problem, result)`, the report and what it draws;
 /// - `metric_names(base)`, what a study may ask of its designs;
-/// - where there is a table of numbers, `csv(result)`, or `csv(problem, result, steps)` where its
+/// - where there is a table of numbers, `csv(problem, result)`, or `csv(problem, result, steps)`
+/// where its
 ///   rows are in equal steps.
 template <class Problem>
 struct Kind;

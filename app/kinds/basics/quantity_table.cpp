@@ -4,8 +4,21 @@
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
 #include "app/study/metrics.hpp"
+#include "problems/basics/length_unit.hpp"
 
 namespace cognate::app {
+
+namespace {
+
+/// Of forces it says what it holds for, where the unit of lengths is not known.
+std::string unit_of(const std::string& metric, const Screen& screen) {
+  const std::string unit = metric_unit(metric);
+  const bool is_force = unit == "N" || unit == "N m";
+  if (is_force && screen.length.empty()) return unit + " for lengths in m";
+  return problems::in_length_unit(unit, screen.length);
+}
+
+}  // namespace
 
 std::string quantity_table(std::span<const problems::Quantity> quantities, const Screen& screen) {
   if (quantities.empty()) return {};
@@ -15,7 +28,7 @@ std::string quantity_table(std::span<const problems::Quantity> quantities, const
   for (const auto& quantity : quantities) {
     names.cells.push_back(printable(quantity.name));
     values.cells.push_back(std::visit(WrittenValue{}, quantity.value));
-    units.cells.push_back(metric_unit(quantity.name));
+    units.cells.push_back(unit_of(quantity.name, screen));
   }
   return table_text({names, values, units}, screen);
 }

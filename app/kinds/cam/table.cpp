@@ -134,7 +134,8 @@ std::string Kind<CamProblem>::table(const CamProblem& problem, const CamResult& 
 
 std::string Kind<CamProblem>::csv(const CamProblem& problem, const CamResult& result, int steps) {
   if (result.designs.empty()) return csv_text({});
-  return csv_text(problems::turn_table(problem, result.designs.front(), steps));
+  return csv_text(problems::turn_table(problem, result.designs.front(), steps), {},
+                  length_word(problem.length_unit));
 }
 
 }  // namespace cognate::app

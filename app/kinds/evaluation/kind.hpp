@@ -40,7 +40,7 @@ struct Kind<problems::AnalysisProblem>
   /// time. On a screen with colours these mark the status.
   static std::string table(const problems::AnalysisProblem& problem, const Result& result,
                            const Screen& screen);
-  static std::string csv(const Result& result);
+  static std::string csv(const problems::AnalysisProblem& problem, const Result& result);
   static std::string page(const problems::AnalysisProblem& problem);
   static Json report_data(const problems::AnalysisProblem& problem, const Result& result) {
     return analysis_report_data(problem, result);

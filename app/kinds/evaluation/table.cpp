@@ -124,8 +124,9 @@ std::string Kind<AnalysisProblem>::table(const AnalysisProblem& problem,
   return text;
 }
 
-std::string Kind<AnalysisProblem>::csv(const AnalysisResult& result) {
-  return csv_text(result.columns);
+std::string Kind<AnalysisProblem>::csv(const AnalysisProblem& problem,
+                                       const AnalysisResult& result) {
+  return csv_text(result.columns, {}, length_word(problem.length_unit));
 }
 
 std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {

@@ -34,7 +34,7 @@ struct Kind<problems::GearProblem> : KindBase<problems::GearProblem, problems::G
   /// Every quantity of the gear, and what makes it impossible.
   static std::string table(const problems::GearProblem& problem, const Result& result,
                            const Screen& screen);
-  static std::string csv(const Result& result);
+  static std::string csv(const problems::GearProblem& problem, const Result& result);
   static std::string page(const problems::GearProblem& /*problem*/) { return gear_page(); }
   static Json report_data(const problems::GearProblem& problem, const Result& result) {
     return gear_report_data(problem, result);

@@ -137,8 +137,8 @@ std::string Kind<GearProblem>::table(const GearProblem& problem, const GearResul
   return text + quantities_text(result.metrics, screen) + '\n' + notes_text(result.notes);
 }
 
-std::string Kind<GearProblem>::csv(const GearResult& result) {
-  return csv_text(result.columns);
+std::string Kind<GearProblem>::csv(const GearProblem& problem, const GearResult& result) {
+  return csv_text(result.columns, {}, length_word(problem.length_unit));
 }
 
 std::string Kind<GearPairProblem>::table(const GearPairProblem& problem,

@@ -89,7 +89,7 @@ std::string Kind<MachineProblem>::table(const MachineProblem& problem, const Mac
   return text + work_line(result.work);
 }
 
-std::string Kind<MachineProblem>::csv(const MachineResult& result) {
+std::string Kind<MachineProblem>::csv(const MachineProblem& problem, const MachineResult& result) {
   if (result.motions.empty()) return csv_text({});
   std::vector<std::string> tasks;
   std::vector<problems::Column> columns = result.motions.front().columns;
@@ -101,7 +101,7 @@ std::string Kind<MachineProblem>::csv(const MachineResult& result) {
       columns[i].values.insert(columns[i].values.end(), values.begin(), values.end());
     }
   }
-  return csv_text(columns, {"task", tasks});
+  return csv_text(columns, {"task", tasks}, length_word(problem.length_unit));
 }
 
 }  // namespace cognate::app

@@ -1,9 +1,12 @@
 // Facts of a motion or of a synthesis in words.
 
 import { degreesShort, number, sentence } from "./format.js";
-import { say, sentenceOf, term } from "./words.js";
+import { LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
 
-const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: "N·m", N: "N", deg: "°" };
+const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say("unit.torque"), N: say("unit.force"), deg: "°", length: LENGTH_UNIT ?? "" };
+
+// Facts that are lengths, whose names have no unit.
+const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length)$/;
 
 // Shares of a segment's length to which it is straight, as names end.
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
@@ -19,7 +22,7 @@ export function factParts(name) {
   }
   const where = /_at(_deg)?(?=\.|$)/.test(name);
   const bare = name.replace(/_at(_deg)?(?=\.|$)/, "");
-  const [, unit = ""] = /_(N_m|N|deg)(?=\.|$)/.exec(bare) ?? [];
+  const [, unit = LENGTH_FACTS.test(bare) ? "length" : ""] = /_(N_m|N|deg)(?=\.|$)/.exec(bare) ?? [];
   const placed = name.includes("_at_deg") ? "deg" : "";
   return { key: bare.replace(/_(N_m|N|deg|unbounded)(?=\.|$)/g, ""), unit: where ? placed : unit, where, unbounded: /_unbounded_at/.test(name) };
 }
@@ -48,7 +51,7 @@ export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
   if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
-  return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)}${unit ? ` ${FACT_WORDS[unit]}` : ""}`;
+  return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
 }
 
 // Curves that share n points at one place have contact of order n − 1.

@@ -2,6 +2,7 @@
 
 import { byId, element, fact } from "./dom.js";
 import { duration, number, sentence } from "./format.js";
+import { showProblem } from "./problem.js";
 import { language, say, sentenceOf, term } from "./words.js";
 
 const TONES = { solved: "good", done: "good", infeasible: "warn", "time-limit": "warn", interrupted: "warn", "no-solution": "bad" };
@@ -13,6 +14,7 @@ export function showHead(result, kind, summary, keys, ends = {}) {
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
   byId("kind").textContent = kind;
+  showProblem(result.problem, kind);
   byId("status").textContent = say(ends[result.status] ?? `status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
   byId("summary").textContent = summary.filter(Boolean).join(" · ");

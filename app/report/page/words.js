@@ -13,11 +13,22 @@ export const remember = (name, value) => { try { localStorage.setItem(`cognate-$
 export const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
   .find((tag) => LANGUAGES.includes(tag));
 
+const WRITTEN = WORDS[language].words;
+
+// The unit of the file's lengths; undefined where it gives none.
+export const LENGTH_UNIT = document.documentElement.dataset.lengthUnit;
+
+// What any text may name besides its own values: the unit of lengths, of one and of several, and what
+// forces hold for where it is not known.
+const OF_LENGTHS = LENGTH_UNIT ? { length_unit: LENGTH_UNIT, lengths: LENGTH_UNIT, for_metres: "" }
+  : { length_unit: WRITTEN["unit.of_problem"], lengths: WRITTEN["unit.of_problem_many"], for_metres: WRITTEN["unit.for_metres"] };
+
 // The text named `key`. {name} stands for a value of that name; of "one|many" the part that suits
 // `values.n` is taken.
-export function say(key, values = {}) {
-  const text = WORDS[language].words[key];
+export function say(key, own = {}) {
+  const text = WRITTEN[key];
   if (text === undefined) throw new Error(`no words for ${key}`);
+  const values = { ...OF_LENGTHS, ...own };
   const parts = text.split("|");
   const part = "n" in values && parts.length > 1 && values.n !== 1 ? parts[1] : parts[0];
   return part.replace(/\{(\w+)\}/g, (_, name) => (name === "n" && typeof values.n === "number" ? values.n.toLocaleString(language) : String(values[name])));
@@ -28,6 +39,10 @@ export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
 
 // A word or a name that the result holds in English, such as the class of a linkage.
 export const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
+
+// A key of problem files, or one of the words that may stand under it; undefined where it has no
+// translation.
+export const keyword = (text) => WORDS[language].keys?.[text] ?? WORDS[language].terms?.[text];
 
 // A sentence that the result holds in English, translated where it has the form of one that is known;
 // {0}, {1}, … stand for its numbers, names and parts that are sentences of their own.

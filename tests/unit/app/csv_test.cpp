@@ -57,5 +57,18 @@ TEST(Csv, NumbersReadBackToTheSameBits) {
   }
 }
 
+TEST(Csv, NamesTheUnitOfLengths) {
+  std::vector<Column> columns{{"crank_deg", "drive", "", "deg", {}},
+                              {"C_x", "position", "C", "length", {}},
+                              {"C_vx_per_s", "velocity", "C", "length/s", {}},
+                              {"velocity_per_rad", "cam", "", "length/rad", {}},
+                              {"C_curvature", "curvature", "C", "1/length", {}},
+                              {"contact_stress", "cam", "", "N/length²", {}},
+                              {"torque_N_m", "torque", "", "N m", {}}};
+  EXPECT_EQ(csv_text(columns, {}, "mm"),
+            "crank_deg,C_x_mm,C_vx_mm_per_s,velocity_mm_per_rad,C_curvature_per_mm,"
+            "contact_stress_N_per_mm2,torque_N_m\r\n");
+}
+
 }  // namespace
 }  // namespace cognate::app

@@ -1,9 +1,9 @@
 // The columns of the analysis, and which of them belong together.
 
 import { extremes, interpolate, locate, quantile } from "../sampling.js";
-import { say, term } from "../words.js";
+import { LENGTH_UNIT, say, term } from "../words.js";
 
-const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", "N m": "N·m", "1/length": say("unit.curvature") };
+const UNIT_TEXTS = { deg: "°", length: say("unit.length"), "length/s": say("unit.speed"), "length/s2": say("unit.acceleration"), "rad/s2": "rad/s²", N: say("unit.force"), "N m": say("unit.torque"), "1/length": say("unit.curvature") };
 export const unitText = (unit) => UNIT_TEXTS[unit] ?? unit;
 const UNIT_SUFFIX = /_(deg|per_s2|per_s|rad_s2|rad_s|N_m|N)$/;
 
@@ -17,6 +17,14 @@ function columnLabel({ name, of }) {
   const [, first, second, what = ""] = /^(.+)_on_(.+?)((?:_F[xy]|_moment)?)$/.exec(bare) ?? [];
   if (first) return say("values.on", { first: words(first), second: words(second), what: words(what.slice(1)) }).trim();
   return bare.startsWith(`${of}_`) ? say("values.of_part", { of: words(of), what: tell(bare.slice(of.length + 1)) }) : tell(bare);
+}
+
+// A column's name in files, with the unit of lengths: "C_x_mm", "C_vx_mm_per_s", "C_curvature_per_mm".
+function fileName({ name, unit }) {
+  if (!LENGTH_UNIT || !unit.includes("length")) return name;
+  if (unit.startsWith("1/")) return `${name}_per_${LENGTH_UNIT}`;
+  const [, bare, rate = ""] = /^(.*?)(_per_s2?)?$/.exec(name);
+  return `${bare}_${LENGTH_UNIT}${rate}`;
 }
 
 // What a part of the table is called; a sliding pair by the bodies that it joins, as "frame-slider".
@@ -69,7 +77,7 @@ export class Table {
 
   get csv() {
     const cell = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-    const lines = [this.columns.map((c) => cell(c.name)), ...this.drive.map((_, i) => this.columns.map((c) => c.written[i] ?? ""))];
+    const lines = [this.columns.map((c) => cell(fileName(c))), ...this.drive.map((_, i) => this.columns.map((c) => c.written[i] ?? ""))];
     return `${lines.map((line) => line.join(",")).join("\n")}\n`;
   }
 }

@@ -22,9 +22,9 @@ const CAM_SHEETS = [
   { column: "radius", title: say("sheet.radius"), sign: "ρ", colour: "--crank", unit: say("unit.length") },
   { column: "reach", title: say("sheet.reach"), sign: say("sheet.reach_sign"), colour: "--coupler", unit: say("unit.length") },
   { column: "roller_speed", title: say("sheet.roller_speed"), sign: say("sheet.ratio_sign"), colour: "--link-b", unit: "" },
-  { column: "force", title: say("sheet.contact_force"), sign: "F", colour: "--curve", unit: "", limit: "force" },
-  { column: "torque", title: say("sheet.cam_torque"), sign: "T", colour: "--target", unit: "", limit: "torque", sides: true },
-  { column: "stress", title: say("sheet.stress"), sign: "p", colour: "--link-c", unit: "", limit: "stress" },
+  { column: "force", title: say("sheet.contact_force"), sign: "F", colour: "--curve", unit: say("unit.force"), limit: "force" },
+  { column: "torque", title: say("sheet.cam_torque"), sign: "T", colour: "--target", unit: say("unit.torque"), limit: "torque", sides: true },
+  { column: "stress", title: say("sheet.stress"), sign: "p", colour: "--link-c", unit: say("unit.stress"), limit: "stress" },
 ];
 
 const POWERS = ["", "", "²", "³"];

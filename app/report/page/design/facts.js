@@ -5,7 +5,7 @@ import { factName, factRows } from "../fact_text.js";
 import { degrees, degreesShort, duration, number, sentence } from "../format.js";
 import { showHead } from "../head.js";
 import { RADIANS } from "../sampling.js";
-import { knows, say, term } from "../words.js";
+import { LENGTH_UNIT, knows, say, term } from "../words.js";
 import { ERRORS, isSearched, originText, straightLength } from "./table.js";
 
 const units = (x, digits = 7) => element("span", { title: `${x}` }, `${number(x, digits)}`);
@@ -13,7 +13,7 @@ const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
 
 export function showDimensions({ entry: { mechanism } }) {
   const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
-  byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), say("dimensions.units")));
+  byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
 }
 
 function linkageRows(m) {

@@ -13,7 +13,7 @@ import { History } from "./history.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
 import { checkRow, editRows } from "./rows.js";
-import { analysisToml } from "./toml.js";
+import { analysisToml } from "../toml.js";
 
 const EDIT_SAMPLES = 241;
 

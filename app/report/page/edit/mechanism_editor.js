@@ -12,7 +12,7 @@ import { MechanismKernel } from "./mechanism_kernel.js";
 import { mechanismFields, mechanismJoints } from "./mechanism_model.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
-import { problemToml } from "./toml.js";
+import { problemToml } from "../toml.js";
 
 const EDITED_SAMPLES = 181;
 

@@ -1,4 +1,4 @@
-// A problem file of an analysis, from the table of a mechanism as results hold it.
+// Problem files, from tables as results hold them.
 
 const tomlText = (text) => JSON.stringify(text).replace(/\u007f/g, "\\u007f");
 
@@ -6,7 +6,8 @@ function tomlValue(value) {
   if (typeof value === "string") return tomlText(value);
   if (Array.isArray(value)) return `[${value.map(tomlValue).join(", ")}]`;
   if (value !== null && typeof value === "object") return `{ ${Object.entries(value).map(([key, part]) => `${key} = ${tomlValue(part)}`).join(", ")} }`;
-  return String(value);
+  // Digits alone would be an integer, which has a greatest one.
+  return Number.isInteger(value) && !Number.isSafeInteger(value) ? value.toExponential() : String(value);
 }
 
 const isTableList = (value) => Array.isArray(value) && value.length > 0 && value.every((part) => part !== null && typeof part === "object" && !Array.isArray(part));

@@ -1,0 +1,83 @@
+// The card "Problem" of every report: what was asked, in words, and the file itself, which the program
+// reads as the same problem. COGNATE: the program.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { launch, open, visit as visitReport } from "./browser.mjs";
+
+let browser, folder;
+before(async () => {
+  browser = await launch();
+  folder = mkdtempSync(path.join(tmpdir(), "cognate-problem-"));
+});
+after(() => {
+  rmSync(folder, { recursive: true });
+  return browser?.close();
+});
+
+const visit = (name, options, steps) => visitReport(browser, name, { motion: "reduce", ...options }, steps);
+const rows = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#problem-list dt")].map((dt) => [dt.textContent, dt.nextElementSibling.textContent])));
+const written = (page) => page.evaluate(() => [document.getElementById("problem-file").textContent, JSON.parse(document.getElementById("data").textContent).result.problem]);
+
+// What samples made in C++ leave to the reader is filled in.
+function assertHolds(read, problem, where) {
+  if (problem === null || typeof problem !== "object") return assert.equal(read, problem, where);
+  for (const [key, value] of Object.entries(problem)) assertHolds(read?.[key], value, `${where}.${key}`);
+  if (Array.isArray(problem)) assert.equal(read.length, problem.length, where);
+}
+
+async function assertIsProblem(page, name) {
+  const [text, problem] = await written(page);
+  const file = path.join(folder, `${name}.toml`);
+  writeFileSync(file, text);
+  const { valid, ...read } = JSON.parse(execFileSync(process.env.COGNATE, ["check", "--json", file], { encoding: "utf8" }));
+  assertHolds(read.problem ?? read, problem, name);
+  assert.equal(await page.locator("#problem-file").isVisible(), false);
+  await page.locator("#problem summary").click();
+  assert.equal(await page.locator("#problem-file").isVisible(), true);
+}
+
+// Of each kind, among them a chain, expressions, tables and names that users made up.
+for (const name of ["ellipse", "log10-refined", "three-angle-pairs", "exact-motion", "gear-gear", "gear-pair",
+  "gear-worm", "library-shaper", "library-four-bar-forces", "machine-compressor", "machine-torque-table", "machine-run-up", "hostile"]) {
+  test(`${name}: the file is the problem`, () => visit(name, {}, (page) => assertIsProblem(page, name)));
+}
+
+// Those of which no sample is a whole problem.
+const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
+for (const [kind, name] of [["cam", "valve"], ["cam", "oscillating-roller"], ["quick-return", "crank-rocker-best"], ["straight-line", "chebyshev-classical"], ["path", "poses-and-points"]]) {
+  test(`${kind}/${name}: the file is the problem`, async () => {
+    execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, path.join(LIBRARY, kind, `${name}.toml`)]);
+    const { page, faults, close } = await open(browser, path.join(folder, `${name}.report.html`), { motion: "reduce" });
+    await assertIsProblem(page, name);
+    assert.deepEqual(faults, []);
+    await close();
+  });
+}
+
+test("a machine is told by its masses, loads and motor", () => visit("machine-press", {}, async (page) => {
+  const told = await rows(page);
+  assert.equal(told["Kind"], "Machine dynamics");
+  assert.equal(told["Link 2"], "name coupler; mass 18 kg; centre (0.2, 0); inertia 0.4 kg·m²");
+  assert.equal(told["Load"], "on slider; force (−40000, 0) N; when advance; stroke 0.7 … 1");
+  assert.match(told["Motor"], /^line stall torque 900 N·m; no load speed 157.08 rad\/s; ratio 20;/);
+  assert.equal(told["Gravity"], "(9.80665, 0) units/s²");
+  assert.equal(told["Flywheel"], "fluctuation 0.1");
+}));
+
+test("a path is told by its points, bounds and limits", () => visit("ellipse", {}, async (page) => {
+  const told = await rows(page);
+  assert.match(told["Target"], /^points \(20, 10\), \(17.66, 15.142\), \(11.736, 17.878\), \(5, 16.928\) … \(10\); timing free; /);
+  assert.equal(told["Bounds"], "crank 5 … 80; coupler 5 … 80; rocker 5 … 80; frame 5 … 80");
+  assert.match(told["Constraints"], /^class crank-rocker; transmission angle 45 … 135°; no branch defect;/);
+  assert.equal(told["Lengths in"], undefined);
+}));
+
+test("the card is told in Chinese", () => visit("machine-press", { locale: "zh-CN" }, async (page) => {
+  const told = await rows(page);
+  assert.equal(told["载荷"], "位于 滑块；力 (−40000, 0) N；作用时间 工作行程；行程 0.7 … 1");
+  assert.equal(told["飞轮"], "速度不均匀系数 0.1");
+}));
