@@ -13,12 +13,12 @@ struct Operation {
   double preload = 0;  ///< of the spring at displacement 0
   double load = 0;     ///< against the rise, constant
 
-  double metres = 1;        ///< in the unit of the cam's lengths
-  double displacement = 1;  ///< metres in the unit of the displacement; radians have 1
-
   /// Line contact (Hertz 1882), where stress is requested.
   double width = 0;        ///< of the contact
   double modulus_sum = 0;  ///< (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
+
+  double metres = 1;        ///< in the unit of the cam's lengths
+  double displacement = 1;  ///< metres in the unit of the displacement; radians have 1
 };
 
 }  // namespace cognate::cam
