@@ -4,10 +4,9 @@
 
 namespace cognate::problems {
 
-void transmission_constraints(FreeChain& chain, std::span<const TransmissionCheck> checks,
-                              std::size_t columns, std::span<double> c,
-                              std::span<double> jacobian) {
-  const double limit = chain.space().cosine_limit;
+void transmission_constraints(FreeChain& chain, double limit,
+                              std::span<const TransmissionCheck> checks, std::size_t columns,
+                              std::span<double> c, std::span<double> jacobian) {
   for (std::size_t k = 0; k < checks.size(); ++k) {
     const double cosine = chain.cosine(checks[k]);
     const bool known = std::isfinite(cosine);

@@ -64,8 +64,6 @@ class FreeChain {
     swept(check.joint - 1, row);
   }
 
-  const ChainSpace& space() const { return space_; }
-
  private:
   double swept(int last, double* row) {
     const double turn = synthesis::sweep_back(view_, place_, last, seed_.data(), gradient_.data());
@@ -91,9 +89,11 @@ class FreeChain {
   std::array<double, synthesis::kMostChainParameters> gradient_{};
 };
 
-/// Two constraints for each check: the limit ∓ cos μ ≥ 0. Their rows of `jacobian`, where it is not
-/// empty, have `columns` entries, the free parameters first. A dyad that does not close violates.
-void transmission_constraints(FreeChain& chain, std::span<const TransmissionCheck> checks,
-                              std::size_t columns, std::span<double> c, std::span<double> jacobian);
+/// Two constraints for each check: limit ∓ cos μ ≥ 0, of |cos μ|. Their rows of `jacobian`, where
+/// it is not empty, have `columns` entries, the free parameters first. A dyad that does not close
+/// violates.
+void transmission_constraints(FreeChain& chain, double limit,
+                              std::span<const TransmissionCheck> checks, std::size_t columns,
+                              std::span<double> c, std::span<double> jacobian);
 
 }  // namespace cognate::problems

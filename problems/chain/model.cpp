@@ -10,12 +10,14 @@
 
 namespace cognate::problems {
 ChainPathModel::ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                               std::vector<double> angles, std::vector<TransmissionCheck> checks)
+                               std::vector<double> angles, std::vector<TransmissionCheck> checks,
+                               double margin)
     : problem_(problem),
       design_(design),
       angles_(std::move(angles)),
       side_(design.side.begin(), design.side.end()),
-      checks_(std::move(checks)) {
+      checks_(std::move(checks)),
+      cosine_limit_(problem.cosine_limit - margin) {
   add_variables();
   for (std::size_t j = 0; !problem.timed() && j < problem.points.size(); ++j) {
     locals_.insert(locals_.end(), 2, static_cast<int>(j));
@@ -103,7 +105,7 @@ void ChainPathModel::constraints(std::span<const double> x, std::span<double> c,
   const synthesis::ChainDesign here = design(x);
   FreeChain chain(problem_, here.parameters, side_);
   const std::size_t columns = problem_.free.size() + (problem_.timed() ? 1 : 0);
-  transmission_constraints(chain, checks_, columns, c, jacobian);
+  transmission_constraints(chain, cosine_limit_, checks_, columns, c, jacobian);
 }
 
 }  // namespace cognate::problems

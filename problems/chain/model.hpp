@@ -12,12 +12,13 @@ namespace cognate::problems {
 /// Two residuals for each target, divided by √n, so that their squares sum up to the mean square.
 /// Unknowns are the free parameters, then the phase of a timed path or a crank angle for each
 /// target, which stays between the middles to its neighbours in `angles`. Constraints: ± cos μ is
-/// within the limit at each check.
+/// within the limit, less `margin`, at each check.
 class ChainPathModel : public synthesis::Model {
  public:
   /// `angles`: of the crank at the targets, in order; timed: the phase alone.
   ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                 std::vector<double> angles, std::vector<TransmissionCheck> checks);
+                 std::vector<double> angles, std::vector<TransmissionCheck> checks,
+                 double margin = 0);
 
   std::vector<double> start() const;
   synthesis::ChainDesign design(std::span<const double> x) const;
@@ -40,6 +41,7 @@ class ChainPathModel : public synthesis::Model {
   synthesis::ChainDesign design_;
   std::vector<double> angles_, side_;
   std::vector<TransmissionCheck> checks_;
+  double cosine_limit_;
   std::vector<synthesis::Variable> variables_;
   std::vector<int> locals_;
 };

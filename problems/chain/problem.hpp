@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
@@ -30,6 +32,7 @@ struct ChainConstraints {
 /// `kind = "path-generation"` with a chain as its mechanism.
 struct ChainPathProblem {
   std::string title;
+  std::optional<LengthUnit> length_unit{};
   std::string mechanism;             ///< `mechanism.type`
   std::vector<Topology> topologies;  ///< at least one; tried in turns
   /// At least 3, neighbours distinct. `closed`: the first follows the last, which does not repeat

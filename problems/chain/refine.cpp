@@ -11,7 +11,10 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kMostExchanges = 6;
+constexpr int kMostExchanges = 12;
+/// From this exchange on the limit is tightened by what was exceeded: along a valley the extremes
+/// move on with each solution.
+constexpr int kTightened = 2;
 constexpr double kHeld = 1e-10;  ///< violation of a cosine that is rounding
 
 CrankSpan limited_span(const ScaledChain& problem, const std::vector<double>& angles) {
@@ -29,16 +32,16 @@ CrankSpan limited_span(const ScaledChain& problem, const std::vector<double>& an
 RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& design,
                     const std::vector<double>& angles, synthesis::Solver solver,
                     const synthesis::Options& options) {
-  RefinedChain best{design, angles};
-  best.objective = std::numeric_limits<double>::infinity();
-  RefinedChain here = best;
+  RefinedChain here{design, angles, std::numeric_limits<double>::infinity()};
   std::vector<TransmissionCheck> checks;
+  double margin = 0;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
     const auto fresh = CosineScan(problem, here.design)
                            .extremes(limited_span(problem, here.angles), here.violation);
     if (exchange > 0 && here.violation <= kHeld) break;
+    if (exchange >= kTightened) margin += here.violation;
     checks.insert(checks.end(), fresh.begin(), fresh.end());
-    const ChainPathModel model(problem, here.design, here.angles, checks);
+    const ChainPathModel model(problem, here.design, here.angles, checks, margin);
     const auto start = model.start();
     const synthesis::Solution solution = synthesis::solve(solver, model, start, options);
     here.evaluations += solution.evaluations;

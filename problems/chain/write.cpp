@@ -224,7 +224,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
   constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle)
       .set_name("over", problem.constraints.over)
       .set("rms_error_max", problem.constraints.rms_error_max);
-  all.document = document_writer(kWord, problem.title)
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("target", target_writer(problem))
                      .set("mechanism", chain_mechanism_writer(problem))
                      .set("bounds", chain_bounds_writer(problem.topologies))
