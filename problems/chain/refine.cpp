@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/cosine_scan.hpp"
@@ -16,6 +18,9 @@ constexpr int kMostExchanges = 12;
 /// move on with each solution.
 constexpr int kTightened = 2;
 constexpr double kHeld = 1e-10;  ///< violation of a cosine that is rounding
+/// Beyond this a solution is left: it went where the chain cannot be assembled, from where nothing
+/// leads back. What it says of the extremes is kept.
+constexpr double kLost = 0.1;
 
 CrankSpan limited_span(const ScaledChain& problem, const std::vector<double>& angles) {
   if (problem.over_turn) return {0, kTurn};
@@ -27,20 +32,33 @@ CrankSpan limited_span(const ScaledChain& problem, const std::vector<double>& an
   return {angles[0] + least, angles[0] + greatest};
 }
 
+std::vector<TransmissionCheck> extremes_of(const ScaledChain& problem, RefinedChain& of) {
+  return CosineScan(problem, of.design).extremes(limited_span(problem, of.angles), of.violation);
+}
+
+/// A design that is not refined.
+RefinedChain as_it_is(const ScaledChain& problem, const synthesis::ChainDesign& design,
+                      const std::vector<double>& angles) {
+  const ChainPathModel model(problem, design, angles, {});
+  std::vector<double> residuals(static_cast<std::size_t>(model.residual_count()));
+  RefinedChain same{design, angles, std::numeric_limits<double>::infinity()};
+  if (!model.residuals(model.start(), residuals, {}, {})) return same;
+  same.objective = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+  return same;
+}
+
 }  // namespace
 
 RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& design,
                     const std::vector<double>& angles, synthesis::Solver solver,
                     const synthesis::Options& options) {
   RefinedChain here{design, angles, std::numeric_limits<double>::infinity()};
+  auto extremes = extremes_of(problem, here);
+  const bool starts_within = here.violation <= kHeld;
   std::vector<TransmissionCheck> checks;
   double margin = 0;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
-    const auto fresh = CosineScan(problem, here.design)
-                           .extremes(limited_span(problem, here.angles), here.violation);
-    if (exchange > 0 && here.violation <= kHeld) break;
-    if (exchange >= kTightened) margin += here.violation;
-    checks.insert(checks.end(), fresh.begin(), fresh.end());
+    checks.insert(checks.end(), extremes.begin(), extremes.end());
     const ChainPathModel model(problem, here.design, here.angles, checks, margin);
     const auto start = model.start();
     const synthesis::Solution solution = synthesis::solve(solver, model, start, options);
@@ -48,12 +66,17 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
     here.gradients += solution.gradients;
     here.iterations += solution.iterations;
     if (!std::isfinite(solution.objective) || solution.stop == synthesis::Stop::no_value) break;
-    here.design = model.design(solution.x);
-    here.angles = model.angles(solution.x);
-    here.objective = solution.objective;
+    RefinedChain next = here;
+    next.design = model.design(solution.x);
+    next.angles = model.angles(solution.x);
+    next.objective = solution.objective;
+    extremes = extremes_of(problem, next);
+    const bool is_lost = next.violation > kLost;
+    if (!is_lost) here = std::move(next);
+    if (!is_lost && here.violation <= kHeld) return here;
+    if (!is_lost && exchange >= kTightened) margin += here.violation;
   }
-  CosineScan(problem, here.design).extremes(limited_span(problem, here.angles), here.violation);
-  return here;
+  return starts_within ? as_it_is(problem, design, angles) : here;
 }
 
 }  // namespace cognate::problems

@@ -26,15 +26,18 @@ constexpr int kTrialRounds = 2;  ///< after which topologies are compared
 constexpr double kBehind = 3;    ///< a topology whose error is so many times the best's is left
 constexpr int kDraws = 16;       ///< chains drawn for each start, of which the nearest is taken
 constexpr std::size_t kMostFitted = 64;  ///< targets that the search looks at
-constexpr std::size_t kKept = 40;        ///< minima kept while searching
-constexpr std::size_t kRefined = 12;     ///< of which so many are refined
-constexpr double kHopShare = 0.6;        ///< of the starts that disturb a design known
-constexpr double kMetCost = 1e-20;       ///< mean squared distance that is rounding
-constexpr double kEnough = 1e-11;        ///< and that no workshop can tell from it
-constexpr double kNearlyMet = 1e-8;      ///< from here on the best is refined at once
-constexpr double kSameChain = 1e-3;      ///< of parameters: designs closer than this are one
-constexpr double kOneValley = 0.25;      ///< closer than this they are in one valley, of which
-constexpr int kMostOfValley = 3;         ///< so many are kept
+constexpr int kTurnChecks = 36;  ///< positions at which the search looks at transmission angles
+/// By so much a cosine that goes up and down once in a turn is greater between these: (2π/36)²/8.
+constexpr double kBetweenChecks = 0.004;
+constexpr std::size_t kKept = 40;     ///< minima kept while searching
+constexpr std::size_t kRefined = 12;  ///< of which so many are refined
+constexpr double kHopShare = 0.6;     ///< of the starts that disturb a design known
+constexpr double kMetCost = 1e-20;    ///< mean squared distance that is rounding
+constexpr double kEnough = 1e-11;     ///< and that no workshop can tell from it
+constexpr double kNearlyMet = 1e-8;   ///< from here on the best is refined at once
+constexpr double kSameChain = 1e-3;   ///< of parameters: designs closer than this are one
+constexpr double kOneValley = 0.25;   ///< closer than this they are in one valley, of which
+constexpr int kMostOfValley = 3;      ///< so many are kept
 
 struct ChainRules {
   using Candidate = struct Kept {
@@ -99,8 +102,8 @@ struct FitTargets {
       fit.upper.push_back(problem.upper[static_cast<std::size_t>(parameter)]);
     }
     fit.joints = problem.joints;
-    fit.cosine_limit = problem.cosine_limit;
-    fit.checks = problem.over_turn ? 36 : 0;
+    fit.checks = problem.over_turn ? kTurnChecks : 0;
+    fit.cosine_limit = problem.cosine_limit - (problem.over_turn ? kBetweenChecks : 0);
   }
 
   /// Angles at all points from those at the chosen ones.

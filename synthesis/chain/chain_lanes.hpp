@@ -221,8 +221,10 @@ class ChainLanes {
     along_ = along_ + tangential * tangential;
   }
 
+  /// Not a number where the cosine is none: a chain that does not close has no cost.
   Real excess(const Real& cosine) const {
-    return Real(task_.penalty) * larger(Real(0.0), magnitude(cosine) - Real(task_.cosine_limit));
+    const Real beyond = magnitude(cosine) - Real(task_.cosine_limit);
+    return Real(task_.penalty) * choose(beyond <= Real(0.0), Real(0.0), beyond);
   }
 
   void add_transmission(const View& chain, Equations& equations) {
