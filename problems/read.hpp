@@ -40,9 +40,13 @@ tl::expected<Wanted, std::vector<Fault>> only(TaskAt read) {
   const auto asked =
       std::visit([]<class Kind>(const Kind&) { return KindTraits<Kind>::kWord; }, read.task);
   const auto quoted = [](std::string_view word) { return '"' + std::string(word) + '"'; };
+  const auto wanted = KindTraits<Wanted>::kWord;
   return tl::unexpected(std::vector<Fault>{
       {read.line, read.column,
-       "kind is " + quoted(asked) + "; expected kind = " + quoted(KindTraits<Wanted>::kWord)}});
+       asked == wanted ? "kind is " + quoted(asked) +
+                             " of another mechanism; expected another "
+                             "mechanism.type"
+                       : "kind is " + quoted(asked) + "; expected kind = " + quoted(wanted)}});
 }
 
 /// As `parse_task` and `read_task`, where a problem of one kind is requested.

@@ -17,10 +17,18 @@ namespace {
 using Faults = std::vector<Fault>;
 using Folder = std::filesystem::path;
 
+/// Whether a kind has its word from another, beside which it takes some of the documents.
+template <class Kind>
+constexpr bool shares_word = requires(TableReader& document) {
+  KindTraits<Kind>::takes(document);
+};
+
 template <class... Kind>
-constexpr std::array<std::string_view, sizeof...(Kind)> words_of(
-    std::type_identity<std::variant<Kind...>>) {
-  return {KindTraits<Kind>::kWord...};
+constexpr auto words_of(std::type_identity<std::variant<Kind...>>) {
+  std::array<std::string_view, (0 + ... + (shares_word<Kind> ? 0 : 1))> words;
+  auto next = words.begin();
+  ((shares_word<Kind> ? void() : void(*next++ = KindTraits<Kind>::kWord)), ...);
+  return words;
 }
 
 constexpr auto kTaskKinds = words_of(std::type_identity<Task>{});
@@ -65,11 +73,17 @@ std::optional<std::string_view> read_kind(TableReader& document) {
 
 // The problem of kind `word`, one of kTaskKinds.
 Task read_of_kind(std::string_view word, TableReader& document, const Folder& folder) {
-  Task task;
+  Task (*read)(TableReader&, const Folder&) = nullptr;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if (KindTraits<Kind>::kWord == word) task = KindTraits<Kind>::read(document, folder);
+    if (KindTraits<Kind>::kWord != word) return;
+    if constexpr (shares_word<Kind>) {
+      if (!KindTraits<Kind>::takes(document)) return;
+    }
+    read = [](TableReader& whole, const Folder& files) {
+      return Task(KindTraits<Kind>::read(whole, files));
+    };
   });
-  return task;
+  return read(document, folder);
 }
 
 std::optional<TaskAt> read_document(TableReader& document, const Folder& folder) {

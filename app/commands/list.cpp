@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "app/commands/commands.hpp"
 #include "app/console/messages.hpp"
@@ -144,21 +145,33 @@ std::vector<Entry> solvers() {
   return all;
 }
 
+/// Its own where it shares its word with another kind.
+template <class Problem>
+constexpr std::string_view list_name() {
+  if constexpr (requires { Kind<Problem>::kListName; }) return Kind<Problem>::kListName;
+  return KindTraits<Problem>::kWord;
+}
+
+/// Each word once, with the meaning of its first kind.
 std::vector<Entry> kinds() {
   std::vector<Entry> all{
       {"study", "any of these with other numbers, as many designs as wanted (cognate sweep)"}};
   problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
-    all.push_back({KindTraits<Problem>::kWord, Kind<Problem>::kMeaning});
+    const auto word = KindTraits<Problem>::kWord;
+    if (std::ranges::find(all, word, &Entry::name) != all.end()) return;
+    all.push_back({word, Kind<Problem>::kMeaning});
   });
   std::ranges::sort(all, {}, &Entry::name);
   return all;
 }
 
-std::vector<KeyedEntry> linkage_kinds() {
+/// The kinds whose designs are linkages, those of one word where `word` is not empty.
+std::vector<KeyedEntry> linkage_kinds(std::string_view word = "") {
   std::vector<KeyedEntry> all;
   problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
     if constexpr (requires { Kind<Problem>::kMethods; }) {
-      all.push_back({KindTraits<Problem>::kWord, Kind<Problem>::kMethods, Kind<Problem>::keys()});
+      if (!word.empty() && word != KindTraits<Problem>::kWord) return;
+      all.push_back({list_name<Problem>(), Kind<Problem>::kMethods, Kind<Problem>::keys()});
     }
   });
   std::ranges::sort(all, {}, &KeyedEntry::name);
@@ -195,14 +208,14 @@ constexpr bool designs_linkages = requires {
   Kind<Problem>::kMethods;
 };
 
+/// What kinds of one word share is in the sections of each of them.
 template <class Problem>
 std::vector<ListSection> keys_of_kind() {
   std::vector<ListSection> all;
   if constexpr (designs_linkages<Problem>) {
-    const KeyedEntry own{KindTraits<Problem>::kWord, Kind<Problem>::kMethods,
-                         Kind<Problem>::keys()};
     all = {
-        list_section("synthesis_problems", "keys of this kind", {&own, 1}),
+        list_section("synthesis_problems", "keys of this kind",
+                     linkage_kinds(KindTraits<Problem>::kWord)),
         list_section("common_tables", "tables of all kinds that design a linkage", common_tables()),
         list_section("solvers", "solvers (solve.solver = ...)", solvers()),
         list_section("solve_options", "options of [solve]", solve_options())};
@@ -235,7 +248,10 @@ std::vector<ListSection> of_kind(const std::string& kind, bool metrics) {
   std::vector<ListSection> all;
   problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
     if (kind != KindTraits<Problem>::kWord) return;
-    all = metrics ? metrics_of_kind<Problem>() : keys_of_kind<Problem>();
+    for (ListSection& section : metrics ? metrics_of_kind<Problem>() : keys_of_kind<Problem>()) {
+      const bool is_new = std::ranges::find(all, section.key, &ListSection::key) == all.end();
+      if (is_new) all.push_back(std::move(section));
+    }
   });
   return all;
 }

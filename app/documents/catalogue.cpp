@@ -49,6 +49,7 @@ constexpr Metric kKindMetrics[] = {
     {"output_start", "length", "displacement at the start (functions by a slider-crank)"},
     {"link_ratio", "1", "longest over shortest link, where it is an objective"},
     {"longest_link", "length", "of crank, coupler, rocker and frame, where size is an objective"},
+    {"topology", "", "of a chain of dyads that was chosen among several (paths)"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "of mechanisms other than four-bars: the body that is the output"},
     {"output_swing_deg", "deg", "angle through which that swings in the range driven"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/kinds/cam/kind.hpp"
+#include "app/kinds/chain/kind.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "app/kinds/function/kind.hpp"
 #include "app/kinds/gear/kind.hpp"

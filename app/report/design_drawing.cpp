@@ -106,9 +106,9 @@ ordered_json motion_of(const Design& design, const Fineness& fineness) {
                                      : mechanism_motion(design, fineness.mechanism);
 }
 
-ordered_json reached_points(const Design& design) {
+ordered_json reached_points(const Design& design, std::string_view traced_name) {
   const auto& points = design.mechanism.points;
-  const auto traced = std::ranges::find(points, "P", &problems::NamedPoint::name);
+  const auto traced = std::ranges::find(points, traced_name, &problems::NamedPoint::name);
   MechanismMotion<0> motion(design.mechanism.mechanism);
   ordered_json list = ordered_json::array();
   for (const double at : design.crank_angles) {

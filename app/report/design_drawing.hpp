@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <string_view>
 
 #include "problems/linkage/result.hpp"
 #include "synthesis/exact/motion/pose.hpp"
@@ -22,9 +23,10 @@ Fineness fineness(std::size_t designs);
 /// targets in what the page shows it in.
 nlohmann::ordered_json motion_of(const problems::Design& design, const Fineness& fineness);
 
-/// `reached`: where the coupler point P stands at the targets; null where the mechanism cannot be
-/// assembled, or has no such point.
-nlohmann::ordered_json reached_points(const problems::Design& design);
+/// `reached`: where the point called `traced` stands at the targets; null where the mechanism
+/// cannot be assembled, or has no such point.
+nlohmann::ordered_json reached_points(const problems::Design& design,
+                                      std::string_view traced = "P");
 
 /// For targets that are poses: `reached`, where the body's origin is taken, and `guided`: `body`
 /// (its number), `axes` ([x, y, deg] of the target's axes in those of the body), `outline` (its

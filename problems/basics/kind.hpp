@@ -17,6 +17,8 @@ struct Written;
 
 /// Of each kind of problem:
 /// - `kWord`, how files write it, `kind = "…"`;
+/// - where it shares that word with a kind before it, `takes(document)`, whether a document is its
+///   own and not of the other;
 /// - `read(document, folder)`, the problem in a file's tables, complete if no fault was added to
 ///   them; files that it names are looked for in `folder`, there are none where that is empty;
 /// - `written(problem)`, the tables of which `read` makes it, with every default filled in, in the

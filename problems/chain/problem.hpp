@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problems/basics/kind.hpp"
+#include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 
@@ -44,6 +45,8 @@ struct ChainPathProblem {
 template <>
 struct KindTraits<ChainPathProblem> {
   static constexpr std::string_view kWord = "path-generation";
+  /// Whether the mechanism of a path is a longer chain than a four-bar.
+  static bool takes(reading::TableReader& document);
   static ChainPathProblem read(reading::TableReader& document, const std::filesystem::path& folder);
   static reading::Written written(const ChainPathProblem& problem);
   static tl::expected<ChainPathProblem, std::vector<std::string>> checked(
@@ -56,5 +59,8 @@ struct Run;
 /// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
 /// same designs whatever the number of threads.
 Result solve(const ChainPathProblem& problem, const Run& run);
+
+template <>
+std::span<const Named<LimitSpan>> names<LimitSpan>();
 
 }  // namespace cognate::problems

@@ -18,7 +18,7 @@ namespace cognate::problems {
 /// A line of a topology. Lengths are in the file's unit.
 struct TopologyLine {
   std::string name;  ///< of the point
-  synthesis::Line line;
+  synthesis::ChainLine line;
   std::array<std::optional<double>, 2> given{};  ///< of its parameters; empty: found
   std::array<Range, 2> bounds{Range{-kUnbounded, kUnbounded}, Range{-kUnbounded, kUnbounded}};
   std::optional<Assembly> assembly{};  ///< of a dyad; empty: either
@@ -33,12 +33,31 @@ struct Topology {
   int trace = 0;  ///< the line of the point whose path counts
 };
 
+/// A value of `mechanism.type`, and what it means in a few words.
+struct TopologyWord {
+  std::string_view word;
+  std::string_view meaning;
+};
+
+/// `mechanism.type` of a chain that the file tells point by point.
+inline constexpr std::string_view kChainWord = "chain";
+
 /// The topologies that the word `mechanism.type` stands for: one, or several that are tried in
 /// turns ("six-bar"). Empty for a word that is no topology.
 std::vector<Topology> topologies(std::string_view word);
 
 /// The words that `topologies` knows.
-std::span<const std::string_view> topology_words();
+std::span<const TopologyWord> topology_words();
+
+/// A chain in a line: "crank AB; C(B, D); E on BC; F(E, G); P on EF".
+std::string sketch(const Topology& topology);
+
+/// The name of a link by two of its points: "BC", and "B1-C" where one is longer than a letter.
+std::string link_name(const std::string& first, const std::string& second);
+
+/// The names of the links of a dyad, which join `first` and `second` to its `joint`.
+std::array<std::string, 2> link_names(const std::string& first, const std::string& second,
+                                      const std::string& joint);
 
 /// The lines of `topology` alone.
 synthesis::Chain chain_of(const Topology& topology);

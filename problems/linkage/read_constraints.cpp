@@ -118,13 +118,17 @@ void read_pivot_region(TableReader& table, const Given& given, Constraints& cons
   }
 }
 
-Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
-                 int most_designs) {
+void read_counts(TableReader& table, int most_designs, Solve& solve) {
   constexpr int kMostStarts = 1'000'000;
-  Solve solve;
-  solve.solver = table.choice<synthesis::Solver>("solver").value_or(solve.solver);
   solve.starts = table.integer("starts", 1, kMostStarts);
   solve.designs = table.integer("designs", 1, most_designs).value_or(solve.designs);
+}
+
+Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
+                 int most_designs) {
+  Solve solve;
+  solve.solver = table.choice<synthesis::Solver>("solver").value_or(solve.solver);
+  read_counts(table, most_designs, solve);
   solve.tolerance = table.number("tolerance", kTolerance);
   check_solver(table, solve.solver, constraints, minimax);
   return solve;

@@ -21,7 +21,7 @@ constexpr int parameter_count(LineType type) {
   return type == LineType::crank ? 1 : 2;
 }
 
-struct Line {
+struct ChainLine {
   LineType type = LineType::pivot;
   int first = -1, second = -1;  ///< lines before this one, where its type has them
 };
@@ -29,13 +29,13 @@ struct Line {
 /// One crank; lines only name lines before them. A body that carries attached points is known by
 /// two of its points.
 struct Chain {
-  std::vector<Line> lines;
+  std::vector<ChainLine> lines;
 };
 
 /// How many parameters a chain has; those of a line stand together, in the order of the lines.
-inline int parameter_count(std::span<const Line> lines) {
+inline int parameter_count(std::span<const ChainLine> lines) {
   int count = 0;
-  for (const Line& line : lines) count += parameter_count(line.type);
+  for (const ChainLine& line : lines) count += parameter_count(line.type);
   return count;
 }
 

@@ -258,7 +258,9 @@ class CommandLine(unittest.TestCase):
             if read["kind"] not in problems:
                 continue
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
-            listed |= {key["name"] for key in problems[read["kind"]]["keys"]}
+            is_chain = file.parent.name == "chain"
+            name = read["kind"] + (" (chains)" if is_chain else "")
+            listed |= {key["name"] for key in problems[name]["keys"]}
             for table in ("target", "mechanism", "bounds", "constraints", "solve"):
                 for key in read.get(table, {}):
                     with self.subTest(file=file.name, key=key):

@@ -35,7 +35,8 @@ export class MechanismDesign {
     Object.assign(this, { boxes: { curve: null, moving: null, whole: null }, stretch: [], crank: 0 });
     if (!this.assembles) return;
     this.mechanism = new Mechanism(samples, { from: this.from, to: this.to, round: this.fullTurn });
-    this.point = this.mechanism.points.find((point) => point.name === "P" && point.moves && !point.isPin) ?? null;
+    const traced = (point) => (target.point ? point.name === target.point : point.name === "P" && !point.isPin);
+    this.point = this.mechanism.points.find((point) => traced(point) && point.moves) ?? null;
     this.boxes = this.#boxes();
     this.stretch = target.kind === "straight-line" ? stretchOf(entry, (drive) => this.pointAt(drive)) : [];
     this.crank = this.within(this.stations[0] ?? this.from);

@@ -1,0 +1,99 @@
+#include "app/kinds/chain/kind.hpp"
+
+#include <fmt/core.h>
+
+#include "app/console/messages.hpp"
+#include "app/documents/json_values.hpp"
+
+namespace cognate::app {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::ChainPathProblem;
+using problems::Topology;
+
+constexpr Entry kChain[] = {
+    {"mechanism.type",
+     "a topology of the list below, tried in turns where it stands for several; or \"chain\""},
+    {"target.points", "[[x, y], ...]; 3 to 10000"},
+    {"target.closed", "whether the first follows the last (default: the last repeats the first)"},
+    {"target.curve", "or: a closed curve; svg_path, svg, svg_id and samples as of four-bars"},
+    {"target.timing", "\"free\" (default), or \"prescribed\" by crank_deg"},
+    {"target.crank_deg", "the crank's angle at each point, of which differences count"},
+    {"target.point", "chain: the traced point (default: the last [[point]], else the last joint)"},
+    {"[[pivot]]", "name, at = [x, y]: here and below, what is missing or \"free\" is found"},
+    {"[crank]", "of a chain: at, pin; length"},
+    {"[[dyad]]", "of a chain: joins = [\"B\", \"D\"], new; lengths = [l1, l2], assembly"},
+    {"[[point]]", "of a chain: name, on = [\"B\", \"C\"]; at = [u, v], origin B, first axis to C"},
+    {"bounds.length", "[min, max] of the crank and the links of all dyads"},
+    {"bounds.pivots", "[[xmin, ymin], [xmax, ymax]]"},
+    {"bounds.point", "[[umin, vmin], [umax, vmax]] of the points on links"},
+    {"bounds.NAME",
+     "of one point: a box; of the crank's pin [min, max]; of a dyad's joint [[min1, max1], [min2, "
+     "max2]]"},
+    {"constraints.transmission_angle_deg", "[min, max] of every dyad"},
+    {"constraints.over",
+     "where that holds: \"turn\" (default) of the crank, or \"range\", from the first to the last "
+     "point"},
+    {"constraints.rms_error_max", "the most root mean square of the distances"}};
+
+constexpr QuantityColumn kChainQuantities[] = {{"topology", "topology"}};
+
+const Topology* only_topology(const ChainPathProblem& problem) {
+  return problem.topologies.size() == 1 ? &problem.topologies.front() : nullptr;
+}
+
+/// Every topology that files know by a word has one name for it.
+std::string traced_name(const ChainPathProblem& problem) {
+  const Topology& topology = problem.topologies.front();
+  return topology.lines[static_cast<std::size_t>(topology.trace)].name;
+}
+
+/// "Stephenson III six-bar: crank AB; C(B, D); …".
+std::string meaning_of(const problems::TopologyWord& word) {
+  const auto stands_for = problems::topologies(word.word);
+  const std::string meaning(word.meaning);
+  return stands_for.size() == 1 ? meaning + ": " + sketch(stands_for.front()) : meaning;
+}
+
+}  // namespace
+
+std::span<const Entry> Kind<ChainPathProblem>::keys() {
+  return kChain;
+}
+
+std::vector<ListSection> Kind<ChainPathProblem>::sections() {
+  std::vector<std::string> meanings;
+  for (const auto& word : problems::topology_words()) meanings.push_back(meaning_of(word));
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < meanings.size(); ++i) {
+    entries.push_back({problems::topology_words()[i].word, meanings[i]});
+  }
+  return {list_section("topologies", "topologies of paths (mechanism.type = ...)", entries)};
+}
+
+std::string Kind<ChainPathProblem>::describe(const ChainPathProblem& problem) {
+  return titled(problem.title,
+                fmt::format("path generation with a {}, {} points{}, {} timing", problem.mechanism,
+                            problem.points.size(), problem.closed ? " of a closed path" : "",
+                            problem.crank_angles.empty() ? "free" : "prescribed"));
+}
+
+ColumnChoice Kind<ChainPathProblem>::columns(const ChainPathProblem& problem) {
+  ColumnChoice choice{.error_unit = "length"};
+  if (!only_topology(problem)) choice.quantities = kChainQuantities;
+  return choice;
+}
+
+ordered_json Kind<ChainPathProblem>::target_json(const ChainPathProblem& problem) {
+  ordered_json points = ordered_json::array();
+  for (const Vec2d& point : problem.points) points.push_back(app::to_json(point));
+  return {{"kind", "path"}, {"points", points}, {"point", traced_name(problem)}};
+}
+
+ordered_json Kind<ChainPathProblem>::reached_json(const ChainPathProblem& problem,
+                                                  const problems::Design& design) {
+  return reached_points(design, traced_name(problem));
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,304 @@
+#include "problems/chain/read_structure.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "problems/chain/places.hpp"
+#include "problems/mechanism/part_names.hpp"
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+using synthesis::ChainLine;
+using synthesis::LineType;
+
+constexpr std::size_t kMostDyads = 10, kMostLines = 24;
+
+/// A dyad or a point on its way into the chain.
+struct Part {
+  TableReader* table;
+  LineType type;
+  std::string name;
+  std::vector<Mention> closes_on;
+};
+
+class StructureReader {
+ public:
+  StructureReader(PartTables& parts, TableReader& mechanism)
+      : parts_(parts), mechanism_(mechanism), before_(mechanism.faults().size()) {
+    topology_.name = kChainWord;
+  }
+
+  std::optional<Topology> read(TableReader& target) {
+    check_counts();
+    for (TableReader& table : parts_.pivots) add_pivot(table);
+    for (TableReader& table : parts_.cranks) add_crank(table);
+    for (TableReader& table : parts_.points) announce_part(table, LineType::attached, "on");
+    std::vector<Part> points = std::exchange(waiting_, {});
+    for (TableReader& table : parts_.dyads) announce_part(table, LineType::dyad, "joins");
+    std::vector<Part> dyads = std::exchange(waiting_, {});
+    if (failed()) return std::nullopt;
+    place_all(std::move(points), dyads);
+    if (failed()) return std::nullopt;
+    choose_trace(target);
+    if (!failed()) check_all_count();
+    return failed() ? std::nullopt : std::optional(std::move(topology_));
+  }
+
+ private:
+  bool failed() const { return mechanism_.faults().size() > before_; }
+
+  void check_counts() {
+    if (parts_.pivots.empty()) mechanism_.fault("pivot", "is missing; a chain has two or more");
+    if (parts_.cranks.empty()) mechanism_.fault("crank", "is missing; a chain is driven by one");
+    if (parts_.dyads.empty()) mechanism_.fault("dyad", "is missing; a chain has one or more");
+    if (parts_.dyads.size() > kMostDyads) {
+      mechanism_.fault("dyad", fmt::format("has {} entries; at most {} are designed",
+                                           parts_.dyads.size(), kMostDyads));
+    }
+    std::size_t points = 0;
+    for (const auto& [type, tables] : parts_.all()) points += tables->size();
+    if (points <= kMostLines) return;
+    mechanism_.faults().add(
+        mechanism_.where(),
+        fmt::format("the chain has {} points; at most {} are designed", points, kMostLines));
+  }
+
+  int find(const std::string& name) const {
+    const auto found = std::ranges::find(topology_.lines, name, &TopologyLine::name);
+    return found == topology_.lines.end() ? -1 : static_cast<int>(found - topology_.lines.begin());
+  }
+
+  void add(const std::string& name, const ChainLine& line) {
+    topology_.lines.push_back({.name = name, .line = line});
+  }
+
+  /// A name that no other point has; empty with a fault.
+  std::string new_name(TableReader& table, std::string_view key, std::string_view what) {
+    const auto name = require_name(table, key, what);
+    if (!name) return "";
+    if (std::ranges::find(names_, *name) != names_.end()) {
+      table.fault(key, fmt::format("is {}, the name of another point; expected a name of its own",
+                                   in_quotes(*name)));
+      return "";
+    }
+    names_.push_back(*name);
+    return *name;
+  }
+
+  void add_pivot(TableReader& table) { add(new_name(table, "name", "the pivot"), {}); }
+
+  void add_crank(TableReader& table) {
+    refuse_name(table, "name");
+    const auto pivot = require_name(table, "at", "the pivot it turns about");
+    const std::string pin = new_name(table, "pin", "its pin");
+    const int at = pivot ? find(*pivot) : -1;
+    if (pivot && at < 0) {
+      table.fault("at", fmt::format("is {}, which is no pivot; expected the name of a [[pivot]]",
+                                    in_quotes(*pivot)));
+    }
+    add(pin, {LineType::crank, at});
+  }
+
+  static void refuse_name(TableReader& table, std::string_view key) {
+    if (!table.has(key)) return;
+    table.fault(key,
+                "is given, but links of a chain that is designed are named by their points; "
+                "remove it");
+  }
+
+  void announce_part(TableReader& table, LineType type, std::string_view joins) {
+    const bool is_dyad = type == LineType::dyad;
+    if (is_dyad) {
+      check_type(table);
+      refuse_name(table, "names");
+    }
+    const auto name = is_dyad ? new_name(table, "new", "the dyad's inner joint")
+                              : new_name(table, "name", "the point");
+    if (!table.has(joins)) {
+      table.fault(joins, is_dyad ? "is missing; expected the names of the two points that it joins"
+                                 : "is missing; expected the names of two points of its link");
+      return;
+    }
+    const auto mentions = read_mentions(table, joins, {2, 2, "names of points"});
+    if (mentions) waiting_.push_back({&table, type, name, *mentions});
+  }
+
+  void check_type(TableReader& table) {
+    const auto type = table.choice<DyadType>("type");
+    if (!type || *type == DyadType::rrr) {
+      return table.know({"slide", "slides", "offset", "slot_deg", "length"});
+    }
+    table.fault("type",
+                fmt::format("is \"{}\"; a chain is designed of RRR dyads", to_string(*type)));
+    table.know({"slide", "slides", "offset", "slot_deg", "length"});
+  }
+
+  /// Points follow the dyad that their link comes with, as early as they can.
+  void place_all(std::vector<Part> points, const std::vector<Part>& dyads) {
+    const auto place_points = [&] {
+      while (std::erase_if(points, [&](const Part& part) {
+               return is_placeable(part) && (place(part), true);
+             }) > 0) {
+      }
+    };
+    place_points();
+    for (const Part& dyad : dyads) {
+      place(dyad);
+      if (failed()) return;
+      place_points();
+    }
+    for (const Part& point : points) place(point);
+  }
+
+  bool is_placeable(const Part& part) const {
+    const int first = find(part.closes_on[0].name), second = find(part.closes_on[1].name);
+    return first >= 0 && second >= 0 && first != second && common_body(first, second);
+  }
+
+  std::optional<int> common_body(int first, int second) const {
+    return ChainPlaces(chain_of(topology_).lines).common_body(first, second);
+  }
+
+  void fault(const Mention& mention, const std::string& text) {
+    mechanism_.faults().add(mention.where, mention.called + " " + text);
+  }
+
+  void place(const Part& part) {
+    const auto& [from, to] = std::pair(part.closes_on[0], part.closes_on[1]);
+    for (const Mention& mention : {from, to}) {
+      if (find(mention.name) < 0) return fault(mention, unknown_point(mention));
+    }
+    const int first = find(from.name), second = find(to.name);
+    if (first == second) {
+      return fault(to, fmt::format("has {} twice; expected two points", in_quotes(to.name)));
+    }
+    const auto body = common_body(first, second);
+    if (part.type == LineType::dyad && body) {
+      return fault(to, fmt::format("are two points of one body, between which a dyad cannot move; "
+                                   "expected points of two bodies, or [[point]] on = [\"{}\", "
+                                   "\"{}\"]",
+                                   from.name, to.name));
+    }
+    if (part.type == LineType::attached && !body) {
+      return fault(to, fmt::format("has {} and {}, which no link has both; expected two points of "
+                                   "one link",
+                                   in_quotes(from.name), in_quotes(to.name)));
+    }
+    if (part.type == LineType::attached && *body == 0) {
+      return fault(to,
+                   "are two points of the frame; expected a [[pivot]] instead, or two points "
+                   "of a link");
+    }
+    add(part.name, {part.type, first, second});
+  }
+
+  std::string unknown_point(const Mention& mention) const {
+    std::vector<std::string_view> known;
+    for (const TopologyLine& line : topology_.lines) known.push_back(line.name);
+    const bool comes_later = std::ranges::find(names_, mention.name) != names_.end();
+    return fmt::format("has {}, which {}; expected one of {}", in_quotes(mention.name),
+                       comes_later ? "only a later part places" : "is no point of the chain",
+                       quoted_list(known));
+  }
+
+  void choose_trace(TableReader& target) {
+    constexpr std::string_view kPoint = "point";
+    const std::string last = parts_.points.empty() ? *parts_.dyads.back().text("new")
+                                                   : *parts_.points.back().text("name");
+    const std::string name = read_name(target, kPoint).value_or(last);
+    topology_.trace = find(name);
+    if (topology_.trace < 0) {
+      return target.fault(kPoint, fmt::format("is {}, which is no point of the chain; expected one "
+                                              "of {}",
+                                              in_quotes(name), quoted_names()));
+    }
+    const auto [body, at] = ChainPlaces(chain_of(topology_).lines).place(topology_.trace);
+    if (body > 1) return;
+    TableReader& place = target.has(kPoint) ? target : mechanism_;
+    place.fault(kPoint, fmt::format("is {}, a point of the {}; expected a point of another link, "
+                                    "whose path can be designed",
+                                    in_quotes(name), body == 0 ? "frame" : "crank"));
+  }
+
+  std::string quoted_names() const {
+    std::vector<std::string_view> known;
+    for (const TopologyLine& line : topology_.lines) known.push_back(line.name);
+    return quoted_list(known);
+  }
+
+  /// A point that the traced one does not close on has no dimension that could be found.
+  void check_all_count() {
+    std::vector<bool> counts(topology_.lines.size());
+    counts[static_cast<std::size_t>(topology_.trace)] = true;
+    for (std::size_t i = topology_.lines.size(); i-- > 0;) {
+      const ChainLine& line = topology_.lines[i].line;
+      for (const int before : {line.first, line.second}) {
+        if (counts[i] && before >= 0) counts[static_cast<std::size_t>(before)] = true;
+      }
+    }
+    const std::string trace = topology_.lines[static_cast<std::size_t>(topology_.trace)].name;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (counts[i]) continue;
+      const std::string& name = topology_.lines[i].name;
+      TableReader& table = table_of(name);
+      table.faults().add(table.where(),
+                         fmt::format("{} has no influence on the path of {}; remove it, or name "
+                                     "another target.point",
+                                     in_quotes(name), in_quotes(trace)));
+    }
+  }
+
+  TableReader& table_of(const std::string& name) {
+    for (auto& [type, tables] : parts_.all()) {
+      for (TableReader& table : *tables) {
+        for (const std::string_view key : {"name", "pin", "new"}) {
+          if (table.has_text(key) && *table.text(key) == name) return table;
+        }
+      }
+    }
+    return mechanism_;
+  }
+
+  PartTables& parts_;
+  TableReader& mechanism_;
+  std::size_t before_;
+  Topology topology_;
+  std::vector<std::string> names_;
+  std::vector<Part> waiting_;
+};
+
+/// Names of links are made of those of their points.
+void check_link_names(const Topology& topology, TableReader& mechanism) {
+  std::vector<std::string> taken{"frame", "crank"};
+  for (const TopologyLine& line : topology.lines) taken.push_back(line.name);
+  const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
+  for (const TopologyLine& line : topology.lines) {
+    if (line.line.type != LineType::dyad) continue;
+    for (const auto& link : link_names(name(line.line.first), name(line.line.second), line.name)) {
+      if (std::ranges::find(taken, link) != taken.end()) {
+        mechanism.faults().add(
+            mechanism.where(),
+            fmt::format("the name {} of a link, made of two points, is taken by another part; "
+                        "rename a point",
+                        in_quotes(link)));
+      }
+      taken.push_back(link);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
+                                       TableReader& target) {
+  auto topology = StructureReader(parts, mechanism).read(target);
+  if (!topology) target.know({"point"});
+  if (topology) check_link_names(*topology, mechanism);
+  return topology;
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,270 @@
+#include "problems/chain/topology.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "problems/chain/places.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::ChainLine;
+using synthesis::LineType;
+
+/// A point of the table, by the names of the points that it closes on.
+struct PointRow {
+  std::string_view name;
+  LineType type;
+  std::string_view first, second;
+};
+
+using Rows = std::span<const PointRow>;
+
+constexpr PointRow kFourBar[] = {{"A", LineType::pivot, "", ""},
+                                 {"D", LineType::pivot, "", ""},
+                                 {"B", LineType::crank, "A", ""},
+                                 {"C", LineType::dyad, "B", "D"}};
+constexpr PointRow kStephenson[] = {{"E", LineType::attached, "B", "C"},
+                                    {"G", LineType::pivot, "", ""},
+                                    {"F", LineType::dyad, "E", "G"}};
+constexpr PointRow kWatt[] = {{"E", LineType::attached, "B", "C"},
+                              {"H", LineType::attached, "D", "C"},
+                              {"F", LineType::dyad, "E", "H"}};
+constexpr PointRow kToFrame[] = {{"K", LineType::attached, "E", "F"},
+                                 {"L", LineType::pivot, "", ""},
+                                 {"J", LineType::dyad, "K", "L"}};
+constexpr PointRow kToSecondLink[] = {{"K", LineType::attached, "E", "F"},
+                                      {"N", LineType::attached, "G", "F"},
+                                      {"J", LineType::dyad, "K", "N"}};
+constexpr PointRow kToRockerLink[] = {{"K", LineType::attached, "E", "F"},
+                                      {"N", LineType::attached, "H", "F"},
+                                      {"J", LineType::dyad, "K", "N"}};
+constexpr PointRow kToCoupler[] = {{"K", LineType::attached, "E", "F"},
+                                   {"N", LineType::attached, "B", "C"},
+                                   {"J", LineType::dyad, "K", "N"}};
+constexpr PointRow kOnBC[] = {{"P", LineType::attached, "B", "C"}};
+constexpr PointRow kOnEF[] = {{"P", LineType::attached, "E", "F"}};
+constexpr PointRow kOnHF[] = {{"P", LineType::attached, "H", "F"}};
+constexpr PointRow kOnKJ[] = {{"P", LineType::attached, "K", "J"}};
+
+struct TopologyRow {
+  std::string_view name;
+  std::array<Rows, 4> parts;  ///< one after the other; the last point is the traced one
+};
+
+constexpr TopologyRow kTopologies[] = {
+    {"four-bar", {kFourBar, kOnBC}},
+    {"stephenson-3", {kFourBar, kStephenson, kOnEF}},
+    {"watt-1", {kFourBar, kWatt, kOnEF}},
+    {"watt-1-hf", {kFourBar, kWatt, kOnHF}},
+    {"eight-bar-1", {kFourBar, kStephenson, kToFrame, kOnKJ}},
+    {"eight-bar-2", {kFourBar, kWatt, kToFrame, kOnKJ}},
+    {"eight-bar-3", {kFourBar, kStephenson, kToSecondLink, kOnKJ}},
+    {"eight-bar-4", {kFourBar, kWatt, kToRockerLink, kOnKJ}},
+    {"eight-bar-5", {kFourBar, kStephenson, kToCoupler, kOnKJ}}};
+
+constexpr TopologyWord kWords[] = {
+    {"stephenson-3", "Stephenson III six-bar"},
+    {"watt-1", "Watt I six-bar, the point on the link that the coupler carries"},
+    {"watt-1-hf", "Watt I six-bar, the point on the link that the rocker carries"},
+    {"six-bar", "whichever of these three comes nearest"},
+    {"eight-bar-1", "Stephenson III, and a dyad from its link EF to the frame"},
+    {"eight-bar-2", "Watt I, and a dyad from its link EF to the frame"},
+    {"eight-bar-3", "Stephenson III, and a dyad between its links EF and GF"},
+    {"eight-bar-4", "Watt I, and a dyad between its links EF and HF"},
+    {"eight-bar-5", "Stephenson III, and a dyad between its link EF and the coupler"},
+    {"eight-bar", "whichever of these five comes nearest"},
+    {"any", "whichever comes nearest of the four-bar, all six-bars and all eight-bars"}};
+
+bool stands_for(std::string_view word, std::string_view topology) {
+  if (word == "any") return true;
+  if (word == "six-bar") return topology.starts_with("watt") || topology.starts_with("stephenson");
+  if (word == "eight-bar") return topology.starts_with("eight-bar");
+  return word == topology;
+}
+
+int line_of(const Topology& topology, std::string_view name) {
+  const auto found = std::ranges::find(topology.lines, name, &TopologyLine::name);
+  return found == topology.lines.end() ? -1 : static_cast<int>(found - topology.lines.begin());
+}
+
+Topology topology_of(const TopologyRow& row) {
+  Topology topology;
+  topology.name = row.name;
+  for (const Rows& part : row.parts) {
+    for (const auto& [name, type, first, second] : part) {
+      const ChainLine line{type, line_of(topology, first), line_of(topology, second)};
+      topology.lines.push_back({.name = std::string(name), .line = line});
+    }
+  }
+  topology.trace = static_cast<int>(topology.lines.size()) - 1;
+  return topology;
+}
+
+/// Adds the parts of a mechanism line by line.
+class Naming {
+ public:
+  Naming(const Topology& topology, const synthesis::ChainDesign& design)
+      : topology_(topology), places_(chain_of(topology).lines, design.parameters) {
+    mechanism_.bodies.resize(static_cast<std::size_t>(places_.body_count()));
+    mechanism_.bodies[0] = "frame";
+    const double* next = design.parameters.data();
+    for (std::size_t i = 0; i < topology.lines.size(); ++i) {
+      add(static_cast<int>(i), next, i < design.side.size() ? design.side[i] : 1);
+      next += parameter_count(topology.lines[i].line.type);
+    }
+    mechanism_.output = places_.body_count() - 1;
+    mechanism_.description = chain_;
+  }
+
+  NamedMechanism take() { return std::move(mechanism_); }
+
+ private:
+  const std::string& name(int line) const {
+    return topology_.lines[static_cast<std::size_t>(line)].name;
+  }
+
+  Attached<double> place(int line) const {
+    const auto [body, at] = places_.place(line);
+    return {body, at};
+  }
+
+  void add(int index, const double* parameters, int side) {
+    const ChainLine& line = topology_.lines[static_cast<std::size_t>(index)].line;
+    mechanism_.points.push_back({name(index), place(index)});
+    switch (line.type) {
+      case LineType::pivot:
+        return chain_.pivots.push_back({name(index), {parameters[0], parameters[1]}});
+      case LineType::crank:
+        return add_crank(index, line, parameters[0]);
+      case LineType::dyad:
+        return add_dyad(index, line, parameters, side);
+      case LineType::attached:
+        return mechanism_.extra_points.push_back(
+            {name(index), {name(line.first), name(line.second)}, {parameters[0], parameters[1]}});
+    }
+  }
+
+  void add_crank(int index, const ChainLine& line, double length) {
+    const CrankDescription crank{name(line.first), name(index), length};
+    mechanism_.mechanism.drive = Crank<double>{place(line.first).at, length};
+    mechanism_.bodies[1] = crank.name;
+    chain_.drive = crank;
+  }
+
+  void add_dyad(int index, const ChainLine& line, const double* lengths, int side) {
+    DyadDescription dyad;
+    dyad.joins = {name(line.first), name(line.second)};
+    dyad.lengths = {lengths[0], lengths[1]};
+    dyad.assembly = side < 0 ? Assembly::crossed : Assembly::open;
+    dyad.new_point = name(index);
+    dyad.names = link_names(name(line.first), name(line.second), name(index));
+    auto& dyads = mechanism_.mechanism.dyads;
+    std::ranges::copy(dyad.names, mechanism_.bodies.begin() + 2 * (std::ssize(dyads) + 1));
+    dyads.push_back(
+        Rrr<double>{place(line.first), place(line.second), lengths[0], lengths[1], dyad.assembly});
+    chain_.dyads.push_back(std::move(dyad));
+  }
+
+  const Topology& topology_;
+  ChainPlaces places_;
+  NamedMechanism mechanism_;
+  ChainDescription chain_;
+};
+
+Vec2d named_place(const NamedMechanism& mechanism, const std::string& name) {
+  const auto found = std::ranges::find(mechanism.points, name, &NamedPoint::name);
+  return found == mechanism.points.end() ? Vec2d{} : found->at.at;
+}
+
+/// "C(B, D)", "E on BC".
+std::string sketch_of(const Topology& topology, const TopologyLine& point) {
+  const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
+  const auto& [type, first, second] = point.line;
+  switch (type) {
+    case LineType::pivot:
+      return "";
+    case LineType::crank:
+      return fmt::format("crank {}", link_name(name(first), point.name));
+    case LineType::dyad:
+      return fmt::format("{}({}, {})", point.name, name(first), name(second));
+    case LineType::attached:
+      return fmt::format("{} on {}", point.name, link_name(name(first), name(second)));
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<Topology> topologies(std::string_view word) {
+  std::vector<Topology> all;
+  if (std::ranges::find(kWords, word, &TopologyWord::word) == std::end(kWords)) return all;
+  for (const TopologyRow& row : kTopologies) {
+    if (stands_for(word, row.name)) all.push_back(topology_of(row));
+  }
+  return all;
+}
+
+std::span<const TopologyWord> topology_words() {
+  return kWords;
+}
+
+std::string sketch(const Topology& topology) {
+  std::string text;
+  for (const TopologyLine& point : topology.lines) {
+    const std::string line = sketch_of(topology, point);
+    if (!line.empty()) text += (text.empty() ? "" : "; ") + line;
+  }
+  return text;
+}
+
+std::string link_name(const std::string& first, const std::string& second) {
+  const bool letters = first.size() == 1 && second.size() == 1;
+  return letters ? first + second : fmt::format("{}-{}", first, second);
+}
+
+std::array<std::string, 2> link_names(const std::string& first, const std::string& second,
+                                      const std::string& joint) {
+  return {link_name(first, joint), link_name(joint, second)};
+}
+
+synthesis::Chain chain_of(const Topology& topology) {
+  synthesis::Chain chain;
+  for (const TopologyLine& point : topology.lines) chain.lines.push_back(point.line);
+  return chain;
+}
+
+NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& design) {
+  return Naming(topology, design).take();
+}
+
+synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism& mechanism) {
+  synthesis::ChainDesign design;
+  const auto lines = chain_of(topology).lines;
+  std::size_t dyads = 0;
+  const auto add = [&](std::initializer_list<double> parameters, int side = 0) {
+    design.parameters.insert(design.parameters.end(), parameters);
+    design.side.push_back(side);
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& [type, first, second] = lines[i];
+    const Vec2d at = named_place(mechanism, topology.lines[i].name);
+    if (type == LineType::pivot) {
+      add({at.x, at.y});
+    } else if (type == LineType::crank) {
+      add({std::get<Crank<double>>(mechanism.mechanism.drive).length});
+    } else if (type == LineType::dyad) {
+      const auto& dyad = std::get<Rrr<double>>(mechanism.mechanism.dyads[dyads++]);
+      add({dyad.first_length, dyad.second_length}, dyad.assembly == Assembly::open ? 1 : -1);
+    } else {
+      const ChainPlaces places(std::span<const ChainLine>(lines).first(i), design.parameters);
+      const Vec2d local = places.in_axes(first, second, at);
+      add({local.x, local.y});
+    }
+  }
+  return design;
+}
+
+}  // namespace cognate::problems
