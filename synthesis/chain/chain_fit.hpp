@@ -20,7 +20,7 @@ struct ChainFit {
   std::vector<double> x, y, root_weight;  ///< of each target; errors are multiplied by the latter
   std::vector<double> crank_angles;       ///< timed: of each target, else empty
   bool closed = false;                    ///< the first target follows the last
-  std::vector<int> free;                  ///< parameters, ascending; at most 29
+  std::vector<int> free;                  ///< parameters, ascending
   std::vector<double> lower, upper;       ///< of each; infinite where there is no bound
   std::vector<int> joints;                ///< lines of the dyads whose transmission is limited
   double cosine_limit = 1;                ///< the greatest |cos μ| of these

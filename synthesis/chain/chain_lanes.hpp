@@ -17,7 +17,7 @@ namespace cognate::synthesis::COGNATE_ISA {
 
 class ChainLanes {
  public:
-  static constexpr int kMostUnknowns = 30;
+  static constexpr int kMostUnknowns = kMostChainParameters + 1;
   using Equations = NormalEquations<kMostUnknowns>;
 
   explicit ChainLanes(const ChainFitTask& task) : task_(task), timed_(task.crank_x != nullptr) {

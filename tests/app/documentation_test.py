@@ -21,7 +21,7 @@ SAVED_AS = re.compile(r"[Ss]ave this as `([^`]+)`[^`]*```toml\n(.*?)```", re.DOT
 
 # Which page has the keys of which part of `cognate list`.
 PAGE_OF_KIND = {"function-generation": "function-generation", "motion-generation": "motion-generation",
-                "path-generation": "path-generation", "quick-return": "quick-return",
+                "path-generation": "path-generation", "path-generation (chains)": "chains", "quick-return": "quick-return",
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
                    "gear_tables": ["gears"], "gear_pair_tables": ["gears"],
