@@ -74,7 +74,7 @@ std::vector<ListSection> Kind<ChainPathProblem>::sections() {
 
 std::string Kind<ChainPathProblem>::describe(const ChainPathProblem& problem) {
   return titled(problem.title,
-                fmt::format("path generation with a {}, {} points{}, {} timing", problem.mechanism,
+                fmt::format("path generation, {}, {} points{}, {} timing", problem.mechanism,
                             problem.points.size(), problem.closed ? " of a closed path" : "",
                             problem.crank_angles.empty() ? "free" : "prescribed"));
 }
