@@ -267,20 +267,6 @@ class Files(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-<<<<<<< HEAD
-    def test_exports_and_the_same_result_from_the_echoed_problem(self):
-        file = LIBRARY / "chain" / "timed-arc.toml"
-        done = subprocess.run([PROGRAM, "solve", file, "--out", self.folder, "--quiet", "--report"],
-                              capture_output=True, text=True, timeout=600)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        result = self.folder / "timed-arc.result.json"
-        designs = json.loads(result.read_text())["designs"]
-        self.assertTrue(designs)
-        for extension in ("csv", "svg", "dxf", "toml"):
-            made = subprocess.run([PROGRAM, "export", result, "--to", extension, "--out", self.folder],
-                                  capture_output=True, text=True, timeout=120)
-            self.assertEqual(made.returncode, 0, f"{extension}: {made.stderr}")
-=======
     def run_program(self, *arguments):
         done = subprocess.run([PROGRAM, *arguments, "--out", self.folder], capture_output=True,
                               text=True, timeout=600)
@@ -300,7 +286,6 @@ class Files(unittest.TestCase):
         for file in made:
             if file.suffix == ".toml":
                 self.run_program("analyze", file, "--quiet")
->>>>>>> 7db0011d3369434bb44eed1d16b19a66e61a7c63
 
 
 if __name__ == "__main__":
