@@ -74,11 +74,7 @@ std::vector<ListSection> Kind<ChainPathProblem>::sections() {
 
 std::string Kind<ChainPathProblem>::describe(const ChainPathProblem& problem) {
   return titled(problem.title,
-<<<<<<< HEAD
-                fmt::format("path generation ({}), {} points{}, {} timing", problem.mechanism,
-=======
                 fmt::format("path generation, {}, {} points{}, {} timing", problem.mechanism,
->>>>>>> 7db0011d3369434bb44eed1d16b19a66e61a7c63
                             problem.points.size(), problem.closed ? " of a closed path" : "",
                             problem.crank_angles.empty() ? "free" : "prescribed"));
 }
