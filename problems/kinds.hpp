@@ -6,6 +6,7 @@
 
 #include "problems/cam/problem.hpp"
 #include "problems/chain/problem.hpp"
+#include "problems/dwell/problem.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/gear/problem.hpp"
@@ -19,9 +20,9 @@ namespace cognate::problems {
 
 /// Whatever a file may ask for: the one list of kinds. Messages name them in this order, those of
 /// one word once.
-using Task = std::variant<PathProblem, ChainPathProblem, FunctionProblem, MotionProblem,
-                          QuickReturnProblem, StraightLineProblem, CamProblem, GearProblem,
-                          GearPairProblem, AnalysisProblem, MachineProblem>;
+using Task = std::variant<PathProblem, ChainPathProblem, FunctionProblem, DwellProblem,
+                          MotionProblem, QuickReturnProblem, StraightLineProblem, CamProblem,
+                          GearProblem, GearPairProblem, AnalysisProblem, MachineProblem>;
 
 /// Calls `visit` with `std::type_identity` of each kind of problem, in the order of `Task`.
 template <class Visit>

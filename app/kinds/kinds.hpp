@@ -4,6 +4,7 @@
 
 #include "app/kinds/cam/kind.hpp"
 #include "app/kinds/chain/kind.hpp"
+#include "app/kinds/dwell/kind.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "app/kinds/function/kind.hpp"
 #include "app/kinds/gear/kind.hpp"

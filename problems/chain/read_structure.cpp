@@ -32,7 +32,7 @@ class StructureReader {
     topology_.name = kChainWord;
   }
 
-  std::optional<Topology> read(TableReader& target) {
+  std::optional<Topology> read(TableReader& target, const Wanted& wanted) {
     check_counts();
     for (TableReader& table : parts_.pivots) add_pivot(table);
     for (TableReader& table : parts_.cranks) add_crank(table);
@@ -43,8 +43,8 @@ class StructureReader {
     if (failed()) return std::nullopt;
     place_all(std::move(points), dyads);
     if (failed()) return std::nullopt;
-    choose_trace(target);
-    if (!failed()) check_all_count();
+    choose_wanted(target, wanted);
+    if (!failed()) check_all_count(wanted);
     return failed() ? std::nullopt : std::optional(std::move(topology_));
   }
 
@@ -205,23 +205,41 @@ class StructureReader {
                        quoted_list(known));
   }
 
-  void choose_trace(TableReader& target) {
-    constexpr std::string_view kPoint = "point";
+  void choose_wanted(TableReader& target, const Wanted& wanted) {
     const std::string last = parts_.points.empty() ? *parts_.dyads.back().text("new")
                                                    : *parts_.points.back().text("name");
-    const std::string name = read_name(target, kPoint).value_or(last);
-    topology_.trace = find(name);
-    if (topology_.trace < 0) {
-      return target.fault(kPoint, fmt::format("is {}, which is no point of the chain; expected one "
-                                              "of {}",
-                                              in_quotes(name), quoted_names()));
+    const auto names = wanted.points.empty() ? std::vector{last} : wanted.points;
+    for (const std::string& name : names) {
+      wanted_.push_back(find(name));
+      if (wanted_.back() >= 0) continue;
+      return target.fault(wanted.key, fmt::format("is {}, which is no point of the chain; expected "
+                                                  "one of {}",
+                                                  in_quotes(name), quoted_names()));
     }
+    topology_.trace = wanted_.back();
+    TableReader& place = target.has(wanted.key) ? target : mechanism_;
+    names.size() == 1 ? check_path(place, wanted.key, names[0])
+                      : check_link(place, wanted.key, names[0], names[1]);
+  }
+
+  void check_path(TableReader& place, std::string_view key, const std::string& name) const {
     const auto [body, at] = ChainPlaces(chain_of(topology_).lines).place(topology_.trace);
     if (body > 1) return;
-    TableReader& place = target.has(kPoint) ? target : mechanism_;
-    place.fault(kPoint, fmt::format("is {}, a point of the {}; expected a point of another link, "
-                                    "whose path can be designed",
-                                    in_quotes(name), body == 0 ? "frame" : "crank"));
+    place.fault(key, fmt::format("is {}, a point of the {}; expected a point of another link, "
+                                 "whose path can be designed",
+                                 in_quotes(name), body == 0 ? "frame" : "crank"));
+  }
+
+  void check_link(TableReader& place, std::string_view key, const std::string& from,
+                  const std::string& to) const {
+    const auto body = wanted_[0] == wanted_[1] ? std::nullopt : common_body(wanted_[0], wanted_[1]);
+    if (body && *body > 1) return;
+    const std::string_view what = !body       ? "which are not two points of one link"
+                                  : *body > 0 ? "points of the crank"
+                                              : "points of the frame";
+    place.fault(key, fmt::format("is [\"{}\", \"{}\"], {}; expected two points of a link whose "
+                                 "angle can be designed",
+                                 from, to, what));
   }
 
   std::string quoted_names() const {
@@ -230,25 +248,31 @@ class StructureReader {
     return quoted_list(known);
   }
 
-  /// A point that the traced one does not close on has no dimension that could be found.
-  void check_all_count() {
+  /// A point that those wanted do not close on has no dimension that could be found.
+  void check_all_count(const Wanted& wanted) {
     std::vector<bool> counts(topology_.lines.size());
-    counts[static_cast<std::size_t>(topology_.trace)] = true;
+    for (const int line : wanted_) counts[static_cast<std::size_t>(line)] = true;
     for (std::size_t i = topology_.lines.size(); i-- > 0;) {
       const ChainLine& line = topology_.lines[i].line;
       for (const int before : {line.first, line.second}) {
         if (counts[i] && before >= 0) counts[static_cast<std::size_t>(before)] = true;
       }
     }
-    const std::string trace = topology_.lines[static_cast<std::size_t>(topology_.trace)].name;
+    const auto name_of = [&](int line) {
+      return in_quotes(topology_.lines[static_cast<std::size_t>(line)].name);
+    };
+    const std::string what =
+        wanted_.size() == 1
+            ? "path of " + name_of(wanted_[0])
+            : fmt::format("angle from {} to {}", name_of(wanted_[0]), name_of(wanted_[1]));
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (counts[i]) continue;
       const std::string& name = topology_.lines[i].name;
       TableReader& table = table_of(name);
       table.faults().add(table.where(),
-                         fmt::format("{} has no influence on the path of {}; remove it, or name "
-                                     "another target.point",
-                                     in_quotes(name), in_quotes(trace)));
+                         fmt::format("{} has no influence on the {}; remove it, or name "
+                                     "another target.{}",
+                                     in_quotes(name), what, wanted.key));
     }
   }
 
@@ -267,6 +291,7 @@ class StructureReader {
   TableReader& mechanism_;
   std::size_t before_;
   Topology topology_;
+  std::vector<int> wanted_;  ///< lines of the points wanted
   std::vector<std::string> names_;
   std::vector<Part> waiting_;
 };
@@ -294,9 +319,9 @@ void check_link_names(const Topology& topology, TableReader& mechanism) {
 }  // namespace
 
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
-                                       TableReader& target) {
-  auto topology = StructureReader(parts, mechanism).read(target);
-  if (!topology) target.know({"point"});
+                                       TableReader& target, const Wanted& wanted) {
+  auto topology = StructureReader(parts, mechanism).read(target, wanted);
+  if (!topology) target.know({wanted.key});
   if (topology) check_link_names(*topology, mechanism);
   return topology;
 }

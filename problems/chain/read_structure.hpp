@@ -2,14 +2,24 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "problems/chain/read_parts.hpp"
 
 namespace cognate::problems::reading {
 
+/// The points for which a chain is designed: one whose path counts, or two of a link whose angle
+/// does.
+struct Wanted {
+  std::string_view key;             ///< of `[target]`, which names them
+  std::vector<std::string> points;  ///< empty: the path of the last point
+};
+
 /// The topology that the tables tell, without dimensions; empty, with a fault, where they tell
-/// none. `traced`: the traced point, the last where it is empty; `target` is its table.
+/// none. Its `trace` is the last of the points wanted; `target` is the table of their key.
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
-                                       TableReader& target);
+                                       TableReader& target, const Wanted& wanted);
 
 }  // namespace cognate::problems::reading

@@ -32,6 +32,9 @@ constexpr PointRow kStephenson[] = {{"E", LineType::attached, "B", "C"},
 constexpr PointRow kWatt[] = {{"E", LineType::attached, "B", "C"},
                               {"H", LineType::attached, "D", "C"},
                               {"F", LineType::dyad, "E", "H"}};
+constexpr PointRow kSecondFourBar[] = {{"E", LineType::attached, "D", "C"},
+                                       {"G", LineType::pivot, "", ""},
+                                       {"F", LineType::dyad, "E", "G"}};
 constexpr PointRow kToFrame[] = {{"K", LineType::attached, "E", "F"},
                                  {"L", LineType::pivot, "", ""},
                                  {"J", LineType::dyad, "K", "L"}};
@@ -65,6 +68,9 @@ constexpr TopologyRow kTopologies[] = {
     {"eight-bar-4", {kFourBar, kWatt, kToRockerLink, kOnKJ}},
     {"eight-bar-5", {kFourBar, kStephenson, kToCoupler, kOnKJ}}};
 
+constexpr TopologyRow kFunctionTopologies[] = {{"stephenson-3", {kFourBar, kStephenson}},
+                                               {"watt-2", {kFourBar, kSecondFourBar}}};
+
 constexpr TopologyWord kWords[] = {
     {"stephenson-3", "Stephenson III six-bar"},
     {"watt-1", "Watt I six-bar, the point on the link that the coupler carries"},
@@ -77,6 +83,11 @@ constexpr TopologyWord kWords[] = {
     {"eight-bar-5", "Stephenson III, and a dyad between its link EF and the coupler"},
     {"eight-bar", "whichever of these five comes nearest"},
     {"any", "whichever comes nearest of the four-bar, all six-bars and all eight-bars"}};
+
+constexpr TopologyWord kFunctionWords[] = {
+    {"stephenson-3", "Stephenson III six-bar, the output hung on its coupler"},
+    {"watt-2", "Watt II six-bar, a second four-bar driven by the rocker of the first"},
+    {"six-bar", "whichever of these two comes nearest"}};
 
 bool stands_for(std::string_view word, std::string_view topology) {
   if (word == "any") return true;
@@ -101,6 +112,16 @@ Topology topology_of(const TopologyRow& row) {
   }
   topology.trace = static_cast<int>(topology.lines.size()) - 1;
   return topology;
+}
+
+std::vector<Topology> topologies_of(std::string_view word, std::span<const TopologyWord> words,
+                                    std::span<const TopologyRow> rows) {
+  std::vector<Topology> all;
+  if (std::ranges::find(words, word, &TopologyWord::word) == words.end()) return all;
+  for (const TopologyRow& row : rows) {
+    if (stands_for(word, row.name)) all.push_back(topology_of(row));
+  }
+  return all;
 }
 
 /// Adds the parts of a mechanism line by line.
@@ -199,16 +220,19 @@ std::string sketch_of(const Topology& topology, const TopologyLine& point) {
 }  // namespace
 
 std::vector<Topology> topologies(std::string_view word) {
-  std::vector<Topology> all;
-  if (std::ranges::find(kWords, word, &TopologyWord::word) == std::end(kWords)) return all;
-  for (const TopologyRow& row : kTopologies) {
-    if (stands_for(word, row.name)) all.push_back(topology_of(row));
-  }
-  return all;
+  return topologies_of(word, kWords, kTopologies);
 }
 
 std::span<const TopologyWord> topology_words() {
   return kWords;
+}
+
+std::vector<Topology> function_topologies(std::string_view word) {
+  return topologies_of(word, kFunctionWords, kFunctionTopologies);
+}
+
+std::span<const TopologyWord> function_topology_words() {
+  return kFunctionWords;
 }
 
 std::string sketch(const Topology& topology) {

@@ -49,6 +49,10 @@ std::vector<Topology> topologies(std::string_view word);
 /// The words that `topologies` knows.
 std::span<const TopologyWord> topology_words();
 
+/// The same for functions of the crank's angle: the output is the link from G to F.
+std::vector<Topology> function_topologies(std::string_view word);
+std::span<const TopologyWord> function_topology_words();
+
 /// A chain in a line: "crank AB; C(B, D); E on BC; F(E, G); P on EF".
 std::string sketch(const Topology& topology);
 

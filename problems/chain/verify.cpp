@@ -48,10 +48,6 @@ AssemblyRanges limited_motion(const ChainPathProblem& problem, const NamedMechan
   return follow(mechanism.mechanism, least, greatest);
 }
 
-bool is_whole(const AssemblyRanges& motion) {
-  return motion.runs.size() == 1 && motion.points.empty();
-}
-
 /// Whether the angles go once round at most, in one sense; equal ones are in order.
 bool in_order(const std::vector<double>& angles) {
   double least = kNoError, greatest = -kNoError;
@@ -63,47 +59,10 @@ bool in_order(const std::vector<double>& angles) {
   return (least >= -kSameAngle || greatest <= kSameAngle) && whole <= kTurn + kSameAngle;
 }
 
-struct Transmission {
-  double least = kNoError, greatest = -kNoError;
-};
-
-/// Over all joints; those of each are added to `quantities`.
-Transmission transmission(const Topology& topology, const NamedMechanism& mechanism,
-                          const AssemblyRanges& motion, std::vector<Quantity>& quantities) {
-  Transmission all;
-  const auto moving = synthesis::joints(chain_of(topology));
-  int dyad = 0;
-  for (std::size_t k = 0; k < topology.lines.size(); ++k) {
-    if (topology.lines[k].line.type != synthesis::LineType::dyad) continue;
-    const int own = dyad++;
-    if (std::ranges::count(moving, static_cast<int>(k)) == 0) continue;
-    const auto extremes = transmission_extremes(mechanism.mechanism, motion, own);
-    if (!extremes) continue;
-    const double least = extremes->least.angle, greatest = extremes->greatest.angle;
-    all = {std::min(all.least, least), std::max(all.greatest, greatest)};
-    quantities.push_back({"transmission_" + topology.lines[k].name + "_min_deg",
-                          degrees(std::min(least, kPi - greatest))});
-  }
-  return all;
-}
-
-void check_transmission(const ChainPathProblem& problem, Design& design) {
-  const Range limit = problem.constraints.transmission_angle;
-  if (limit.min <= 0 && limit.max >= kPi) return;
-  const Metrics& metrics = design.metrics;
-  const double below = limit.min - metrics.transmission_min,
-               above = metrics.transmission_max - limit.max;
-  const double value = below > above ? metrics.transmission_min : metrics.transmission_max;
-  design.constraints.push_back({"transmission_angle_deg", degrees(value),
-                                Range{degrees(limit.min), degrees(limit.max)},
-                                std::max(below, above) <= kCheckTolerance});
-}
-
-void check_defects(const ChainPathProblem& problem, bool whole, bool ordered, Design& design) {
-  if (!whole) design.metrics.defects.push_back(Defect::circuit);
+void check_defects(const ChainPathProblem& problem, const AssemblyRanges& motion, bool ordered,
+                   Design& design) {
+  check_circuit(motion, design);
   if (!ordered) design.metrics.defects.push_back(Defect::order);
-  design.constraints.push_back(
-      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
   if (problem.crank_angles.empty()) {
     design.constraints.push_back(
         {"no_order_defect", std::string(ordered ? "none" : "order"), std::string("none"), ordered});
@@ -117,19 +76,56 @@ void check_error_limit(const ChainPathProblem& problem, Design& design) {
 
 }  // namespace
 
+void measure_transmission(const Topology& topology, const NamedMechanism& mechanism,
+                          const AssemblyRanges& motion, Metrics& metrics) {
+  double all_least = kNoError, all_greatest = -kNoError;
+  const auto moving = synthesis::joints(chain_of(topology));
+  int dyad = 0;
+  for (std::size_t k = 0; k < topology.lines.size(); ++k) {
+    if (topology.lines[k].line.type != synthesis::LineType::dyad) continue;
+    const int own = dyad++;
+    if (std::ranges::count(moving, static_cast<int>(k)) == 0) continue;
+    const auto extremes = transmission_extremes(mechanism.mechanism, motion, own);
+    if (!extremes) continue;
+    const double least = extremes->least.angle, greatest = extremes->greatest.angle;
+    all_least = std::min(all_least, least);
+    all_greatest = std::max(all_greatest, greatest);
+    metrics.quantities.push_back({"transmission_" + topology.lines[k].name + "_min_deg",
+                                  degrees(std::min(least, kPi - greatest))});
+  }
+  metrics.transmission_min = all_least;
+  metrics.transmission_max = all_greatest;
+  metrics.transmission_acute_min = std::min(all_least, kPi - all_greatest);
+}
+
+void check_transmission(const Range& limit, Design& design) {
+  if (limit.min <= 0 && limit.max >= kPi) return;
+  const Metrics& metrics = design.metrics;
+  const double below = limit.min - metrics.transmission_min,
+               above = metrics.transmission_max - limit.max;
+  const double value = below > above ? metrics.transmission_min : metrics.transmission_max;
+  design.constraints.push_back({"transmission_angle_deg", degrees(value),
+                                Range{degrees(limit.min), degrees(limit.max)},
+                                std::max(below, above) <= kCheckTolerance});
+}
+
+void check_circuit(const AssemblyRanges& motion, Design& design) {
+  const bool whole = motion.runs.size() == 1 && motion.points.empty();
+  if (!whole) design.metrics.defects.push_back(Defect::circuit);
+  design.constraints.push_back(
+      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
+}
+
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 const std::vector<double>& angles) {
   Design design;
   design.error = target_error(problem, topology, mechanism, angles);
   const AssemblyRanges motion = limited_motion(problem, mechanism, angles);
   design.metrics.quantities.push_back({"topology", topology.name});
-  const Transmission found = transmission(topology, mechanism, motion, design.metrics.quantities);
-  design.metrics.transmission_min = found.least;
-  design.metrics.transmission_max = found.greatest;
-  design.metrics.transmission_acute_min = std::min(found.least, kPi - found.greatest);
-  check_transmission(problem, design);
+  measure_transmission(topology, mechanism, motion, design.metrics);
+  check_transmission(problem.constraints.transmission_angle, design);
   const bool ordered = !problem.crank_angles.empty() || in_order(angles);
-  check_defects(problem, is_whole(motion), ordered, design);
+  check_defects(problem, motion, ordered, design);
   check_error_limit(problem, design);
   for (const double angle : angles) design.crank_angles.push_back(in_one_turn(angle));
   design.mechanism = std::move(mechanism);

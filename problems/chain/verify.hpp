@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/linkage/result.hpp"
 
@@ -13,5 +14,15 @@ namespace cognate::problems {
 /// in order), the transmission angles of each joint over the motion limited, defects and checks.
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 const std::vector<double>& angles);
+
+/// Transmission angles over `motion`: of each joint as a quantity, and the extremes of all.
+void measure_transmission(const Topology& topology, const NamedMechanism& mechanism,
+                          const AssemblyRanges& motion, Metrics& metrics);
+
+/// The check of a limit in radians against these extremes; none where it limits nothing.
+void check_transmission(const Range& limit, Design& design);
+
+/// Whether the chain is assembled all along `motion`.
+void check_circuit(const AssemblyRanges& motion, Design& design);
 
 }  // namespace cognate::problems

@@ -1,18 +1,12 @@
 /// A path problem of a chain written down, and checked by reading what was written.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_parts.hpp"
+#include "problems/chain/write_design.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
 namespace reading {
 namespace {
-
-using synthesis::LineType;
 
 TableWriter target_writer(const ChainPathProblem& problem) {
   TableWriter table;
@@ -32,205 +26,26 @@ TableWriter target_writer(const ChainPathProblem& problem) {
   return table;
 }
 
-Node dimension_node(const std::optional<double>& given) {
-  return given ? node(*given) : node(kFreeDimension);
-}
-
-/// Adds what is given of `line` to its table.
-void write_given(const TopologyLine& line, TableWriter& table) {
-  const auto& [first, second] = line.given;
-  if (line.line.type == LineType::crank) {
-    table.set("length", first);
-  } else if (first || second) {
-    table.add(line.line.type == LineType::dyad ? "lengths" : "at",
-              node(Array{dimension_node(first), dimension_node(second)}));
-  }
-  if (line.line.type == LineType::dyad) table.set_name("assembly", line.assembly);
-}
-
-bool has_given(const TopologyLine& line) {
-  return line.given[0] || line.given[1] || line.assembly;
-}
-
-class PartsWriter {
- public:
-  explicit PartsWriter(const Topology& topology) : topology_(topology) {}
-
-  /// Adds `line` with the points that it closes on.
-  void add_whole(const TopologyLine& line) {
-    TableWriter table;
-    const auto& [type, first, second] = line.line;
-    if (type == LineType::crank) table.set("at", name(first)).set("pin", line.name);
-    if (type == LineType::dyad) table.set("joins", std::array{name(first), name(second)});
-    if (type == LineType::attached) table.set("on", std::array{name(first), name(second)});
-    add(line, table);
-  }
-
-  /// Adds what is given of it alone.
-  void add_given(const TopologyLine& line) {
-    TableWriter table;
-    if (has_given(line)) add(line, table);
-  }
-
-  void write(TableWriter& mechanism) {
-    if (!pivots_.empty()) mechanism.set("pivot", pivots_);
-    if (!crank_.empty()) mechanism.add("crank", node(crank_));
-    if (!dyads_.empty()) mechanism.set("dyad", dyads_);
-    if (!points_.empty()) mechanism.set("point", points_);
-  }
-
- private:
-  std::string name(int line) const {
-    const auto at = static_cast<std::size_t>(line);
-    return at < topology_.lines.size() ? topology_.lines[at].name : "";
-  }
-
-  void add(const TopologyLine& line, TableWriter& table) {
-    const LineType type = line.line.type;
-    if (type == LineType::dyad) table.set("new", line.name);
-    if (type == LineType::pivot || type == LineType::attached) table.set("name", line.name);
-    write_given(line, table);
-    if (type == LineType::crank) {
-      crank_ = table.take();
-    } else {
-      (type == LineType::pivot  ? pivots_
-       : type == LineType::dyad ? dyads_
-                                : points_)
-          .push_back(node(table.take()));
-    }
-  }
-
-  const Topology& topology_;
-  Array pivots_, dyads_, points_;
-  Table crank_;
-};
-
-/// The points of all topologies, each name once.
-Topology merged(const std::vector<Topology>& topologies) {
-  Topology all;
-  for (const Topology& topology : topologies) {
-    for (const TopologyLine& line : topology.lines) {
-      const auto found = std::ranges::find(all.lines, line.name, &TopologyLine::name);
-      if (found == all.lines.end()) all.lines.push_back(line);
-    }
-  }
-  return all;
-}
-
-TableWriter chain_mechanism_writer(const ChainPathProblem& problem) {
-  TableWriter table;
-  table.set("type", problem.mechanism);
-  const bool whole = problem.mechanism == kChainWord && problem.topologies.size() == 1;
-  const Topology all = whole ? problem.topologies.front() : merged(problem.topologies);
-  PartsWriter parts(all);
-  for (const TopologyLine& line : all.lines) {
-    whole ? parts.add_whole(line) : parts.add_given(line);
-  }
-  parts.write(table);
-  return table;
-}
-
-bool is_bounded(const Range& range) {
-  return std::isfinite(range.min) || std::isfinite(range.max);
-}
-
-Range length_bound(const Range& range) {
-  return {std::max(0.0, range.min), range.max};
-}
-
-TableWriter chain_bounds_writer(const std::vector<Topology>& topologies) {
-  TableWriter table;
-  for (const auto& [name, line, given, bounds, assembly] : merged(topologies).lines) {
-    const auto& [first, second] = bounds;
-    if (!is_bounded(first) && !is_bounded(second)) continue;
-    if (line.type == LineType::crank) {
-      table.set(name, length_bound(first));
-    } else if (line.type == LineType::dyad) {
-      table.set(name, std::array{length_bound(first), length_bound(second)});
-    } else {
-      table.set(name, Box{{first.min, second.min}, {first.max, second.max}});
-    }
-  }
-  return table;
-}
-
-/// What of `solve` the search has no use for is written for the reader to refuse.
-TableWriter chain_solve_writer(const Solve& solve) {
-  Solve usual;
-  usual.starts = solve.starts;
-  usual.designs = solve.designs;
-  Table written = solve_writer(solve).take();
-  const bool is_usual = solve.solver == usual.solver;
-  if (is_usual) std::erase_if(written, [](const Entry& entry) { return entry.key == "solver"; });
-  return TableWriter{}.append(std::move(written));
-}
-
-bool same_range(const Range& a, const Range& b) {
-  return a.min == b.min && a.max == b.max;
-}
-
-/// Whether two topologies demand the same of their points of one name, as a file does.
-bool demands_same(const TopologyLine& a, const TopologyLine& b) {
-  return a.line.type == b.line.type && a.given == b.given && a.assembly == b.assembly &&
-         std::ranges::equal(a.bounds, b.bounds, same_range);
-}
-
-void check_one_demand(const std::vector<Topology>& topologies, std::vector<std::string>& faults) {
-  const Topology all = merged(topologies);
-  for (const Topology& topology : topologies) {
-    for (const TopologyLine& line : topology.lines) {
-      const auto first = std::ranges::find(all.lines, line.name, &TopologyLine::name);
-      if (demands_same(*first, line)) continue;
-      faults.push_back(
-          fmt::format("the topologies differ in what they demand of {}; expected the "
-                      "same of each",
-                      line.name));
-      return;
-    }
-  }
-}
-
-bool same_structure(const Topology& a, const Topology& b) {
-  const auto same_line = [](const TopologyLine& x, const TopologyLine& y) {
-    return x.name == y.name && x.line.type == y.line.type && x.line.first == y.line.first &&
-           x.line.second == y.line.second;
-  };
-  return a.trace == b.trace && std::ranges::equal(a.lines, b.lines, same_line);
-}
-
-/// A topology that files know by a word is what the word says.
-void check_structure(const ChainPathProblem& problem, std::vector<std::string>& faults) {
-  if (problem.mechanism == kChainWord) {
-    if (problem.topologies.size() == 1) return;
-    faults.push_back(fmt::format("{} topologies are given for a chain; expected one",
-                                 problem.topologies.size()));
-  } else if (!std::ranges::equal(problem.topologies, topologies(problem.mechanism),
-                                 same_structure)) {
-    faults.push_back(
-        fmt::format("the topologies are not those of \"{}\"; expected topologies(\"{}\")",
-                    problem.mechanism, problem.mechanism));
-  }
-}
-
 }  // namespace
 }  // namespace reading
 
 reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& problem) {
   using namespace reading;
   Written all;
-  check_structure(problem, all.faults);
+  check_structure(problem.mechanism, problem.topologies, topologies(problem.mechanism), all.faults);
   check_one_demand(problem.topologies, all.faults);
   TableWriter constraints;
   constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle)
       .set_name("over", problem.constraints.over)
       .set("rms_error_max", problem.constraints.rms_error_max);
-  all.document = document_writer(kWord, problem.title, problem.length_unit)
-                     .set("target", target_writer(problem))
-                     .set("mechanism", chain_mechanism_writer(problem))
-                     .set("bounds", chain_bounds_writer(problem.topologies))
-                     .set("constraints", constraints)
-                     .set("solve", chain_solve_writer(problem.solve))
-                     .take();
+  all.document =
+      document_writer(kWord, problem.title, problem.length_unit)
+          .set("target", target_writer(problem))
+          .set("mechanism", chain_mechanism_writer(problem.mechanism, problem.topologies))
+          .set("bounds", chain_bounds_writer(problem.topologies))
+          .set("constraints", constraints)
+          .set("solve", chain_solve_writer(problem.solve))
+          .take();
   return all;
 }
 

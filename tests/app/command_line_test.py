@@ -258,8 +258,8 @@ class CommandLine(unittest.TestCase):
             if read["kind"] not in problems:
                 continue
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
-            is_chain = file.parent.name == "chain"
-            name = read["kind"] + (" (chains)" if is_chain else "")
+            beside = {"chain": " (chains)", "dwell": " (dwells)"}
+            name = read["kind"] + beside.get(file.parent.name, "")
             listed |= {key["name"] for key in problems[name]["keys"]}
             for table in ("target", "mechanism", "bounds", "constraints", "solve"):
                 for key in read.get(table, {}):

@@ -18,7 +18,7 @@ ROOT = pathlib.Path()
 # whole where something is after them.
 VALUES = {
     "arrows.": ["velocity", "acceleration", "reactions"],
-    "best.": ["function", "path", "motion"],
+    "best.": ["dwell", "function", "path", "motion"],
     "cam.": ["base_radius", "prime_radius", "offset", "roller_radius", "centre_distance", "arm",
              "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],

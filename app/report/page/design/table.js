@@ -11,6 +11,7 @@ const largestText = (error, digits) => (error.max_deg === undefined ? number(err
 // What errors are called where designs are of one kind of problem; none where it has no targets.
 export const ERRORS = {
   function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
+  dwell: { name: say("designs.half_band"), text: ({ error }) => largestText(error, 4) },
   path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5) },
   motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };

@@ -1,0 +1,92 @@
+#include "problems/chain/read_design.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "problems/linkage/read_constraints.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+constexpr double kQuarterTurn = 90;
+
+bool is_all_given(const TopologyLine& line) {
+  const bool either = line.line.type == synthesis::LineType::dyad && !line.assembly;
+  const int count = parameter_count(line.line.type);
+  const bool all = line.given[0] && (count < 2 || line.given[1]);
+  return all && !either;
+}
+
+void check_something_is_found(TableReader& mechanism, const std::vector<Topology>& topologies) {
+  for (const Topology& topology : topologies) {
+    if (!std::ranges::all_of(topology.lines, is_all_given)) continue;
+    return mechanism.faults().add(mechanism.where(),
+                                  "the mechanism is given with all dimensions, so that nothing is "
+                                  "left to find; leave one out, or take kind = \"analysis\"");
+  }
+}
+
+}  // namespace
+
+std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
+                                      std::vector<Topology> known, const Wanted& wanted) {
+  PartTables parts(document, tables.mechanism);
+  const bool is_told = known.empty();
+  std::vector<Topology> all = std::move(known);
+  if (is_told) {
+    auto topology = read_structure(parts, tables.mechanism, tables.target, wanted);
+    if (topology) all.push_back(*std::move(topology));
+  }
+  if (!all.empty()) read_chain_bounds(tables.bounds, all);
+  is_told ? read_given(parts, all) : read_given_by_name(parts, all);
+  if (!all.empty()) {
+    tables.bounds.finish();
+    check_something_is_found(tables.mechanism, all);
+  }
+  return all;
+}
+
+std::optional<Range> read_chain_transmission(TableReader& constraints) {
+  constexpr std::string_view kKey = "transmission_angle_deg";
+  const auto range = constraints.range(kKey, kTransmissionAngle);
+  if (!range) return std::nullopt;
+  if (std::max(range->min, 2 * kQuarterTurn - range->max) >= kQuarterTurn) {
+    constraints.fault(
+        kKey, fmt::format("is [{}, {}], which no dyad keeps to in motion; expected min < 90 < max",
+                          range->min, range->max));
+    return std::nullopt;
+  }
+  return Range{radians(range->min), radians(range->max)};
+}
+
+void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
+  for (const std::string_view key :
+       {"class", "link_ratio_max", "time_ratio", "pivot_region", "clearance", "no_branch_defect",
+        "no_order_defect", "no_circuit_defect", "no_extra_loop"}) {
+    if (!constraints.has(key)) continue;
+    constraints.fault(key,
+                      fmt::format("is a limit of four-bars; remove it: chains take {}", taken));
+  }
+}
+
+void read_chain_solve(TableReader& table, Solve& solve) {
+  read_counts(table, kMostSearchedDesigns, solve);
+  for (const std::string_view key : {"solver", "tolerance", "loss", "loss_scale", "certify",
+                                     "certify_gap", "objectives", "atlas"}) {
+    if (!table.has(key)) continue;
+    table.fault(key,
+                "is for four-bars alone; remove it: the search of a chain takes starts and "
+                "designs");
+  }
+}
+
+void fault_chain_type(TableReader& document, TableReader& mechanism,
+                      std::span<const std::string_view> types) {
+  mechanism.choice_of("type", types);
+  document.know(
+      {"target", "mechanism", "bounds", "constraints", "solve", "pivot", "crank", "dyad", "point"});
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,31 @@
+/// @file A chain that is to be designed, written down as files say it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/chain/topology.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+#include "problems/toml/table_writer.hpp"
+
+namespace cognate::problems::reading {
+
+/// `[mechanism]` of the type `type` with what is given.
+TableWriter chain_mechanism_writer(const std::string& type,
+                                   const std::vector<Topology>& topologies);
+
+/// `[bounds]`, point by point.
+TableWriter chain_bounds_writer(const std::vector<Topology>& topologies);
+
+/// `[solve]`. What of it the search has no use for is written for the reader to refuse.
+TableWriter chain_solve_writer(const Solve& solve);
+
+/// A fault where topologies demand different things of points of one name, which no file can.
+void check_one_demand(const std::vector<Topology>& topologies, std::vector<std::string>& faults);
+
+/// A fault where the topologies are not those that files know by the word `type`, which are
+/// `known`.
+void check_structure(const std::string& type, const std::vector<Topology>& topologies,
+                     const std::vector<Topology>& known, std::vector<std::string>& faults);
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,64 @@
+/// @file What `kind = "function-generation"` with `target.dwell` asks for: an output that stands
+/// still while the crank turns on. Angles are in radians, lengths in the file's unit.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "problems/basics/kind.hpp"
+#include "problems/basics/length_unit.hpp"
+#include "problems/chain/topology.hpp"
+#include "problems/linkage/linkage_limits.hpp"
+
+namespace cognate::problems {
+
+/// `target.dwell`: a part of the crank's turn in which the output is to stand still.
+struct Dwell {
+  double over = 0;                      ///< its length, in (0, 2π)
+  std::optional<double> from;           ///< crank angle at which it begins; empty: found
+  std::optional<double> half_band_max;  ///< of the output about its middle
+};
+
+/// `[constraints]` of dwells.
+struct DwellConstraints {
+  /// Of every dyad that is a joint over the turn, radians; the narrower side counts.
+  Range transmission_angle{0, 3.14159265358979323846};
+};
+
+/// `kind = "function-generation"` with a dwell.
+struct DwellProblem {
+  std::string title;
+  std::optional<LengthUnit> length_unit{};
+  std::string mechanism = "six-bar";  ///< `mechanism.type`
+  std::vector<Topology> topologies;   ///< at least one; `trace` is the second point of the output
+  std::array<std::string, 2> output{"G", "F"};  ///< the angle from the first point to the second
+  std::vector<Dwell> dwells;                    ///< one or two, in the order of the crank's turn
+  std::optional<double> apart;  ///< of two: by how much their levels differ at least
+  double swing_min = 0;         ///< of the output over the turn
+  DwellConstraints constraints;
+  Solve solve;
+};
+
+template <>
+struct KindTraits<DwellProblem> {
+  static constexpr std::string_view kWord = "function-generation";
+  /// Whether a function has dwells.
+  static bool takes(reading::TableReader& document);
+  static DwellProblem read(reading::TableReader& document, const std::filesystem::path& folder);
+  static reading::Written written(const DwellProblem& problem);
+  static tl::expected<DwellProblem, std::vector<std::string>> checked(const DwellProblem& problem);
+};
+
+struct Result;
+struct Run;
+
+/// Designs whose half band, the greatest deviation of the output from its level in a dwell, is
+/// least. `Design::error.max` is the half band, radians; `Design::crank_angles` holds where each
+/// dwell begins and ends.
+Result solve(const DwellProblem& problem, const Run& run);
+
+}  // namespace cognate::problems

@@ -1,0 +1,147 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/read_design.hpp"
+#include "problems/dwell/problem.hpp"
+#include "problems/mechanism/part_names.hpp"
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+constexpr std::string_view kDwell = "dwell", kOutput = "output", kApart = "apart_deg",
+                           kSwing = "swing_deg_min";
+
+constexpr NumberRule kPartOfTurn{[](double x) { return x > 0 && x < 360; },
+                                 "an angle in degrees above 0 and below 360"};
+constexpr NumberRule kBand{[](double x) { return x >= 1e-12 && x <= 180; },
+                           "an angle in degrees from 1e-12 to 180"};
+
+/// The values of `mechanism.type` of a dwell.
+std::vector<std::string_view> dwell_types() {
+  std::vector<std::string_view> words;
+  for (const TopologyWord& topology : function_topology_words()) words.push_back(topology.word);
+  words.push_back(kChainWord);
+  return words;
+}
+
+std::optional<double> in_radians(const std::optional<double>& degrees) {
+  return degrees ? std::optional(radians(*degrees)) : std::nullopt;
+}
+
+Dwell read_dwell(TableReader& table) {
+  constexpr std::string_view kOver = "over_deg";
+  Dwell dwell;
+  if (!table.has(kOver)) {
+    table.fault(kOver, "is missing; expected the angle of the crank over which the output stands");
+  }
+  dwell.over = radians(table.number(kOver, kPartOfTurn).value_or(0));
+  dwell.from = in_radians(table.number("from_deg", kAngle));
+  dwell.half_band_max = in_radians(table.number("half_band_deg_max", kBand));
+  table.finish();
+  return dwell;
+}
+
+/// Whether two dwells whose places are given share a part of the turn.
+bool overlap(const Dwell& a, const Dwell& b) {
+  if (!a.from || !b.from) return false;
+  constexpr double kTouching = 1e-9;
+  const auto after = [](double from, double to) {
+    const double way = std::fmod(to - from, kTurn);
+    return way < 0 ? way + kTurn : way;
+  };
+  return after(*a.from, *b.from) < a.over - kTouching ||
+         after(*b.from, *a.from) < b.over - kTouching;
+}
+
+void read_apart(TableReader& target, DwellProblem& problem) {
+  problem.apart = in_radians(target.number(kApart, kPartOfTurn));
+  const bool two = problem.dwells.size() == 2;
+  if (target.has(kApart) && !two) {
+    target.fault(kApart, "is given with one dwell; remove it, or give two");
+  } else if (two && !target.has(kApart)) {
+    target.fault(kApart,
+                 "is missing; expected by how much the output differs between the two dwells, "
+                 "which could be one without it");
+  }
+}
+
+void check_dwells(TableReader& target, const DwellProblem& problem) {
+  if (problem.dwells.size() != 2) return;
+  const auto& [first, second] = std::tie(problem.dwells[0], problem.dwells[1]);
+  if (first.over + second.over >= kTurn) {
+    target.fault(kDwell, fmt::format("takes {:.6g} degrees of the crank's turn together; expected "
+                                     "less than 360",
+                                     (first.over + second.over) * 180 / kPi));
+  } else if (overlap(first, second)) {
+    target.fault(kDwell,
+                 "has two dwells that overlap; expected a second one that begins after the "
+                 "end of the first");
+  }
+}
+
+void read_output(TableReader& target, DwellProblem& problem) {
+  const auto names = target.texts(kOutput, {2, 2, "names of points"});
+  if (!names) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!check_name(target, target.where(kOutput, i), target.name(kOutput), (*names)[i])) return;
+    problem.output.at(i) = (*names)[i];
+  }
+  if (problem.mechanism == kChainWord || problem.output == DwellProblem{}.output) return;
+  target.fault(kOutput, fmt::format("is [\"{}\", \"{}\"], but the output of type = {} is the "
+                                    "link [\"G\", \"F\"]; remove it, or take type = \"chain\"",
+                                    (*names)[0], (*names)[1], in_quotes(problem.mechanism)));
+}
+
+void read_dwell_target(TableReader& target, DwellProblem& problem) {
+  for (TableReader& table : target.tables(kDwell, {1, 2, "dwells"})) {
+    problem.dwells.push_back(read_dwell(table));
+  }
+  check_dwells(target, problem);
+  read_apart(target, problem);
+  problem.swing_min = radians(target.number(kSwing, kPartOfTurn).value_or(0));
+  read_output(target, problem);
+}
+
+void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) {
+  limits.transmission_angle =
+      read_chain_transmission(constraints).value_or(limits.transmission_angle);
+  refuse_four_bar_limits(constraints, "transmission_angle_deg");
+}
+
+}  // namespace
+}  // namespace reading
+
+bool KindTraits<DwellProblem>::takes(reading::TableReader& document) {
+  return document.has_table("target") && document.table("target").contains(reading::kDwell);
+}
+
+DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
+                                            const std::filesystem::path& /*folder*/) {
+  using namespace reading;
+  DwellProblem problem;
+  LinkageTables tables(document);
+  if (tables.mechanism.has("type")) {
+    problem.mechanism = tables.mechanism.text("type").value_or("");
+    if (std::ranges::count(dwell_types(), problem.mechanism) == 0) {
+      fault_chain_type(document, tables.mechanism, dwell_types());
+      return problem;
+    }
+  }
+  read_dwell_target(tables.target, problem);
+  problem.topologies = read_topologies(document, tables, function_topologies(problem.mechanism),
+                                       {kOutput, {problem.output.begin(), problem.output.end()}});
+  read_dwell_constraints(tables.constraints, problem.constraints);
+  read_chain_solve(tables.solve, problem.solve);
+  for (TableReader* table :
+       {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
+    table->finish();
+  }
+  return problem;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,30 @@
+/// @file The search for mechanisms whose output dwells.
+#pragma once
+
+#include <vector>
+
+#include "problems/dwell/model.hpp"
+#include "problems/linkage/result.hpp"
+#include "synthesis/search/multi_start.hpp"
+
+namespace cognate::problems {
+
+/// What was found, in the unit of its space.
+struct FoundDwell {
+  const DwellSpace* space = nullptr;
+  DwellDesign design;
+  double half_band = 0;  ///< radians
+  double violation = 0;  ///< of the constraints, as they are scaled in the model
+};
+
+struct DwellSearchResult {
+  std::vector<FoundDwell> designs;  ///< best first; different ones
+  synthesis::SearchStatistics statistics;
+};
+
+/// Minimax fits from starts whose dyad of the output hangs on a point that moves along a circle
+/// while the output dwells, then from disturbed good designs: the valleys are curved and narrow.
+DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
+                                const Run& run, const Deadline& deadline, Work& work);
+
+}  // namespace cognate::problems

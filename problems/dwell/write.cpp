@@ -1,0 +1,57 @@
+/// A problem of dwells written down, and checked by reading what was written.
+#include "problems/chain/write_design.hpp"
+#include "problems/dwell/problem.hpp"
+#include "problems/linkage/write_linkage.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+TableWriter dwell_target_writer(const DwellProblem& problem) {
+  Array dwells;
+  for (const Dwell& dwell : problem.dwells) {
+    TableWriter table;
+    table.set_deg("over_deg", dwell.over)
+        .set_deg("from_deg", dwell.from)
+        .set_deg("half_band_deg_max", dwell.half_band_max);
+    dwells.push_back(node(table.take()));
+  }
+  TableWriter table;
+  table.set("output", problem.output).set("dwell", dwells).set_deg("apart_deg", problem.apart);
+  if (problem.swing_min != 0) table.set_deg("swing_deg_min", problem.swing_min);
+  return table;
+}
+
+}  // namespace
+}  // namespace reading
+
+reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) {
+  using namespace reading;
+  Written all;
+  check_structure(problem.mechanism, problem.topologies, function_topologies(problem.mechanism),
+                  all.faults);
+  check_one_demand(problem.topologies, all.faults);
+  TableWriter constraints;
+  constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle);
+  all.document =
+      document_writer(kWord, problem.title, problem.length_unit)
+          .set("target", dwell_target_writer(problem))
+          .set("mechanism", chain_mechanism_writer(problem.mechanism, problem.topologies))
+          .set("bounds", chain_bounds_writer(problem.topologies))
+          .set("constraints", constraints)
+          .set("solve", chain_solve_writer(problem.solve))
+          .take();
+  return all;
+}
+
+tl::expected<DwellProblem, std::vector<std::string>> KindTraits<DwellProblem>::checked(
+    const DwellProblem& problem) {
+  DwellProblem complete = problem;
+  if (complete.topologies.empty()) complete.topologies = function_topologies(complete.mechanism);
+  const auto read = reading::read_back(complete);
+  if (!read) return tl::unexpected(read.error());
+  complete.topologies = read->topologies;
+  return complete;
+}
+
+}  // namespace cognate::problems

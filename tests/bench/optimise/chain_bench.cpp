@@ -1,0 +1,128 @@
+/// Six-bars in point form: positions, gradients by all parameters, and fits in lanes, beside the
+/// general evaluator of mechanisms. Items are positions of one design.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
+
+#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "synthesis/chain/bodies.hpp"
+#include "synthesis/chain/chain_fit.hpp"
+#include "synthesis/chain/sweep.hpp"
+#include "tests/support/six_bars.hpp"
+
+namespace cognate::synthesis {
+namespace {
+
+using testing::kTracedLine;
+
+constexpr int kPositions = 180;
+
+/// Stephenson III a, and directions of its crank.
+struct Posed {
+  testing::SixBar six_bar = testing::six_bars()[0];
+  std::vector<PlacedLine> lines = placed_lines(six_bar.chain);
+  std::vector<double> side{six_bar.design.side.begin(), six_bar.design.side.end()};
+  std::vector<Vec2d> cranks;
+
+  Posed() {
+    for (int i = 0; i < kPositions; ++i) cranks.push_back(unit_vector(kTurn * i / kPositions));
+  }
+  ChainView<double> view() const {
+    return {lines.data(), static_cast<int>(lines.size()), six_bar.design.parameters.data(),
+            side.data()};
+  }
+};
+const Posed posed;
+
+/// The same linkage body by body: E and P fixed on the couplers of its dyads.
+Mechanism<double> stephenson() {
+  Mechanism<double> mechanism;
+  mechanism.drive = Crank<double>{{0, 0}, 1};
+  mechanism.dyads.push_back(Rrr<double>{{1, {1, 0}}, {0, {4, 0}}, 4, 2, Assembly::crossed});
+  mechanism.dyads.push_back(Rrr<double>{{2, {1.5, 3}}, {0, {0, 0.5}}, 3, 1.5, Assembly::crossed});
+  return mechanism;
+}
+
+void general_evaluator(benchmark::State& state) {
+  MechanismMotion<0> motion(stephenson());
+  for (auto _ : state) {
+    for (const Vec2d& crank : posed.cranks) {
+      motion.move_to({crank, 0});
+      benchmark::DoNotOptimize(motion.point({4, {-1, -2.5}}));
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kPositions);
+}
+BENCHMARK(general_evaluator);
+
+void positions(benchmark::State& state) {
+  ChainPlace<double> at;
+  for (auto _ : state) {
+    for (const Vec2d& crank : posed.cranks) {
+      place(posed.view(), crank, at);
+      benchmark::DoNotOptimize(at.at[kTracedLine]);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kPositions);
+}
+BENCHMARK(positions);
+
+/// The squared distances from a point, with their gradient by all 15 parameters.
+void gradients(benchmark::State& state) {
+  ChainPlace<double> at;
+  std::vector<double> gradient(posed.six_bar.design.parameters.size(), 0.0);
+  for (auto _ : state) {
+    for (const Vec2d& crank : posed.cranks) {
+      place(posed.view(), crank, at);
+      Vec2d seed[kMostLines]{};
+      seed[kTracedLine] = 2.0 * (at.at[kTracedLine] - Vec2d{3, 4.5});
+      sweep_back(posed.view(), at, kTracedLine, seed, gradient.data());
+    }
+    benchmark::DoNotOptimize(gradient.data());
+  }
+  state.SetItemsProcessed(state.iterations() * kPositions);
+}
+BENCHMARK(gradients);
+
+/// Whole iterations of fits in lanes: rows and normal equations of 15 unknowns, 36 positions at
+/// which transmission angles are looked at, the attempt and its cost.
+void fit_iterations(benchmark::State& state) {
+  ChainFit fit;
+  fit.chain = posed.six_bar.chain;
+  fit.trace = kTracedLine;
+  fit.closed = true;
+  ChainPlace<double> at;
+  ChainFitState start{posed.six_bar.design, {}};
+  for (int j = 0; j < 60; ++j) {
+    place(posed.view(), posed.cranks[static_cast<std::size_t>(3 * j)], at);
+    fit.x.push_back(at.at[kTracedLine].x + 0.1 * std::sin(7.0 * j));
+    fit.y.push_back(at.at[kTracedLine].y + 0.1 * std::cos(5.0 * j));
+    fit.root_weight.push_back(1);
+    start.angles.push_back(kTurn * j / 60);
+  }
+  for (int i = 0; i < 15; ++i) {
+    fit.free.push_back(i);
+    fit.lower.push_back(-100);
+    fit.upper.push_back(100);
+  }
+  fit.joints = joints(fit.chain);
+  ChainFitOptions options;
+  options.tolerance = 0;
+  options.most_iterations = 20;
+  std::int64_t iterations = 0;
+  for (auto _ : state) {
+    std::vector<ChainFitState> states(64, start);
+    fit_chains(fit, states, options);
+    for (const ChainFitState& one : states) iterations += one.iterations;
+  }
+  state.SetItemsProcessed(iterations * 60);
+}
+BENCHMARK(fit_iterations);
+
+}  // namespace
+}  // namespace cognate::synthesis
+
+BENCHMARK_MAIN();
