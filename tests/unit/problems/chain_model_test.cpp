@@ -1,0 +1,109 @@
+/// Models of chains: their derivatives against differences, and what they say of planted designs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/model.hpp"
+#include "problems/dwell/model.hpp"
+#include "synthesis/optimise/check_derivatives.hpp"
+#include "tests/support/six_bars.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using testing::six_bars;
+using testing::SixBar;
+
+Topology topology_of(const SixBar& six_bar) {
+  Topology topology{.name = std::string(six_bar.name), .trace = testing::kTracedLine};
+  for (const auto& line : six_bar.chain.lines) {
+    topology.lines.push_back(
+        {.name = std::string(1, char('a' + topology.lines.size())), .line = line});
+  }
+  return topology;
+}
+
+/// The path of a six-bar, its points moved by some hundredths.
+ChainPathProblem path_of(const SixBar& six_bar, bool timed) {
+  ChainPathProblem problem;
+  problem.topologies = {topology_of(six_bar)};
+  problem.closed = !timed;
+  problem.constraints.transmission_angle = {kPi / 5, kPi - kPi / 5};
+  const auto lines = placed_lines(six_bar.chain);
+  const std::vector<double> side(six_bar.design.side.begin(), six_bar.design.side.end());
+  synthesis::ChainPlace<double> place;
+  for (int j = 0; j < 12; ++j) {
+    const double angle = kTurn * j / 12;
+    synthesis::place(synthesis::ChainView<double>{lines.data(), static_cast<int>(lines.size()),
+                                                  six_bar.design.parameters.data(), side.data()},
+                     unit_vector(angle), place);
+    const Vec2d off{0.03 * std::sin(5.0 * j), 0.02 * std::cos(3.0 * j)};
+    problem.points.push_back(place.at[testing::kTracedLine] + off);
+    if (timed) problem.crank_angles.push_back(angle);
+  }
+  return problem;
+}
+
+TEST(ChainPathModel, DerivativesAreThoseOfTheValues) {
+  int checked = 0;
+  for (const SixBar& six_bar : six_bars()) {
+    for (const bool timed : {false, true}) {
+      SCOPED_TRACE(std::string(six_bar.name) + (timed ? " timed" : " free"));
+      const ChainPathProblem problem = path_of(six_bar, timed);
+      const ScaledChain scaled(problem, problem.topologies.front(), TargetScale{});
+      std::vector<double> angles;
+      for (int j = 0; j < (timed ? 1 : 12); ++j) angles.push_back(0.02 + kTurn * j / 12);
+      const ChainPathModel model(scaled, six_bar.design, angles,
+                                 {{six_bar.first_joint, 0.7}, {six_bar.second_joint, 3.1}}, 0.01);
+      const auto x = model.start();
+      const auto error = synthesis::check_derivatives(model, x);
+      ASSERT_TRUE(error.has_value);
+      EXPECT_LT(error.relative, 1e-8) << error.describe(model);
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 8);
+}
+
+/// A dwell of 100 degrees with a known design: half band 0.001863°, window from 211.23°.
+struct KnownDwell {
+  DwellProblem problem;
+  DwellDesign design{{{0, 0, 4.983729, 0, 1, 1.325787, 4.907122, 1.321734, 0.059699, -1.136236,
+                       1.848067, 2.208432, 1.478421},
+                      {0, 0, 0, 1, 0, 0, 1}},
+                     {211.23 * kPi / 180}};
+
+  KnownDwell() {
+    problem.topologies = function_topologies("stephenson-3");
+    problem.dwells = {{100 * kPi / 180, {}, {}}};
+    problem.swing_min = 59.9 * kPi / 180;
+    problem.constraints.transmission_angle = {39.9 * kPi / 180, 140.1 * kPi / 180};
+  }
+};
+
+TEST(DwellModel, HalfBandOfAKnownDesign) {
+  const KnownDwell known;
+  const DwellSpace space(known.problem, known.problem.topologies.front());
+  ASSERT_EQ(space.given.size(), known.design.chain.parameters.size());
+  const DwellModel model(space, known.design, {}, 65, kPi / 180);
+  std::vector<double> residuals(static_cast<std::size_t>(model.residual_count()));
+  ASSERT_TRUE(model.residuals(model.start(), residuals, {}, {}));
+  double half_band = 0;
+  for (const double residual : residuals) half_band = std::max(half_band, std::abs(residual));
+  EXPECT_NEAR(half_band, 0.001863, 2e-5);
+}
+
+TEST(DwellModel, DerivativesAreThoseOfTheValues) {
+  const KnownDwell known;
+  const DwellSpace space(known.problem, known.problem.topologies.front());
+  const DwellModel model(space, known.design, {{{3, 1.0}, {6, 4.0}}, 2.0, 5.0}, 17, 0.01);
+  const auto error = synthesis::check_derivatives(model, model.start());
+  ASSERT_TRUE(error.has_value);
+  EXPECT_LT(error.relative, 1e-7) << error.describe(model);
+}
+
+}  // namespace
+}  // namespace cognate::problems
