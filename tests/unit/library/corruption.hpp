@@ -125,6 +125,25 @@ class Corruption {
     }
   }
   void spoil(AnalysisProblem& problem);
+  void spoil(TopologyLine& line) {
+    const std::function<void()> ways[] = {
+        [&] { spoil(line.name); },       [&] { spoil(line.line.type); },
+        [&] { spoil(line.line.first); }, [&] { spoil(line.line.second); },
+        [&] { spoil(line.given); },      [&] { spoil(line.bounds); },
+        [&] { spoil(line.assembly); }};
+    ways[random_() % std::size(ways)]();
+  }
+  void spoil(Topology& topology) {
+    const std::function<void()> ways[] = {[&] { spoil(topology.name); },
+                                          [&] { spoil(topology.lines); },
+                                          [&] { spoil(topology.trace); }};
+    ways[random_() % std::size(ways)]();
+  }
+  void spoil(Dwell& dwell) {
+    const std::function<void()> ways[] = {[&] { spoil(dwell.over); }, [&] { spoil(dwell.from); },
+                                          [&] { spoil(dwell.half_band_max); }};
+    ways[random_() % std::size(ways)]();
+  }
   void spoil(NamedMechanism& mechanism) {
     const std::function<void()> ways[] = {[&] { mechanism.bodies.clear(); },
                                           [&] { mechanism.points.clear(); },
@@ -211,6 +230,18 @@ inline void show(Corruption& to, PathProblem& p) {
   show(to, p.given);
   show(to, p.bounds);
   show(to, p.constraints);
+  show(to, p.solve);
+}
+
+inline void show(Corruption& to, ChainPathProblem& p) {
+  to(p.mechanism, p.topologies, p.points, p.closed, p.crank_angles,
+     p.constraints.transmission_angle, p.constraints.over, p.constraints.rms_error_max);
+  show(to, p.solve);
+}
+
+inline void show(Corruption& to, DwellProblem& p) {
+  to(p.mechanism, p.topologies, p.output, p.dwells, p.apart, p.swing_min,
+     p.constraints.transmission_angle);
   show(to, p.solve);
 }
 

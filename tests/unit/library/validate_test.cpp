@@ -51,6 +51,12 @@ std::vector<std::pair<std::size_t, std::size_t>> numbers_of(const std::string& t
 Result answer(const PathProblem& p, const Run& run) {
   return solve(p, run);
 }
+Result answer(const ChainPathProblem& p, const Run& run) {
+  return solve(p, run);
+}
+Result answer(const DwellProblem& p, const Run& run) {
+  return solve(p, run);
+}
 Result answer(const FunctionProblem& p, const Run& run) {
   return solve(p, run);
 }
