@@ -44,7 +44,7 @@ struct StartRule {
   /// The search also draws so many times the starts after which its best was found; a best that is
   /// better by less than `better_by`, relative to itself, is the same.
   double patience = 0, better_by = 1e-3;
-  double met = 0;  ///< values up to this are rounding, none better than another
+  double met = 0;      ///< values up to this are rounding, none better than another
   double enough = -1;  ///< a best up to this ends the search at once
   /// Nor is the best well known while `SearchStatistics::unseen` is more.
   double doubt = 1;
