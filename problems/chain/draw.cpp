@@ -81,14 +81,18 @@ class Drawing {
     return false;
   }
 
-  std::optional<double> given(std::size_t k, int i) const {
-    return space_.given[static_cast<std::size_t>(space_.lines[k].parameter + i)];
+  /// Of parameter i of line k among all parameters.
+  std::size_t place_of(std::size_t k, int i) const {
+    const int place = space_.lines[k].parameter + i;
+    return static_cast<std::size_t>(place);
   }
+
+  std::optional<double> given(std::size_t k, int i) const { return space_.given[place_of(k, i)]; }
   bool is_given(std::size_t k, int i) const { return given(k, i).has_value(); }
 
   double put(std::size_t k, int i, double drawn) {
     const double value = given(k, i).value_or(drawn);
-    drawn_.design.parameters[static_cast<std::size_t>(space_.lines[k].parameter + i)] = value;
+    drawn_.design.parameters[place_of(k, i)] = value;
     return value;
   }
 

@@ -46,9 +46,9 @@ Vec2<T> dyad_joint(const Vec2<T>& p, const Vec2<T>& q, const T& a, const T& b, c
   return p + half * (Vec2<T>{along, side * height} * way);
 }
 
-/// Places all lines at the direction `crank` of the crank. `kAgain`: `out` is a place of the same
+/// Places all lines at the direction `crank` of the crank. `Again`: `out` is a place of the same
 /// chain with the same dimensions, so that the distances within its bodies are known.
-template <bool kAgain = false, class T>
+template <bool Again = false, class T>
 void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
   using std::sqrt;
   out.crank = crank;
@@ -68,7 +68,7 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         break;
       case LineType::attached: {
         const Vec2<T> way = out.at[line.second] - out.at[line.first];
-        if constexpr (!kAgain) out.inverse[k] = T(1) / sqrt(squared_norm(way));
+        if constexpr (!Again) out.inverse[k] = T(1) / sqrt(squared_norm(way));
         out.axis[k] = out.inverse[k] * way;
         out.at[k] = out.at[line.first] + Vec2<T>{own[0], own[1]} * out.axis[k];
         break;
