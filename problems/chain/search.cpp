@@ -243,7 +243,8 @@ class ChainExplorer {
       if (one_line && k != line) continue;
       const auto& [own, parameter] = problem_.lines[k];
       for (int i = 0; i < synthesis::parameter_count(own.type); ++i) {
-        const auto at = static_cast<std::size_t>(parameter + i);
+        const int place = parameter + i;
+        const auto at = static_cast<std::size_t>(place);
         double& value = state.design.parameters[at];
         const double by = size * uniform(random, -1, 1) * std::max(0.3, std::abs(value));
         if (!problem_.given[at]) value += by;

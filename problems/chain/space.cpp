@@ -44,7 +44,8 @@ synthesis::ChainDesign TargetScale::out_of(const synthesis::Chain& chain,
   for (const auto& [line, parameter] : placed_lines(chain)) {
     for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
       const ParameterScale own = scale_of(*this, line.type, i);
-      double& value = design.parameters[static_cast<std::size_t>(parameter + i)];
+      const int place = parameter + i;
+      double& value = design.parameters[static_cast<std::size_t>(place)];
       value = own.origin + own.size * value;
     }
   }

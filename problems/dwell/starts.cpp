@@ -86,7 +86,8 @@ bool ends_in_free_dyad(const DwellSpace& space) {
   if (circles(space, dyad.first)) return false;
   const auto is_given = [&](std::size_t k, int count) {
     for (int i = 0; i < count; ++i) {
-      if (space.given[static_cast<std::size_t>(lines[k].parameter + i)]) return true;
+      const int place = lines[k].parameter + i;
+      if (space.given[static_cast<std::size_t>(place)]) return true;
     }
     return false;
   };
