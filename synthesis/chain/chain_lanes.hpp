@@ -338,8 +338,14 @@ class ChainLanes {
     Real after = smaller(next(last), next(0) + most);
     for (int j = last; j >= 0; --j) {
       if (j < last) after = smaller(next(j), after - gap(j + 1));
-      const Real between = Real(0.5) * (after + load(pushed + j * kLanes));
-      store(sense * between, next_angle_ + j * kLanes);
+      store(Real(0.5) * (after + load(pushed + j * kLanes)), pushed + j * kLanes);
+    }
+    // Both sequences may together go more than once round: what is too much is cut off at the ends.
+    const Real first = load(pushed), end = load(pushed + last * kLanes);
+    const Real excess = Real(0.5) * larger(Real(0.0), end - first - most);
+    for (int j = 0; j <= last; ++j) {
+      const Real within = larger(first + excess, smaller(end - excess, load(pushed + j * kLanes)));
+      store(sense * within, next_angle_ + j * kLanes);
     }
   }
 
