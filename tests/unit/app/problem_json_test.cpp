@@ -77,8 +77,11 @@ std::string toml_of_analysis(const json& tables) {
 template <class Problem>
 void expect_reads_back(const Problem& problem) {
   const json written = problem_json(problem);
+  // Their mechanisms hold tables.
   const bool in_tables = std::is_same_v<Problem, problems::AnalysisProblem> ||
-                         std::is_same_v<Problem, problems::MachineProblem>;
+                         std::is_same_v<Problem, problems::MachineProblem> ||
+                         std::is_same_v<Problem, problems::ChainPathProblem> ||
+                         std::is_same_v<Problem, problems::DwellProblem>;
   const auto file = in_tables ? toml_of_analysis(written) : toml_of(written);
   const auto again = problems::parse_task<Problem>(file);
   ASSERT_TRUE(again.has_value()) << messages(again.error()) << file;
