@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::problems {
 namespace {
 
 constexpr int kSamples = 180;        ///< of the span, between which extremes are refined
+constexpr double kFiner = 16;        ///< parabolas are laid through points ever so much nearer
 constexpr double kNearLimit = 0.05;  ///< of a cosine: extremes nearer to the limit are watched
 
 }  // namespace
@@ -28,9 +31,21 @@ double CosineScan::cosine(int joint, double crank) {
   return std::isfinite(value) ? value : 2;
 }
 
+double CosineScan::peak_near(int joint, double crank, double step) {
+  double at = crank;
+  for (const double reach : {step, step / kFiner, step / (kFiner * kFiner)}) {
+    const double before = cosine(joint, at - reach), here = cosine(joint, at),
+                 after = cosine(joint, at + reach);
+    const double bend = before - 2 * here + after;
+    if (bend < 0) at += reach * std::clamp(0.5 * (before - after) / bend, -1.0, 1.0);
+  }
+  return at;
+}
+
 void CosineScan::scan(int joint, const CrankSpan& span, std::vector<TransmissionCheck>& found,
                       double& violation) {
   const double step = (span.to - span.from) / kSamples;
+  const bool is_turn = span.to - span.from >= kTurn;
   std::array<double, kSamples + 1> values;
   for (int i = 0; i <= kSamples; ++i) {
     values[static_cast<std::size_t>(i)] = cosine(joint, span.from + step * i);
@@ -40,11 +55,9 @@ void CosineScan::scan(int joint, const CrankSpan& span, std::vector<Transmission
     const double here = values[at], before = i > 0 ? values[at - 1] : -1,
                  after = i < kSamples ? values[at + 1] : -1;
     if (here < before || here < after || here < space_.cosine_limit - kNearLimit) continue;
-    const bool inner = i > 0 && i < kSamples;
-    const double bend = before - 2 * here + after;
-    const double shift =
-        inner && bend < 0 ? std::clamp(0.5 * (before - after) / bend, -1.0, 1.0) : 0;
-    const double crank = span.from + step * (i + shift);
+    const bool inner = is_turn || (i > 0 && i < kSamples);
+    const double crank =
+        inner ? peak_near(joint, span.from + step * i, step) : span.from + step * i;
     found.push_back({joint, crank});
     violation = std::max(
         {violation, here - space_.cosine_limit, cosine(joint, crank) - space_.cosine_limit});

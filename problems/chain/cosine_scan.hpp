@@ -24,6 +24,8 @@ class CosineScan {
 
  private:
   double cosine(int joint, double crank);
+  /// Where it is greatest between two samples on either side of `crank`.
+  double peak_near(int joint, double crank, double step);
   void scan(int joint, const CrankSpan& span, std::vector<TransmissionCheck>& found,
             double& violation);
 
