@@ -20,7 +20,8 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SAVED_AS = re.compile(r"[Ss]ave this as `([^`]+)`[^`]*```toml\n(.*?)```", re.DOTALL)
 
 # Which page has the keys of which part of `cognate list`.
-PAGE_OF_KIND = {"function-generation": "function-generation", "motion-generation": "motion-generation",
+PAGE_OF_KIND = {"function-generation": "function-generation", "function-generation (dwells)": "dwells",
+                "motion-generation": "motion-generation",
                 "path-generation": "path-generation", "path-generation (chains)": "chains", "quick-return": "quick-return",
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
