@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/golden_section.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr int kSamples = 180;        ///< of the span, between which extremes are refined
-constexpr double kFiner = 16;        ///< parabolas are laid through points ever so much nearer
+constexpr int kSamples = 180;  ///< of the span, between which extremes are refined
+constexpr int kGoldenSteps = 24;
 constexpr double kNearLimit = 0.05;  ///< of a cosine: extremes nearer to the limit are watched
 
 }  // namespace
@@ -32,14 +33,8 @@ double CosineScan::cosine(int joint, double crank) {
 }
 
 double CosineScan::peak_near(int joint, double crank, double step) {
-  double at = crank;
-  for (const double reach : {step, step / kFiner, step / (kFiner * kFiner)}) {
-    const double before = cosine(joint, at - reach), here = cosine(joint, at),
-                 after = cosine(joint, at + reach);
-    const double bend = before - 2 * here + after;
-    if (bend < 0) at += reach * std::clamp(0.5 * (before - after) / bend, -1.0, 1.0);
-  }
-  return at;
+  const auto lowered = [&](double at) { return -cosine(joint, at); };
+  return golden_section(lowered, crank - step, crank + step, kGoldenSteps).middle();
 }
 
 void CosineScan::scan(int joint, const CrankSpan& span, std::vector<TransmissionCheck>& found,

@@ -46,21 +46,24 @@ bool is_known(const std::vector<FoundChain>& taken, const FoundChain& other) {
 std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScale& scale,
                                const std::vector<FoundChain>& found) {
   std::vector<Design> feasible, others;
-  std::vector<FoundChain> taken;
+  // By themselves: a design that misses a limit by little does not stand for its neighbour that
+  // keeps to it.
+  std::vector<FoundChain> taken_feasible, taken_others;
   for (const FoundChain& one : found) {
-    if (is_known(taken, one)) continue;
     const Topology& topology = *one.problem->topology;
     auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
     Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));
     if (!std::isfinite(design.error.sum_of_squares)) continue;
+    const bool is_feasible = all_satisfied(design.constraints);
+    auto& taken = is_feasible ? taken_feasible : taken_others;
+    if (is_known(taken, one)) continue;
     taken.push_back(one);
     design.origin = search_origin(synthesis::chosen(problem.solve.solver));
-    (all_satisfied(design.constraints) ? feasible : others).push_back(std::move(design));
+    (is_feasible ? feasible : others).push_back(std::move(design));
   }
   auto& best = feasible.empty() ? others : feasible;
   const auto wanted = static_cast<std::size_t>(problem.solve.designs);
-  if (best.size() > wanted)
-    best.erase(best.begin() + static_cast<std::ptrdiff_t>(wanted), best.end());
+  if (best.size() > wanted) best.resize(wanted);
   return std::move(best);
 }
 

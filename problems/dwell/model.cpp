@@ -111,7 +111,7 @@ void DwellModel::constraints(std::span<const double> x, std::span<double> c,
     at = chain.at(checks_.highest);
     const Vec2d above = at[space_.to] - at[space_.from];
     const double swing = relative_angle(above, reference_) - relative_angle(below, reference_);
-    c[next] = std::isfinite(swing) ? swing - space_.problem->swing_min : -1;
+    c[next] = std::isfinite(swing) ? swing - space_.swing_min : -1;
     if (!jacobian.empty()) {
       double* row = jacobian.data() + next * columns;
       std::fill_n(row, columns, 0.0);

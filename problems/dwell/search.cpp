@@ -7,6 +7,7 @@
 #include <list>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/cosine_scan.hpp"
 #include "problems/dwell/starts.hpp"
@@ -22,7 +23,7 @@ constexpr double kHopShare = 0.7;     ///< of the starts that disturb a design k
 constexpr int kSearchNodes = 17, kFinalNodes = 65;
 constexpr double kAllowed = 1e-7;     ///< violation of a constraint that is none
 constexpr double kSameDesign = 0.02;  ///< relative: closer designs are one
-constexpr int kOutputSamples = 180;
+constexpr int kOutputSamples = 180, kExtremeSteps = 24;
 
 struct Fitted {
   DwellDesign design;
@@ -50,27 +51,38 @@ struct DwellRules {
   }
 };
 
-/// Where the output is highest and lowest over the turn.
+/// Where the output is highest and lowest over the turn, between samples too, and what violates a
+/// constraint most.
 DwellChecks checks_of(const DwellSpace& space, const DwellDesign& design, double& violation) {
   DwellChecks checks;
   checks.transmission = CosineScan(space, design.chain).extremes({0, kTurn}, violation);
   const std::vector<double> side(design.chain.side.begin(), design.chain.side.end());
   FreeChain chain(space, design.chain.parameters, side);
   Vec2d reference;
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  for (int i = 0; i < kOutputSamples; ++i) {
-    const double crank = kTurn * i / kOutputSamples;
+  const auto output = [&](double crank) {
     const Vec2d* at = chain.at(crank);
     const Vec2d way = at[space.to] - at[space.from];
-    if (i == 0) reference = way;
-    const double angle = relative_angle(way, reference);
+    if (reference == Vec2d{}) reference = way;
+    return relative_angle(way, reference);
+  };
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (int i = 0; i < kOutputSamples; ++i) {
+    const double crank = kTurn * i / kOutputSamples, angle = output(crank);
     if (angle < least) checks.lowest = crank;
     if (angle > greatest) checks.highest = crank;
     least = std::min(least, angle);
     greatest = std::max(greatest, angle);
   }
-  violation = std::max(violation, space.problem->swing_min - (greatest - least));
-  if (!std::isfinite(least)) violation = std::numeric_limits<double>::infinity();
+  constexpr double kStep = kTurn / kOutputSamples;
+  const auto refined = [&](double crank, double sense) {
+    const auto lowered = [&](double at) { return -sense * output(at); };
+    return golden_section(lowered, crank - kStep, crank + kStep, kExtremeSteps).middle();
+  };
+  checks.lowest = refined(checks.lowest, -1);
+  checks.highest = refined(checks.highest, 1);
+  const double swing = output(checks.highest) - output(checks.lowest);
+  violation = std::max(violation, space.swing_min - swing);
+  if (!std::isfinite(swing)) violation = std::numeric_limits<double>::infinity();
   return checks;
 }
 

@@ -12,7 +12,7 @@ using synthesis::LineType;
 constexpr double kMostUnits = 8, kLeastUnits = 0.05;
 /// Of a link whose bound is 0, so that it has a direction.
 constexpr double kLeastLink = 1e-4;
-/// Of a cosine: what a search may miss its limit by.
+/// Of a cosine and of the swing: what a search may miss its limit by.
 constexpr double kMargin = 3e-7;
 
 bool is_of_length(const TopologyLine& line) {
@@ -105,6 +105,7 @@ DwellSpace::DwellSpace(const DwellProblem& of, const Topology& given, const Topo
       scale(scale_of(framed)),
       from(named_line(given, of.output[0])),
       to(named_line(given, of.output[1])),
+      swing_min(of.swing_min + kMargin),
       problem(&of) {
   topology = &given;
   cosine_limit -= kMargin;

@@ -12,7 +12,8 @@ namespace cognate::problems {
 /// the first other pivot is level with its own, unless crank angles of dwells are given.
 struct DwellSpace : ChainSpace {
   TargetScale scale;
-  int from, to;  ///< lines of the output's points
+  int from, to;      ///< lines of the output's points
+  double swing_min;  ///< of the problem, with what a search may miss it by
   const DwellProblem* problem;
 
   DwellSpace(const DwellProblem& problem, const Topology& topology);
