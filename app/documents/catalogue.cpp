@@ -49,6 +49,9 @@ constexpr Metric kKindMetrics[] = {
     {"output_start", "length", "displacement at the start (functions by a slider-crank)"},
     {"link_ratio", "1", "longest over shortest link, where it is an objective"},
     {"longest_link", "length", "of crank, coupler, rocker and frame, where size is an objective"},
+    {"transmission_NAME_min_deg", "deg",
+     "minimum of the transmission angle and its supplement of the dyad whose joint is NAME "
+     "(chains)"},
     {"topology", "", "of a chain of dyads that was chosen among several (paths, dwells)"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "of mechanisms other than four-bars: the body that is the output"},

@@ -21,6 +21,8 @@ namespace {
 
 constexpr int kWindowSamples = 721, kTurnSamples = 1441;
 constexpr int kGoldenSteps = 40;
+/// Crank angles told of a dwell, for which its mean square counts in the sum of squares.
+constexpr int kEnds = 2;
 
 /// The output over a part of the turn, radians.
 struct OutputRange {
@@ -117,12 +119,12 @@ std::vector<OutputRange> measure_dwells(const DwellProblem& problem,
     dwells.push_back(output.over(starts[k], to, kWindowSamples, reference));
     const OutputRange& dwell = dwells.back();
     error.max = dwell.known() ? std::max(error.max, dwell.half_band()) : kInfinity;
-    error.sum_of_squares += dwell.known() ? dwell.square * kWindowSamples : kInfinity;
+    error.sum_of_squares += dwell.known() ? kEnds * dwell.square : kInfinity;
     for (const double at : {starts[k], to}) design.crank_angles.push_back(in_one_turn(at));
     design.metrics.quantities.push_back(
         {k == 0 ? "dwell_from_deg" : "dwell_2_from_deg", degrees(in_one_turn(starts[k]))});
   }
-  error.rms = std::sqrt(error.sum_of_squares / (kWindowSamples * double(starts.size())));
+  error.rms = std::sqrt(error.sum_of_squares / (kEnds * double(starts.size())));
   return dwells;
 }
 

@@ -62,6 +62,8 @@ def refuse_constant(name):
 # files go the same ways.
 SANITIZED = "COGNATE_TEST_SEEDS" in os.environ
 SLOW = {
+    "double-dwell",
+    "eight-bar-path",
     "ellipse-front",
     "ellipse-with-envelope",
     "ellipse-with-even-torque",
@@ -74,7 +76,10 @@ SLOW = {
     "search-hoeken",
     "search-smallest",
     "search-watt",
+    "six-bar-dwell",
     "six-point-line-transmission",
+    "stephenson-path",
+    "watt-path",
 }
 
 
@@ -91,10 +96,12 @@ def spelled_out(key):
 
 
 def keys_of(table):
-    """The keys of a table and its tables, levels separated by dots; numbered ones as 1."""
+    """The keys of a table and its tables, levels separated by dots; numbered ones as 1, those
+    of a joint as NAME."""
     keys = set()
     for key, value in table.items():
         key = re.sub(r"^slide_\d+$", "slide_1", key)
+        key = re.sub(r"^transmission_\w+_min_deg$", "transmission_NAME_min_deg", key)
         below = keys_of(value) if isinstance(value, dict) else None
         keys |= {f"{key}.{name}" for name in below} if below else {key}
     return keys
