@@ -123,8 +123,20 @@ class Killer:
                 os.kill(self.random.choice(victims), signal.SIGKILL)
             except ProcessLookupError:
                 killed = False
-        process.wait()
+        self.wait(process)
         return killed and process.returncode != 0
+
+    def wait(self, process):
+        """Until the process ends. An mpirun one of whose processes is killed while it starts them may
+        wait for ever, though all of them have ended: it is killed too."""
+        try:
+            process.wait(timeout=60)
+        except subprocess.TimeoutExpired:
+            states = [pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
+                      for pid in self.victims(process)]
+            assert self.processes > 1 and set(states) <= {"Z"}, f"the study hangs: {states}"
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
 
     def compare(self):
         """The study has ended: its tables against those of the uninterrupted run."""
