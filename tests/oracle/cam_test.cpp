@@ -14,7 +14,7 @@
 #include "problems/cam/result.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_test {
 namespace {
 
 using cam::MotionLaw;
@@ -283,4 +283,4 @@ TEST(CamOracle, LimitsOfRiseAndReturnHoldOnBothSides) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_test

@@ -15,7 +15,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::exact_function_test {
 namespace {
 
 FunctionProblem parsed(const std::string& text) {
@@ -466,4 +466,4 @@ TEST(ExactFunction, JumpWithinTheDomainIsNoted) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::exact_function_test

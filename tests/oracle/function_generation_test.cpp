@@ -14,7 +14,7 @@
 #include "problems/read.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_generation_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -367,4 +367,4 @@ TEST(RefinedFunction, MinimaxOfATableIsTheSameForEverySeed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_generation_test

@@ -7,7 +7,7 @@
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::gear_test {
 namespace {
 
 using gear::SpurGear;
@@ -156,4 +156,4 @@ TEST(GearOracle, UndercutGear) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_test

@@ -12,7 +12,7 @@
 #include "problems/read.hpp"
 #include "tests/oracle/li_xu.hpp"
 
-namespace cognate {
+namespace cognate::li_xu_files_test {
 namespace {
 
 struct File {
@@ -97,4 +97,4 @@ TEST(LiXuFiles, EveryRowOfForces) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::li_xu_files_test

@@ -12,7 +12,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_generation_test {
 namespace {
 
 Result solved(const std::string& name) {
@@ -209,4 +209,4 @@ TEST(MotionOracleTest, LibraryIsSolved) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_generation_test

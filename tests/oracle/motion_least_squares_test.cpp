@@ -16,7 +16,7 @@
 #include "problems/read.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_least_squares_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -347,4 +347,4 @@ TEST(MotionLeastSquares, APlantedSliderCrankComesBack) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_least_squares_test

@@ -12,7 +12,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::noisy_paths_test {
 namespace {
 
 PathProblem problem_of(const char* name) {
@@ -114,4 +114,4 @@ TEST(NoisyPaths, EverySeedFindsTheBestOfATripleRockerWithLimits) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::noisy_paths_test

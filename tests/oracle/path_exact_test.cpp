@@ -20,7 +20,7 @@
 #include "problems/read.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_exact_test {
 namespace {
 
 PathProblem library(const std::string& name) {
@@ -438,4 +438,4 @@ TEST(ExactPaths, NameWhatCoincides) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_exact_test

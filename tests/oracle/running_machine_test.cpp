@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/machines.hpp"
 
-namespace cognate::machine {
+namespace cognate::machine::running_machine_test {
 namespace {
 
 using test::PeriodicTable;
@@ -229,4 +229,4 @@ TEST(ShaperExample, NeedsTheFlywheelThatGivesItsFluctuation) {
 }
 
 }  // namespace
-}  // namespace cognate::machine
+}  // namespace cognate::machine::running_machine_test

@@ -15,7 +15,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::analysis_library_test {
 namespace {
 
 const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis";
@@ -159,4 +159,4 @@ TEST(AnalysisLibraryTest, ClaimsOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::analysis_library_test

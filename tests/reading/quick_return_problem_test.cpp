@@ -13,7 +13,7 @@
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::quick_return_problem_test {
 namespace {
 
 // A file with `lines` in [mechanism]: the first of them is line 5.
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(QuickReturnProblem, QuickReturnFaults, testing::ValuesI
                          name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::quick_return_problem_test

@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_library_test {
 namespace {
 
 const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
@@ -259,4 +259,4 @@ TEST(ReadFunctionTest, ExactPairsStartAtTheFrame) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_library_test

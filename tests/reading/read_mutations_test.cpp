@@ -16,7 +16,7 @@
 #include "tests/fuzz/sound_cam.hpp"
 #include "tests/fuzz/sound_machine.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_mutations_test {
 namespace {
 
 std::vector<std::string> library() {
@@ -116,4 +116,4 @@ TEST(ReadMutationsTest, EveryPrefixGivesAProblemOrFaults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_mutations_test

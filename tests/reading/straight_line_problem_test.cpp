@@ -15,7 +15,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::straight_line_problem_test {
 namespace {
 
 const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "straight-line";
@@ -286,4 +286,4 @@ TEST(StraightLine, ReaderOfSearchesRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::straight_line_problem_test

@@ -11,7 +11,7 @@
 #include "problems/study/key_path.hpp"
 #include "problems/study/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_file_test {
 namespace {
 
 const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
@@ -324,4 +324,4 @@ TEST(StudyFile, EveryMutationGivesAStudyOrFaults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_file_test

@@ -21,7 +21,7 @@
 #include "app/report/mechanism_json.hpp"
 #include "app/report/report.hpp"
 
-namespace cognate::app {
+namespace cognate::app::analysis_report_test {
 namespace {
 
 using problems::AnalysisProblem;
@@ -278,4 +278,4 @@ TEST(AnalysisReport, StaysSmallForALongChain) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::analysis_report_test

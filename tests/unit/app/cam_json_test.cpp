@@ -8,7 +8,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate::app {
+namespace cognate::app::cam_json_test {
 namespace {
 
 using nlohmann::json;
@@ -173,4 +173,4 @@ TEST(CamTable, SaysWhatIsFoundAndWhatIsMissed) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::cam_json_test

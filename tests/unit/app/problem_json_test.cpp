@@ -10,7 +10,7 @@
 #include "app/kinds/kinds.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::app {
+namespace cognate::app::problem_json_test {
 namespace {
 
 using nlohmann::json;
@@ -428,4 +428,4 @@ TEST(ProblemJson, AMachineWithEverythingReadsBack) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::problem_json_test

@@ -14,7 +14,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
-namespace cognate::app {
+namespace cognate::app::result_json_test {
 namespace {
 
 using nlohmann::json;
@@ -245,4 +245,4 @@ TEST(ResultJson, EveryMetricIsInTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::result_json_test

@@ -18,7 +18,7 @@
 #include "problems/study/design_points.hpp"
 #include "problems/study/design_text.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_evaluator_test {
 namespace {
 
 using problems::Cell;
@@ -321,4 +321,4 @@ TEST(DesignValues, AreFoundByTheirPlace) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_evaluator_test

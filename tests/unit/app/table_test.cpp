@@ -10,7 +10,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
-namespace cognate::app {
+namespace cognate::app::table_test {
 namespace {
 
 using problems::planted_path;
@@ -209,4 +209,4 @@ TEST(Table, LetsNoControlCharacterThrough) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::table_test

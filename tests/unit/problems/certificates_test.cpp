@@ -18,7 +18,7 @@
 #include "problems/path/scale.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::certificates_test {
 namespace {
 
 template <class Kind>
@@ -227,4 +227,4 @@ TEST(Certificates, FunctionFilesReachTheBoundAsTheyAreMeant) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::certificates_test

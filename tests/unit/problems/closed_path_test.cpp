@@ -18,7 +18,7 @@
 #include "problems/path/shape_placement.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::closed_path_test {
 namespace {
 
 /// Crank-rockers and a double crank.
@@ -307,4 +307,4 @@ TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::closed_path_test

@@ -11,7 +11,7 @@
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::oddities_test {
 namespace {
 
 /// A four-bar with both pivots on the x axis, judged over its whole motion.
@@ -121,4 +121,4 @@ rocker = 1
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::oddities_test

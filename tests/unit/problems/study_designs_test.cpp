@@ -13,7 +13,7 @@
 #include "problems/study/design_text.hpp"
 #include "problems/study/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_designs_test {
 namespace {
 
 StudyVariable grid(std::string key, std::vector<double> values) {
@@ -249,4 +249,4 @@ TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_designs_test
