@@ -13,6 +13,7 @@
 #include "app/documents/version.hpp"
 #include "app/kinds/kinds.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/linkage/keys.hpp"
 
 namespace cognate::app {
 namespace {
@@ -74,26 +75,11 @@ constexpr Entry kBounds[] = {
     {"coupler_point", "[[umin, vmin], [umax, vmax]]"},
     {"frame_angle_deg, input_start_deg, output_start_deg, output_start", "[min, max]"}};
 
-constexpr Entry kDesignConstraints[] = {
-    {"class",
-     "\"crank-rocker\", \"double-crank\", \"rocker-crank\", \"double-rocker\", \"triple-rocker\", "
-     "\"grashof\" or \"non-grashof\""},
-    {"transmission_angle_deg", "[min, max] over the motion"},
-    {"link_ratio_max", "longest over shortest link"},
-    {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
-    {"rms_error_max", "paths and motions: the most root mean square of the distances"},
-    {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
-    {"max_error_deg_max", "functions by minimax: the maximum error allowed"},
-    {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
-    {"clearance",
-     "[[constraints.clearance]], over the full turn: point = \"coupler-point\", \"B\" or \"C\", "
-     "inside or outside = [[xmin, "
-     "ymin], [xmax, ymax]]"}};
+namespace keys = problems::reading;
 
-constexpr Entry kMotionConstraints[] = {
-    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
-    {"no_extra_loop",
-     "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
+constexpr auto kDesignConstraints =
+    entries_of(keys::kMobilityKeys, keys::kErrorKeys, keys::kPlaceLimitKeys);
+constexpr auto kMotionConstraints = entries_of(keys::kDefectKeys, keys::kLoopKeys);
 
 constexpr auto kConstraints = with_cycle_quantities(
     kDesignConstraints,
