@@ -93,6 +93,12 @@ class FrontSearch {
   /// Whether beyond the point last gone to something was found, of too great an error.
   bool ended_by_error() const { return ended_by_error_; }
 
+  /// Adds points whose levels lie in equal steps from `first` on, at most `count`, every second one
+  /// searched afresh, until nothing is found or the error exceeds `most`; then each is found again
+  /// from those beside it. Where errors fall by powers of ten an even row of levels shows more of a
+  /// front than `fill` does.
+  void step(double first, double step, int count, double most);
+
   /// Adds points between those that are known, in the widest gaps first, until `count` of them
   /// can lie evenly along the front; then leaves so many.
   void fill(int count);
