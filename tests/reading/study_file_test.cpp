@@ -102,6 +102,16 @@ TEST(StudyFile, ADottedKeyFiltersAsOneInQuotationMarks) {
   EXPECT_EQ(read.filters[0].min, 3);
 }
 
+TEST(StudyFile, LimitsOfAFilterAreExpressionsToo) {
+  const Study read = study(kHead + kVary + kOutput +
+                           "[filter]\nangle_deg.min = [\"180/4\", \"sqrt(4)*45\"]\n"
+                           "time_ratio = { max = \"1 + 1/4\" }\n");
+  ASSERT_EQ(read.filters.size(), 2U);
+  EXPECT_EQ(read.filters[0].min, 45);
+  EXPECT_EQ(read.filters[0].max, 90);
+  EXPECT_EQ(read.filters[1].max, 1.25);
+}
+
 TEST(StudyFile, TheStepsOfALogarithmicRangeHaveOneRatio) {
   const Study read = study(kHead + "[[vary]]\nkey = \"mechanism.crank\"\nrange = [0.01, 100]\n" +
                            "steps = 5\nscale = \"log\"\n" + kOutput);
@@ -239,6 +249,7 @@ const std::vector<Wrong> kWrong = {
     {"FilterInverted", with("[filter]\ntime_ratio = [2, 1]\n"), 9, 14, "lets nothing pass"},
     {"FilterOfInfinity", with("[filter]\ntime_ratio = [inf, inf]\n"), 9, 14, "lets nothing pass"},
     {"FilterNotANumber", with("[filter]\ntime_ratio = [nan, 1]\n"), 9, 15, "no limits"},
+    {"FilterOfNoExpression", with("[filter]\ntime_ratio = [\"1 +\", 2]\n"), 9, 15, "no limits"},
     {"FilterOfThree", with("[filter]\ntime_ratio = [1, 2, 3]\n"), 9, 14, "no limits"},
     {"FilterOfNothing", with("[filter]\ntime_ratio = {}\n"), 9, 14, "no limits"},
     {"FilterUnknownOfNothing", with("[filter]\nnone = {}\n"), 9, 1, "neither a metric"},
