@@ -60,7 +60,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
-/// same designs whatever the number of threads.
+/// same designs for any number of threads.
 Result solve(const ChainPathProblem& problem, const Run& run);
 
 template <>

@@ -1,4 +1,5 @@
-/// @file The extremes of driving torque and reactions over a motion, whatever its table shows.
+/// @file The extremes of driving torque and reactions over a motion, independent of the rows of its
+/// table.
 #pragma once
 
 #include <optional>

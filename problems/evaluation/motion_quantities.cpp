@@ -31,7 +31,7 @@ std::vector<double> magnitudes(const Sweep& sweep, const JointColumns& joint) {
   return values;
 }
 
-/// The column's name without what tells its component: "B_on_coupler".
+/// The column's name without its component: "B_on_coupler".
 std::string reaction_name(const Sweep& sweep, const JointColumns& joint) {
   const std::string& name = column(sweep, joint.first).name;
   return name.substr(0, name.rfind(joint.slides ? "_N" : "_Fx_N"));

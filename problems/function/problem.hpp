@@ -94,7 +94,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const FunctionProblem& problem, const Run& run);
 

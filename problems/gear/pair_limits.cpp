@@ -85,7 +85,7 @@ void GearLimits::add_backlash() {
   const bool is_tied =
       problem_.centre_distance && !(problem_.profile_shift[0] && problem_.profile_shift[1]);
   if (!is_tied) return;
-  // Shifts within their bounds may not reach the centre distance; told only then.
+  // Shifts within their bounds may not reach the centre distance; reported only then.
   const char* name = "mechanism.backlash";
   const double wanted = problem_.backlash.value_or(0);
   const double more = mesh_->backlash - wanted;

@@ -1,4 +1,4 @@
-/// @file What a file gives, bounds and demands of a linkage, whatever it is for. Angles are in
+/// @file What a file gives, bounds and demands of a linkage of any kind of problem. Angles are in
 /// radians, lengths in the file's unit.
 #pragma once
 

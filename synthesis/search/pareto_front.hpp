@@ -80,7 +80,7 @@ class FrontSearch {
   /// `problem` must outlive the search.
   FrontSearch(const FrontProblem& problem, const FrontRun& run);
 
-  /// Adds the design of least error whatever its level; there is no point if there is none.
+  /// Adds the design of least error of any level; there is no point if there is none.
   void begin();
 
   /// Adds the point of the greatest level whose error is at most `most`, and returns it: a search

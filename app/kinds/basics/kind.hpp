@@ -82,11 +82,11 @@ struct KindBase {
     return result.status == Status::solved;
   }
 
-  /// What a result tells in single numbers besides its designs, into its document or, of a study,
+  /// Single numbers that a result reports with its designs, into its document or, of a study,
   /// into the best design.
   static void add_facts(Json& /*table*/, const Result& /*result*/) {}
 
-  /// What a result tells besides its designs.
+  /// What a result reports with its designs.
   static void add_findings(Json& document, const Problem& /*problem*/, const Result& result) {
     Kind<Problem>::add_facts(document, result);
   }
