@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/console/design_dimensions.hpp"
 #include "app/documents/json_values.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
 namespace {

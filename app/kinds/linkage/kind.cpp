@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/console/design_dimensions.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/study/metrics.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
 namespace {
@@ -42,7 +42,7 @@ MetricNames linkage_metric_names() {
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
   if (!mechanism.four_bar()) return;
   const auto [shortest, longest] =
-      std::ranges::minmax(dimensions(mechanism), {}, &Dimension::value);
+      std::ranges::minmax(dimensions(mechanism), {}, &problems::Dimension::value);
   metrics["longest_link"] = longest.value;
   metrics["link_ratio"] = longest.value / shortest.value;
 }
