@@ -39,6 +39,17 @@ MetricNames linkage_metric_names() {
   return names;
 }
 
+MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
+  MetricNames names = linkage_metric_names();
+  for (const problems::Topology& topology : topologies) {
+    for (const problems::TopologyLine& line : topology.lines) {
+      if (line.line.type != synthesis::LineType::dyad) continue;
+      names.names.push_back({fmt::format("transmission_{}_min_deg", line.name)});
+    }
+  }
+  return names;
+}
+
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
   if (!mechanism.four_bar()) return;
   const auto [shortest, longest] =
