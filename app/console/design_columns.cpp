@@ -83,7 +83,7 @@ std::string origin_text(const Design& design) {
 
 std::string dimensions_text(const Design& design) {
   std::string text;
-  for (const auto& [name, value] : dimensions(design.mechanism)) {
+  for (const auto& [name, value] : main_dimensions(design.mechanism)) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{} {}", name, number(value, 6));
   }
@@ -104,7 +104,7 @@ std::string coupler_point_text(const Design& design) {
 /// The largest of what a design's lengths are, beside which less is rounding.
 double size_of(const Design& design) {
   double size = 0;
-  for (const auto& dimension : problems::dimensions(design.mechanism)) {
+  for (const auto& dimension : problems::main_dimensions(design.mechanism)) {
     size = std::max(size, std::abs(dimension.value));
   }
   return size;
@@ -186,10 +186,10 @@ class Columns : public DesignTable<Design> {
       return;
     }
     const auto names = designs().empty() ? std::vector<problems::Dimension>{}
-                                         : dimensions(designs().front().mechanism);
+                                         : main_dimensions(designs().front().mechanism);
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i].name + " [length]", Align::right,
-          [i](const Design& d) { return number(dimensions(d.mechanism)[i].value, 6); });
+          [i](const Design& d) { return number(main_dimensions(d.mechanism)[i].value, 6); });
     }
   }
 };

@@ -96,7 +96,7 @@ ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
   ordered_json document = {{"type", problems::to_string(mechanism.type())},
                            {"dimensions", ordered_json::object()}};
   if (const auto unit = linkage.problem.length_unit) document["length_unit"] = to_string(*unit);
-  for (const auto& dimension : dimensions(mechanism)) {
+  for (const auto& dimension : main_dimensions(mechanism)) {
     document["dimensions"][dimension.name] = dimension.value;
   }
   for (const char* list : {"links", "joints", "paths"}) document[list] = ordered_json::array();

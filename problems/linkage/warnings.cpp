@@ -38,7 +38,7 @@ TargetExtent placed_at(const TargetExtent& target, const Design& design) {
 /// How far a design reaches: the longest of its lengths and offsets, points on its links included.
 double longest_dimension(const Design& design) {
   double longest = 0;
-  for (const Dimension& dimension : dimensions(design.mechanism)) {
+  for (const Dimension& dimension : main_dimensions(design.mechanism)) {
     longest = std::max(longest, std::abs(dimension.value));
   }
   const FourBar* linkage = design.mechanism.four_bar();

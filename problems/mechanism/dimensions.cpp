@@ -75,7 +75,7 @@ List dimensions_of(const ChainDescription& chain) {
 
 }  // namespace
 
-std::vector<Dimension> dimensions(const NamedMechanism& mechanism) {
+std::vector<Dimension> main_dimensions(const NamedMechanism& mechanism) {
   List list = std::visit([](const auto& described) { return dimensions_of(described); },
                          mechanism.description);
   if (mechanism.type() != MechanismType::chain) return list;

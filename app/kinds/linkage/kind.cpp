@@ -53,7 +53,7 @@ MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
   if (!mechanism.four_bar()) return;
   const auto [shortest, longest] =
-      std::ranges::minmax(dimensions(mechanism), {}, &problems::Dimension::value);
+      std::ranges::minmax(main_dimensions(mechanism), {}, &problems::Dimension::value);
   metrics["longest_link"] = longest.value;
   metrics["link_ratio"] = longest.value / shortest.value;
 }
