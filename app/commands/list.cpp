@@ -14,6 +14,7 @@
 #include "app/kinds/kinds.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/keys.hpp"
+#include "problems/linkage/warning_keys.hpp"
 
 namespace cognate::app {
 namespace {
@@ -109,13 +110,16 @@ constexpr Entry kLoad[] = {
      "\"always\" (default); on the rocker of a crank-rocker \"advance\" (while it turns "
      "counter-clockwise) or \"return\""}};
 
+constexpr auto kWarnings = entries_of(problems::reading::kWarningKeys);
+
 constexpr KeyedEntry kCommon[] = {
     {"[bounds]", "of what is sought", kBounds},
     {"[constraints]", "on the designs", kConstraints},
     {"[drive]", "for peak accelerations, torques, speeds and powers over the turn", kDrive},
     {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
     {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
-    {"[[load]]", "likewise", kLoad}};
+    {"[[load]]", "likewise", kLoad},
+    {"[warnings]", "from where on designs that meet every constraint are warned of", kWarnings}};
 
 constexpr Entry kHeadKeys[] = {
     {"title", "what tables, reports and drawings are called"},

@@ -78,11 +78,10 @@ std::string design_table(const std::string& heading, const ColumnChoice& choice,
                          const Result& result, const Screen& screen) {
   const auto designs = shown_designs(result);
   return result_table({.heading = heading,
-                       .before = quantities_line(result),
                        .designs = designs.empty() ? ""
                                                   : table_text(design_columns(designs, choice),
                                                                with_metres(screen, designs)),
-                       .after = certificate_line(result)},
+                       .after = quantities_line(result) + certificate_line(result)},
                       result, screen);
 }
 

@@ -43,6 +43,7 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
 };
 
 template <>

@@ -11,6 +11,7 @@
 #include "problems/chain/verify.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -103,6 +104,7 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
   note_unknowns(problem, chains, result);
+  add_warnings(extent_of(problem.points), problem.warnings, result);
   if (result.designs.empty()) {
     result.notes.push_back(
         "No chain was found that closes at every target point; wider bounds or more starts may "

@@ -2,6 +2,7 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_parts.hpp"
 #include "problems/chain/write_design.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -45,6 +46,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
+          .set("warnings", warnings_writer(problem.warnings))
           .take();
   return all;
 }

@@ -41,6 +41,7 @@ struct DwellProblem {
   double swing_min = 0;         ///< of the output over the turn
   DwellConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
 };
 
 template <>

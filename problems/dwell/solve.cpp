@@ -9,6 +9,7 @@
 #include "problems/dwell/verify.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -57,6 +58,7 @@ Result solve(const DwellProblem& given, const Run& run) {
   result.designs = designs_of_dwells(problem, found.designs);
   result.status = status_of_dwells(result.designs, deadline);
   result.quantities = quantities(found.statistics);
+  add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty()) {
     result.notes.push_back(
         "No mechanism was found that is assembled over the whole turn within the limits; wider "

@@ -78,6 +78,7 @@ struct FunctionProblem {
   std::optional<Range> input_start_bounds, output_start_bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 

@@ -11,6 +11,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -291,6 +292,8 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                   problem.constraints, problem.solve);
 
   tables.finish();
+  problem.warnings = read_warnings(document);
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

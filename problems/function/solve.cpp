@@ -28,8 +28,10 @@
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -193,8 +195,10 @@ Result solve(const FunctionProblem& given, const Run& run) {
     add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
+  if (!exact) merge_long_links(result);
   note_motions(problem, function_samples(problem), result);
-  note_oddities(std::nullopt, result, kDeadTransmission);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});

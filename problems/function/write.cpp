@@ -7,6 +7,7 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -130,6 +131,7 @@ reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& pro
                      .set("constraints", constraints_writer(problem.constraints))
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
+                     .set("warnings", warnings_writer(problem.warnings))
                      .take();
   return all;
 }

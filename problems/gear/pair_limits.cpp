@@ -145,7 +145,7 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    at_most(names.interference, mesh_->gears[index].interference, 0, module,
+    at_most(names.interference, mesh_->gears[index].interference / module, 0, 1,
             GearLimitKind::running);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,

@@ -50,6 +50,7 @@ struct MotionProblem {
   std::array<std::optional<Box>, 2> moving_bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   bool designs_given = false;  ///< whether the file limits how many designs are returned
 };
 

@@ -7,6 +7,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
@@ -354,6 +355,8 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
       problem.constraints, problem.solve);
 
   tables.finish();
+  problem.warnings = read_warnings(document);
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

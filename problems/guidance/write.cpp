@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -69,6 +70,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
                      .set("constraints", constraints_writer(problem.constraints))
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve))
+                     .set("warnings", warnings_writer(problem.warnings))
                      .take();
   return all;
 }

@@ -71,6 +71,7 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.

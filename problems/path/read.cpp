@@ -11,6 +11,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/path/read_curve.hpp"
@@ -309,6 +310,8 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
   }
 
   tables.finish();
+  problem.warnings = read_warnings(document);
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

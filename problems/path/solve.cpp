@@ -13,10 +13,12 @@
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/curve_following.hpp"
@@ -244,7 +246,8 @@ Result solve(const PathProblem& given, const Run& run) {
   const PathProblem problem = in_joules(*valid);
   if (problem.method == PathMethod::exact) {
     Result exact = solve_exactly(problem, run);
-    note_oddities(extent_of(problem.points), exact);
+    mark_twins(exact.designs);
+    add_warnings(extent_of(problem.points), problem.warnings, exact);
     return exact;
   }
   const Deadline deadline(run);
@@ -257,7 +260,9 @@ Result solve(const PathProblem& given, const Run& run) {
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
-  note_oddities(extent_of(problem.points), result);
+  merge_long_links(result);
+  mark_twins(result.designs);
+  add_warnings(extent_of(problem.points), problem.warnings, result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = skipped_evaluations(problem.constraints);

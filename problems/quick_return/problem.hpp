@@ -38,6 +38,7 @@ struct QuickReturnProblem {
   Constraints constraints;                               ///< four-bar only
   std::optional<double> pressure_angle_max;              ///< slider-crank, shaper
   Solve solve;
+  WarningLimits warnings{};
 };
 
 template <>

@@ -6,6 +6,7 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/quick_return/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -168,6 +169,7 @@ QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& do
   problem.solve = read_solve(tables.solve, problem.constraints, false);
   if (!tables.solve.has("designs")) problem.solve.designs = kMostDesigns;
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

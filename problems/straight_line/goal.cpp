@@ -8,10 +8,11 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/normalised.hpp"
 #include "problems/straight_line/search.hpp"
@@ -241,7 +242,8 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   if (!front && result.designs.size() > wanted) result.designs.resize(wanted);
   mark_cognates(result.designs);
   add_notes(problem, result);
-  note_oddities(std::nullopt, result);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
   result.status = status_of(result, deadline);
   result.work.skipped = {"accelerations", "forces"};
   result.work.threads = thread_count(run.threads);

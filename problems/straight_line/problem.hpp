@@ -72,6 +72,7 @@ struct StraightLineProblem {
   CrankSides sides = CrankSides::same;  ///< of parallel cranks
   Constraints constraints;
   Solve solve;  ///< `designs` is 100 where the file says nothing
+  WarningLimits warnings{};
 };
 
 template <>

@@ -14,9 +14,10 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/quantity_key.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
-#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/straight_line/problem.hpp"
 #include "problems/straight_line/solutions.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
@@ -202,7 +203,8 @@ Result solve(const StraightLineProblem& given, const Run& run) {
   result.quantities.push_back({"solutions", double(found.all.size())});
   const auto wanted = static_cast<std::size_t>(problem.solve.designs);
   if (result.designs.size() > wanted) result.designs.resize(wanted);
-  note_oddities(std::nullopt, result);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
   if (found.position) {
     Locus locus = inflection_locus(*found.position);
     if (!locus.branches.empty()) result.loci.push_back(std::move(locus));

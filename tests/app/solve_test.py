@@ -169,6 +169,7 @@ class Solve(unittest.TestCase):
         metrics = {name for metric in listed["metrics"] for name in spelled_out(metric["key"])}
         of_cams = {name for metric in listed["cam_metrics"] for name in spelled_out(metric["key"])}
         facts = {name for fact in listed["facts"] for name in spelled_out(fact["key"])}
+        words = json.loads((SCHEMA.parent / "../report/page/words/zh.json").read_text(encoding="utf-8"))["terms"]
         of_gears = {name for part in ("gear_metrics", "gear_pair_metrics")
                     for metric in listed[part] for name in spelled_out(metric["key"])}
         solved = 0
@@ -185,6 +186,8 @@ class Solve(unittest.TestCase):
                 self.check_document(document)
                 self.assertLessEqual(document.get("facts", {}).keys(), facts)
                 for design in document["designs"]:
+                    for check in design["constraints"]:
+                        self.assertIn(check["label"].split(" (")[0], words, check["name"])
                     keys = keys_of(design["metrics"])
                     if design["mechanism"]["type"] == "cam":
                         keys = {key.removesuffix("_at_deg") for key in keys} - of_cams

@@ -91,9 +91,10 @@ MetricNames Kind<AnalysisProblem>::metric_names(const AnalysisProblem& base) {
   std::erase_if(names.names,
                 [](const auto& name) { return name.name.starts_with("reaction_max"); });
   for (const char* of : {"torque_N_m", "drive_force_N"}) {
-    for (const char* at : {"min_at", "max_at", "min_at_deg", "max_at_deg", "min_unbounded_at",
-                           "max_unbounded_at", "min_unbounded_at_deg", "max_unbounded_at_deg"}) {
-      names.names.push_back({fmt::format("{}.{}", of, at)});
+    for (const char* extreme : {"min", "max", "abs_max"}) {
+      for (const char* at : {"at", "at_deg", "unbounded_at", "unbounded_at_deg"}) {
+        names.names.push_back({fmt::format("{}.{}_{}", of, extreme, at)});
+      }
     }
   }
   add_reactions(names, base);

@@ -163,6 +163,11 @@ TEST(CycleOptima, TheEvenestTorqueIsThatOfAGrid) {
   expect_best_links(CycleQuantity::torque_ripple, 0.85);
 }
 
+TEST(CycleOptima, TheLightestMotorIsThatOfAGrid) {
+  expect_best_links(CycleQuantity::rms_torque, 0.95);
+  expect_best_links(CycleQuantity::peak_torque, 0.95);
+}
+
 /// Coupler and rocker of a function generator are free, all else given.
 TEST(CycleOptima, TheCalmestGeneratorIsThatOfAGrid) {
   const FourBar planted{{0, 0}, {2.6, 0}, 1, 2.2, 1.9, Assembly::open, std::nullopt};
