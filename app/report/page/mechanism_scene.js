@@ -23,9 +23,17 @@ export class MechanismScene extends Picture {
   constructor(frame, mechanism, onDrag, table = NO_TABLE, unit = 1 / RADIANS) {
     super(frame, say("picture.mechanism"), onDrag);
     Object.assign(this, { mechanism, table, unit, shown: { paths: true, names: mechanism.points.length <= MANY_NAMES } });
-    this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity));
+    this.#collectArrows();
     this.many = mechanism.bodies.length > 30;
     this.box = mechanism.closes ? mechanism.box : null;
+  }
+
+  #collectArrows() { this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity)); }
+
+  // Another mechanism in place of the one drawn, in the same frame, with a table of its own or none.
+  adopt(mechanism, table = NO_TABLE) {
+    Object.assign(this, { mechanism, table });
+    this.#collectArrows();
   }
 
   get drives() { return this.mechanism.samples; }

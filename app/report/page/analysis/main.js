@@ -24,29 +24,34 @@ import { showFacts, showLandmarks, Values } from "./facts.js";
 import { Loci, lociSheets } from "./loci.js";
 import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
 import { partName, Table } from "./table.js";
-import { MechanismEditor } from "../edit/mechanism_editor.js";
-import { isEditable } from "../edit/mechanism_model.js";
+import { AnalysisEditor } from "../edit/analysis_editor.js";
+import { markOriginal } from "../original.js";
+import { showProblem } from "../problem.js";
 
 const data = JSON.parse(embedded("data"));
-const { result, drive: driving } = data;
-const angular = driving.kind !== "slider";
-const analysed = new Mechanism(data.mechanism, driving);
-let mechanism = analysed;
-const table = new Table(data.table, data.vectors, data.normals);
-const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
+const { result } = data;
+const angular = data.drive.kind !== "slider";
+let { driving, mechanism, table, landmarks } = take(data);
 const state = { drive: mechanism.start, parts: new Set() };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
 const extras = new Extras(byId("extras"), [new Trace(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
-const colours = partColours(table, scene);
+let colours = partColours(table, scene);
 const curves = new Curves(byId("plots"), (drive) => goTo(drive, true), (drive) => extras.point(drive));
 const loci = new Loci(byId("loci-plots"), table);
 const values = new Values(table);
 const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
   (sense, large) => goTo(state.drive + sense * (large ? 10 : 1) * (angular ? 1 : (mechanism.to - mechanism.from) / 360), true));
 controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
+
+// What is drawn of an analysis.
+function take({ drive, mechanism: motion, table: rows, vectors, normals, landmarks: places }) {
+  const moved = new Mechanism(motion, drive);
+  return { driving: drive, mechanism: moved, table: new Table(rows, vectors, normals),
+    landmarks: places.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: moved.within(l.drive) })) };
+}
 
 // Arrows that follow from the motion alone, where the table holds none.
 function missingVectors() {
@@ -148,14 +153,39 @@ function drawScene() {
   goTo(state.drive);
 }
 
-// Draws another mechanism in place of the one analysed, which null brings back; its arrows and
-// centrodes are of the table.
-function showMechanism(shown, drive) {
+// A motion alone in the place of the one analysed, while it changes.
+function showMotion(moved, drive) {
   controls.play(false);
-  mechanism = shown ?? analysed;
-  state.drive = drive;
-  Object.assign(scene, { mechanism }, shown ? { table: NO_TABLE, arrows: [] } : { table, arrows: scene.analysedArrows });
+  mechanism = moved;
+  state.drive = moved.within(drive);
+  scene.adopt(moved);
+  scene.jointsAt = jointsOf(moved, result.problem.mechanism);
   drawScene();
+}
+
+// An edited analysis with everything that follows from it; that of the file for null.
+function showAnalysis(edited, problem, drive) {
+  controls.play(false);
+  ({ driving, mechanism, table, landmarks } = take(edited ?? data));
+  state.drive = mechanism.within(drive);
+  scene.adopt(mechanism, table);
+  scene.jointsAt = jointsOf(mechanism, problem.mechanism);
+  colours = partColours(table, scene);
+  for (const follower of [loci, values]) follower.table = table;
+  set(byId("drive"), { min: mechanism.from, max: mechanism.to });
+  showProblem(problem, say("kind.analysis"));
+  showAll(edited ?? data, (edited ?? result).notes);
+  markOriginal(["work"], Boolean(edited));
+  drawScene();
+  choose(new Set(table.parts.filter((part) => state.parts.has(part))));
+}
+
+// What is said of the analysis shown.
+function showAll({ facts }, notes = []) {
+  showNotes(notes, result.warnings);
+  showFacts(facts, driving, mechanism);
+  showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
+  showLegend();
 }
 
 function listen() {
@@ -165,22 +195,18 @@ function listen() {
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
 }
 
-scene.analysedArrows = scene.arrows;
-const editor = Kernel.available && isEditable(result.problem?.mechanism) && mechanism.closes
-  ? new MechanismEditor({ problem: result.problem, driving, drawn: data.mechanism, drive: () => state.drive, show: showMechanism }) : null;
+const editor = Kernel.available && result.problem?.mechanism && mechanism.closes
+  ? new AnalysisEditor({ problem: result.problem, driving: () => driving, drive: () => state.drive, mechanism: () => mechanism, show: showAnalysis, move: showMotion }) : null;
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
-showNotes(result.notes ?? []);
 showWork(result.work);
-showFacts(data.facts, driving, mechanism);
+showAll(data, result.notes);
 followTheme(() => curves.redraw());
 if (!result.analysis?.columns) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));
 byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", table.csv));
 if (table.thinned) byId("save-table").textContent = say("values.save_drawn", { n: table.drawn });
-showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
-showLegend();
 showParts();
 scene.build();
 extras.rebuilt(scene);

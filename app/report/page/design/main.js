@@ -9,7 +9,7 @@ import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, fixed, number, sentence } from "../format.js";
 import { Ghost, GHOSTS } from "../ghosts.js";
-import { certificateNote, showNotes, showWork } from "../head.js";
+import { certificateNote, showNotes, showWarnings, showWork } from "../head.js";
 import { Kernel } from "../kernel.js";
 import { legendItem } from "../shapes.js";
 import { makeSortable } from "../sortable.js";
@@ -132,9 +132,7 @@ function choose(index) {
   const design = current();
   table.choose(index);
   families.choose(index);
-  showDimensions(design);
-  showQualities(design, kind);
-  showChecks(design.entry.constraints ?? []);
+  follow(design);
   scene?.remove();
   scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
   setDrive(design);
@@ -146,6 +144,14 @@ function choose(index) {
   byId("curves").hidden = !design.assembles;
   state.crank = design.crank;
   drawScene();
+}
+
+// What is said of a design.
+function follow(design) {
+  showDimensions(design);
+  showQualities(design, kind);
+  showChecks(design.entry.constraints ?? []);
+  showWarnings(design.entry);
 }
 
 // Everything that is drawn of a design, once it has been changed.
@@ -180,12 +186,13 @@ const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", 
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
-const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign,
+const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign, follow,
   redraw: (crank) => redrawAt(crank ?? state.crank) }) : null;
 let table = null;
 let families = null;
 showDesignHead(result, kind);
-showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])]);
+showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])], result.warnings);
+byId("families").after(byId("problem"));
 showFindings(result.facts);
 showWork(result.work);
 followTheme(() => { curves.redraw(); families?.redraw(); });

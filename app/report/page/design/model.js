@@ -62,6 +62,21 @@ export class Design {
   }
 
   get assembles() { return this.linkage.assembles; }
+
+  // Extremes of the transmission angle over the motion drawn.
+  get transmissionDrawn() {
+    const all = this.linkage.poses.map((pose) => pose.transmission);
+    return [Math.min(...all), Math.max(...all)];
+  }
+
+  // Those over the part of the motion that is used, where they are others than those of all that is drawn.
+  get transmissionOfPart() {
+    const used = this.entry.metrics.transmission_angle_deg;
+    if (!(used?.max > 0)) return null;
+    const [least, greatest] = this.transmissionDrawn;
+    return Math.max(used.min - least, greatest - used.max) > 0.05 ? used : null;
+  }
+
   get angular() { return true; }
   get driveName() { return say("part.crank"); }
   get from() { return this.linkage.from; }

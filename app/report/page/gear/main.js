@@ -8,7 +8,7 @@ import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, duration, fixed, number } from "../format.js";
-import { showHead, showNotes, showWork } from "../head.js";
+import { showHead, showNotes, showWarnings, showWork } from "../head.js";
 import { legendItem } from "../shapes.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
@@ -103,6 +103,7 @@ function choose(index) {
   const { drawn } = current();
   showGears([...drawn.metrics, ...(data.facts ?? [])], gearing);
   showChecks(drawn.constraints ?? []);
+  showWarnings(result.designs?.[index]);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));
   showCurves();
@@ -163,7 +164,7 @@ function prepareDrive() {
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
 showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"),
   isPair ? {} : { infeasible: "gear.faulty" });
-showNotes(result.notes ?? []);
+showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 byId("notes").classList.toggle("warned", result.status !== "solved" && result.status !== "done");
 byId("stage-title").textContent = say(`stage.${isWorm ? "worm" : gearing === "bevel" ? "virtual_gears" : isPair ? "gear_pair" : "gear"}`);

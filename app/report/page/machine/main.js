@@ -116,7 +116,7 @@ if (!data.mechanism) byId("stage-title").textContent = say("machine.drive");
 showHead(result, say("kind.machine"), [data.mechanism ? say("count.moving_bodies", { n: mechanism.bodies.length - 1 }) : "",
   say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"),
   { infeasible: "machine.incomplete" });
-showNotes(result.notes ?? []);
+showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 showMachineFacts(facts);
 followTheme(() => curves.redraw());
