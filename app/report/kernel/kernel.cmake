@@ -40,21 +40,30 @@ if(NOT can_build_wasm)
 endif()
 
 # cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources
-# and of what all modules need.
+# and of what all modules need. The sources of a folder are one for the compiler, as in the program.
 function(cognate_page_kernel name)
-  set(objects "")
+  set(folders "")
   foreach(source IN LISTS ARGN ITEMS app/report/kernel/numbers.cpp app/report/kernel/runtime.cpp)
-    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}/${source}.o")
-    get_filename_component(folder "${object}" DIRECTORY)
-    file(MAKE_DIRECTORY "${folder}")
+    get_filename_component(folder "${source}" DIRECTORY)
+    list(APPEND folders "${folder}")
+    string(MAKE_C_IDENTIFIER "${folder}" joined)
+    string(APPEND of_${joined} "#include \"${source}\"\n")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set(objects "")
+  foreach(folder IN LISTS folders)
+    string(MAKE_C_IDENTIFIER "${folder}" joined)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}/${joined}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "${of_${joined}}" @ONLY)
+    set(object "${source}.o")
     add_custom_command(
       OUTPUT "${object}"
       COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
               "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
-              -c "${PROJECT_SOURCE_DIR}/${source}" -o "${object}"
-      DEPENDS "${PROJECT_SOURCE_DIR}/${source}"
+              -c "${source}" -o "${object}"
+      DEPENDS "${source}"
       DEPFILE "${object}.d"
-      COMMENT "Building ${source} for the report pages"
+      COMMENT "Building ${folder} for the report pages"
       VERBATIM)
     list(APPEND objects "${object}")
   endforeach()

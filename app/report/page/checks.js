@@ -3,7 +3,6 @@
 import { byId, element, fact } from "./dom.js";
 import { factText } from "./fact_text.js";
 import { degreesShort, number, sentence } from "./format.js";
-import { keyName, unitOfKey } from "./problem.js";
 import { keyword, LENGTH_UNIT, say, term } from "./words.js";
 
 // A metric's name in words: "Maximum pressure angle in the return" of "pressure_angle_deg_max_return".
@@ -24,50 +23,28 @@ export function showMetrics(metrics) {
 }
 
 const CHECK_DIGITS = 6;
-// Tables whose numbers are lengths, but for their angles.
-const LENGTH_TABLES = /^(bounds|mechanism|pivot_region|clearance)\b/;
+const UNIT_SIGNS = { "": "", deg: "°", length: LENGTH_UNIT ? ` ${LENGTH_UNIT}` : "", module: ` ${say("unit.module")}`, N: ` ${say("unit.force")}`, "N m": ` ${say("unit.torque")}`, "N/length2": ` ${say("unit.stress")}` };
+const RELATIONS = { "<=": "≤ ", ">=": "≥ ", "=": "= ", in: "" };
 
-// What stands behind a constraint's numbers: as its row says it, else by its key.
-function checkUnit({ name, unit }) {
-  if (unit !== undefined) return unit === "deg" ? "°" : unit === "" ? "" : ` ${unit === "length" ? LENGTH_UNIT ?? "" : unit}`.trimEnd();
-  const key = name.split(".").at(-1);
-  return unitOfKey(key, "constraints") || (LENGTH_TABLES.test(name) && LENGTH_UNIT ? ` ${LENGTH_UNIT}` : "");
-}
+const unitSign = (unit = "") => UNIT_SIGNS[unit] ?? ` ${unit}`;
+const remarked = (label) => { const [, of, remark] = /^(.*) \((.*)\)$/.exec(label) ?? []; return of ? `${term(of)} (${term(remark)})` : term(label); };
 
-// The key of a constraint in words: "Bound of the crank", "Crank, given", "Minimum curvature radius".
-export function checkName({ name, label }) {
-  if (label !== undefined) return sentence(term(label));
-  const [, table, key] = /^(bounds|mechanism|pivot_region)\.(.+)$/.exec(name) ?? [];
-  if (table === "pivot_region") return sentence(say("constraints.in_region", { of: keyName(key, "") }));
-  if (table) return sentence(say(`constraints.of_${table}`, { of: keyName(key.replace(/\.[xyuv]$/, ""), "") + (/\.([xyuv])$/.exec(key)?.[0].replace(".", " ") ?? "") }));
-  const [, of, index] = /^(.+)\[(\d+)\]$/.exec(name) ?? [];
-  return sentence(index ? `${keyName(of, "constraints")} ${index}` : keyName(name, "constraints"));
-}
+// What a row of constraints is of.
+export const checkName = ({ label, name }) => sentence(remarked(label ?? name));
 
-const numbered = (value, unit) => (typeof value === "number" ? number(value, CHECK_DIGITS) + unit : String(value).split(", ").map((word) => keyword(word) ?? term(word)).join(say("list.comma")));
+// A number with its unit; words, which may be several, in the reader's language.
+const numbered = (value, unit) => (typeof value === "number" ? number(value, CHECK_DIGITS) + unitSign(unit) : String(value).split(", ").map((word) => keyword(word) ?? term(word)).join(say("list.comma")));
 
-export const checkValue = (check) => (check.value === null || check.value === undefined ? "–" : Array.isArray(check.value) || typeof check.value === "object" ? limitText(check.value, checkUnit(check)) : numbered(check.value, checkUnit(check)));
+export const checkValue = ({ value, unit }) => (value === null || value === undefined ? "–" : numbered(value, unit));
 
-function limitText(bound, unit) {
+// A bound with its relation and its unit: "≥ 45°", "5 … 80 mm", "= crank-rocker".
+export function checkBound({ bound, unit, relation = "=" }) {
+  if (bound === null || bound === undefined) return "–";
+  if (bound === "none") return numbered(bound);
+  if (typeof bound !== "object") return RELATIONS[relation] + numbered(bound, unit);
   const [min, max] = Array.isArray(bound) ? bound : [bound.min, bound.max];
   if (min === undefined || min === null) return `≤ ${numbered(max, unit)}`;
   return max === undefined || max === null ? `≥ ${numbered(min, unit)}` : `${number(min, CHECK_DIGITS)} … ${numbered(max, unit)}`;
-}
-
-// The side on which a single number limits: by the row, else by what its key ends in.
-function relationOf({ name, relation }) {
-  if (relation !== undefined) return relation;
-  if (/^mechanism\./.test(name)) return "=";
-  return /_min$|^clearance|^no_undercut$/.test(name) ? "≥" : "≤";
-}
-
-// A bound with its relation and its unit: "≥ 45°", "5 … 80 mm", "= crank-rocker".
-export function checkBound(check) {
-  const { bound } = check;
-  if (bound === null || bound === undefined) return "–";
-  if (bound === "none") return keyword("none") ?? term("none");
-  if (typeof bound === "object") return limitText(bound, checkUnit(check));
-  return `${typeof bound === "string" ? "=" : relationOf(check)} ${numbered(bound, checkUnit(check))}`;
 }
 
 export const headRow = (names) => element("tr", {}, ...names.map(([name, kind = ""]) => element("th", { scope: "col", class: kind }, name)));

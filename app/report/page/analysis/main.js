@@ -11,12 +11,15 @@ import { Ghost, GHOSTS } from "../ghosts.js";
 import { showHead, showNotes, showWork } from "../head.js";
 import { jointsOf } from "../joints.js";
 import { Kernel } from "../kernel.js";
+import { Loads } from "../loads.js";
 import { Mechanism } from "../mechanism.js";
-import { ARROWS, MechanismScene, NO_TABLE } from "../mechanism_scene.js";
+import { ARROWS, MechanismScene } from "../mechanism_scene.js";
 import { RADIANS } from "../sampling.js";
 import { legendItem } from "../shapes.js";
+import { filmed, Saves } from "../saves.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
+import { TracedPoints } from "../traced.js";
 import { Vectors } from "../vectors.js";
 import { say, term } from "../words.js";
 import { Zoom } from "../zoom.js";
@@ -25,7 +28,7 @@ import { Loci, lociSheets } from "./loci.js";
 import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
 import { partName, Table } from "./table.js";
 import { AnalysisEditor } from "../edit/analysis_editor.js";
-import { markOriginal } from "../original.js";
+import { markOriginal, offerNoEdit } from "../original.js";
 import { showProblem } from "../problem.js";
 
 const data = JSON.parse(embedded("data"));
@@ -35,7 +38,8 @@ let { driving, mechanism, table, landmarks } = take(data);
 const state = { drive: mechanism.start, parts: new Set() };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
-const extras = new Extras(byId("extras"), [new Trace(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+const traced = new TracedPoints(byId("picture"), byId("ghosts"), () => extras.toggle(traced, traced.points.length > 0));
+const extras = new Extras(byId("extras"), [new Trace(), traced, new Loads(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
 let colours = partColours(table, scene);
@@ -47,9 +51,9 @@ const controls = new Controls((seconds) => goTo(controls.player.next(state.drive
 controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
 
 // What is drawn of an analysis.
-function take({ drive, mechanism: motion, table: rows, vectors, normals, landmarks: places }) {
+function take({ drive, mechanism: motion, table: rows, vectors, normals, loads = [], landmarks: places }) {
   const moved = new Mechanism(motion, drive);
-  return { driving: drive, mechanism: moved, table: new Table(rows, vectors, normals),
+  return { driving: drive, mechanism: moved, table: new Table(rows, vectors, normals, loads),
     landmarks: places.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: moved.within(l.drive) })) };
 }
 
@@ -70,6 +74,7 @@ function goTo(drive, byHand = false) {
   state.drive = mechanism.within(drive);
   scene.move(state.drive);
   extras.move(state.drive);
+  traced.see(scene, state.drive);
   editor?.place(scene.view);
   curves.move(state.drive);
   loci.move(state.drive);
@@ -193,10 +198,13 @@ function listen() {
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.drive; goTo(filmed([mechanism.from, mechanism.to, mechanism.round], share), true); }, back: () => goTo(stood) });
 }
 
 const editor = Kernel.available && result.problem?.mechanism && mechanism.closes
   ? new AnalysisEditor({ problem: result.problem, driving: () => driving, drive: () => state.drive, mechanism: () => mechanism, show: showAnalysis, move: showMotion }) : null;
+if (!editor && mechanism.closes) offerNoEdit(say("edit.too_large"));
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));

@@ -13,9 +13,22 @@ import { ERRORS, isExact, isSearched, originText, straightLength } from "./table
 const units = (x, size) => element("span", { title: String(withoutRounding(x, size)) }, number(x, 7));
 const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
 
-export function showDimensions({ entry: { mechanism } }) {
-  const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
-  byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
+// `pinned`: a design whose values stand beside those of the one shown, or null.
+export function showDimensions(design, pinned = null) {
+  byId("dimensions-list").replaceChildren(...beside(dimensionRows(design), pinned && dimensionRows(pinned)), ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
+}
+
+const dimensionRows = ({ entry: { mechanism } }) => (mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism));
+
+// Pairs of a list, each with the value that another list has under its name where that is another one.
+function beside(pairs, others) {
+  if (!others) return pairs;
+  const known = new Map(Array.from({ length: others.length / 2 }, (_, i) => [others[2 * i].textContent, others[2 * i + 1].textContent]));
+  for (let i = 0; i < pairs.length; i += 2) {
+    const other = known.get(pairs[i].textContent);
+    if (other !== undefined && other !== pairs[i + 1].textContent) pairs[i + 1].prepend(element("span", { class: "beside" }, other));
+  }
+  return pairs;
 }
 
 function linkageRows(m) {
@@ -78,21 +91,25 @@ function errorRows({ error, mechanism }, kind) {
     ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 7)}${angular ? " rad²" : LENGTH_UNIT ? ` ${LENGTH_UNIT}²` : ""}`, String(error.sum_of_squares))];
 }
 
-export function showQualities({ entry, transmissionOfPart }, kind) {
+export function showQualities(design, kind, pinned = null) {
+  byId("qualities-list").replaceChildren(...beside(qualityRows(design, kind), pinned && qualityRows(pinned, kind)));
+  const { entry, entry: { metrics } } = design;
+  showMore(byId("qualities"), [...computed("precision_residual", say("qualities.residual"), metrics, (v) => errorText(v, 1, (x) => number(x, 3))),
+    ...computed("condition", say("qualities.condition"), metrics, (v) => number(v, 3)), ["found_by", say("qualities.found_by"), originText(entry)]]);
+}
+
+function qualityRows({ entry, transmissionOfPart }, kind) {
   const { metrics } = entry;
   const t = metrics.transmission_angle_deg?.max > 0 ? metrics.transmission_angle_deg : null;
   const optional = (name, value, text) => (value === undefined || value === null ? [] : fact(name, text(value)));
-  byId("qualities-list").replaceChildren(
-    ...errorRows(entry, kind),
+  return [...errorRows(entry, kind),
     ...optional(say("designs.class"), metrics.class, (name) => (metrics.change_point ? say("qualities.change_point", { name: term(name) }) : term(name))),
     ...(t ? [...fact(say(transmissionOfPart ? "qualities.transmission_used" : "qualities.transmission"), say("range.to", { from: degrees(t.min), to: degrees(t.max) })), ...fact(say("qualities.least_acute"), degrees(t.acute_min))] : []),
     ...optional(say("designs.time_ratio"), metrics.time_ratio, (v) => number(v, 6)),
     ...fact(say("qualities.defects"), metrics.defects?.length ? metrics.defects.map(term).join(say("list.comma")) : say("qualities.no_defects")),
     ...optional(say("qualities.input_start"), metrics.input_start_deg, (v) => degreesShort(v, 8)),
     ...optional(say("qualities.output_start"), metrics.output_start_deg, (v) => degreesShort(v, 8)),
-    ...otherMetrics(metrics));
-  showMore(byId("qualities"), [...computed("precision_residual", say("qualities.residual"), metrics, (v) => errorText(v, 1, (x) => number(x, 3))),
-    ...computed("condition", say("qualities.condition"), metrics, (v) => number(v, 3)), ["found_by", say("qualities.found_by"), originText(entry)]]);
+    ...otherMetrics(metrics)];
 }
 
 const computed = (key, name, metrics, show) => (metrics[key] === undefined || metrics[key] === null ? [] : [[key, name, show(metrics[key]), metrics[key]]]);

@@ -83,6 +83,13 @@ export class Design {
   get to() { return this.linkage.to; }
   within(crank) { return this.linkage.within(crank); }
   pointAt(crank) { return this.linkage.exact(this.linkage.within(crank))?.p ?? null; }
+  // Its links and its curve in the plane, for a picture of another design.
+  outlineAt(crank) {
+    const { a, d, poses, point } = this.linkage;
+    const { b, c, p } = this.linkage.pose(crank);
+    return { lines: [[a, b, c, d], ...(p ? [[b, p, c]] : [])], curve: point ? poses.map((pose) => pose.p) : [] };
+  }
+
   sceneIn(frame, onDrag) { return new Scene(frame, onDrag); }
   moved(crank) { return this.linkage.pose(crank); }
 

@@ -6,6 +6,7 @@ import { Extras } from "../extras.js";
 import { degrees } from "../format.js";
 import { Ghost, GHOSTS } from "../ghosts.js";
 import { RADIANS } from "../sampling.js";
+import { Saves } from "../saves.js";
 import { Trace } from "../trace.js";
 import { Vectors } from "../vectors.js";
 import { say } from "../words.js";
@@ -31,6 +32,8 @@ export class DesignPanel {
     if (this.scene) {
       new ResizeObserver(() => this.#draw()).observe(byId("picture"));
       new Zoom(byId("linkage"), byId("picture"), () => this.scene, () => this.#draw());
+      let stood = 0;
+      new Saves(byId("linkage"), byId("picture"), { title: () => data.study.title, go: (share) => { if (!share) stood = this.phase; this.turn(TURN * share, true); }, back: () => this.turn(stood) });
       this.controls.start();
     }
   }
