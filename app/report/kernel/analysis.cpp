@@ -1,5 +1,5 @@
-/// @file Analyses in a page: a problem as its result holds it is read and evaluated by the program's
-/// own reader and evaluator, and comes back as the data that its page is drawn from.
+/// @file Analyses in a page: a problem as its result holds it is read and evaluated by the
+/// program's own reader and evaluator, and comes back as the data that its page is drawn from.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -51,9 +51,9 @@ ordered_json motion_of(const AnalysisProblem& problem) {
   const auto ranges = problems::follow_until(problem, start, end, none);
   const auto of_motion = problems::quantities_of(problems::summarise(problem, ranges, none));
   quantities.insert(quantities.end(), of_motion.begin(), of_motion.end());
-  return {{"mechanism",
-           app::mechanism_motion_json(problem.mechanism, {start, end}, kDraggedSamples)},
-          {"facts", app::quantities_json(quantities)}};
+  return {
+      {"mechanism", app::mechanism_motion_json(problem.mechanism, {start, end}, kDraggedSamples)},
+      {"facts", app::quantities_json(quantities)}};
 }
 
 /// Everything: also the table, its extremes and the notes.

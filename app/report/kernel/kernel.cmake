@@ -91,14 +91,18 @@ cognate_page_kernel(kernel
   app/report/kernel/nearest.cpp)
 set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
 cognate_page_kernel(analysis_kernel
+  analysis/cam/extremes.cpp
   analysis/coupler_curve/circuit_samples.cpp
   analysis/coupler_curve/circuits.cpp
+  analysis/coupler_curve/closed_segment.cpp
   analysis/coupler_curve/curve_features.cpp
   analysis/coupler_curve/curve_measures.cpp
+  analysis/coupler_curve/fourier_descriptors.cpp
   analysis/coupler_curve/longest_segment.cpp
   analysis/coupler_curve/narrowest_strip.cpp
   analysis/coupler_curve/path_curvature.cpp
   analysis/coupler_curve/pole.cpp
+  analysis/coupler_curve/stationary_curvature.cpp
   analysis/linkage/change_point.cpp
   analysis/linkage/cognates.cpp
   analysis/linkage/double_slider.cpp
@@ -132,10 +136,10 @@ cognate_page_kernel(analysis_kernel
   app/report/drawn_rows.cpp
   app/report/kernel/analysis.cpp
   app/report/kernel/document.cpp
+  app/report/kernel/format.cpp
   app/report/kernel/whole_numbers.cpp
   app/report/mechanism_json.cpp
   app/report/quantity_json.cpp
-  problems/basics/degrees.cpp
   problems/basics/length_unit.cpp
   problems/basics/unit_notes.cpp
   problems/evaluation/active_loads.cpp

@@ -2,11 +2,17 @@
 /// shorten them, and files that are read may hold expressions. In a page all numbers are whole.
 #include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/report/report_data.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/toml/expression.hpp"
 
 double cognate::app::round_to_digits(double x, int /*digits*/) {
   return x;
+}
+
+double cognate::problems::degrees(double radians) {
+  return radians * (180.0 / kPi);
 }
 
 tl::expected<double, cognate::problems::reading::ExpressionError>

@@ -49,6 +49,9 @@ export function factName(key) {
     : say("fact.of", { of: sentence(words(of)), what: FACT_WORDS[what] ?? words(what) });
 }
 
+// The unit that the end of a fact's name stands for.
+export const unitWord = (unit) => FACT_WORDS[unit] ?? "";
+
 export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");

@@ -225,8 +225,8 @@ if (designs.length === 0) {
 } else {
   byId("choice-count").textContent = designs.length > 1 ? say("designs.choose") : "";
   table = new DesignTable(designs, kind, choose);
-  families = new Families(data.families ?? [], result.designs, choose);
   front = new Front(result.problem?.solve?.objectives ?? [], result.designs, choose);
+  families = new Families((data.families ?? []).filter(({ name }) => !front.shown || name !== "Pareto front"), result.designs, choose);
   showLoci();
   choose(0);
   listen();
