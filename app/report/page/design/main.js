@@ -216,7 +216,7 @@ showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])], res
 byId("families").after(byId("problem"));
 showFindings(result.facts);
 showWork(result.work);
-followTheme(() => { curves.redraw(); families?.redraw(); });
+followTheme(() => { curves.redraw(); families?.redraw(); if (front?.shown) front.draw(); });
 if (loci.length && !result.loci) byId("save").textContent = say("save.without_curves");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
