@@ -11,7 +11,6 @@
 #include "app/report/load_arrows.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
-#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
 namespace {
@@ -100,21 +99,6 @@ ordered_json landmarks_json(const AnalysisProblem& problem, const AnalysisResult
   return list;
 }
 
-/// The keys of each type, [name, form], in the order in which the kernel of the page takes them.
-ordered_json mechanism_keys() {
-  ordered_json types = ordered_json::object();
-  problems::for_each_mechanism_type([&]<class Type>(std::type_identity<Type>) {
-    if constexpr (problems::SimpleType<Type>) {
-      auto& keys = types[std::string(problems::TypeTraits<Type>::kWord)];
-      for (const auto& key : problems::TypeTraits<Type>::kKeys) {
-        const auto form = std::visit([](const auto& holds) { return holds.kForm; }, key.holds);
-        keys.push_back({key.name, form});
-      }
-    }
-  });
-  return types;
-}
-
 }  // namespace
 
 ordered_json analysis_report_data(const AnalysisProblem& problem, const AnalysisResult& result) {
@@ -126,8 +110,7 @@ ordered_json analysis_report_data(const AnalysisProblem& problem, const Analysis
           {"normals", normals_json(problem, result)},
           {"loads", load_arrows(problem, result, rows)},
           {"landmarks", landmarks_json(problem, result)},
-          {"facts", quantities_json(result.quantities)},
-          {"mechanism_keys", mechanism_keys()}};
+          {"facts", quantities_json(result.quantities)}};
 }
 
 }  // namespace cognate::app

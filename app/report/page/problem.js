@@ -33,14 +33,14 @@ const isEmpty = (value) => value === null || (Array.isArray(value) && value.leng
 const isUsual = (value, key) => value === 0 || (Array.isArray(value) && value.every((part) => part === (key === "weights" ? 1 : 0)));
 
 // A key of the table `scope` in words, "torque_ripple_max" as "maximum torque ripple".
-function keyName(key, scope) {
+export function keyName(key, scope) {
   const bare = key.replace(/_deg(?=_|$)/, "");
   const [, of, end] = /^(.+)_(max|min)$/.exec(bare) ?? [];
   const words = (of ?? bare).replaceAll("_", " ");
   return keyword(`${scope}.${key}`) ?? keyword(key) ?? (of ? say(`problem.${end}`, { of: words }) : words);
 }
 
-function unitOfKey(key, scope) {
+export function unitOfKey(key, scope) {
   const unit = UNITS_OF_KEYS[`${scope}.${key}`] ?? UNITS_OF_KEYS[key];
   return /_deg(_|$)/.test(key) ? "°" : unit ? ` ${unit}` : "";
 }
