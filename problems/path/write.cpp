@@ -8,6 +8,7 @@
 
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -122,6 +123,7 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
                      .set("constraints", constraints)
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve)
+                     .append(tolerance_table(problem.tolerances, false))
                      .take();
   return all;
 }
