@@ -48,8 +48,8 @@ class Pack {
       sides_[i] = T(task_.sides[s * task_.dyad_count + i]);
     }
     const DrivePosition<T> drive{{T(task_.cos[s]), T(task_.sin[s])}, T(task_.displacement[s])};
-    evaluate<0>(mechanism_, drive, std::span<const T>(sides_),
-                std::span<BodyMotion<T, 0>>(bodies_), std::span<DyadClosure<T>>(closures_));
+    evaluate<0>(mechanism_, drive, std::span<const T>(sides_), std::span<BodyMotion<T, 0>>(bodies_),
+                std::span<DyadClosure<T>>(closures_));
     for (std::size_t i = 0; i < task_.output_count; ++i) {
       const BlockOutput& output = task_.outputs[i];
       const Vec2<T> value = value_of(output);

@@ -11,12 +11,13 @@ namespace cognate::tolerance {
 /// Samples of a block, a multiple of every kernel's lanes; the last block's are filled up.
 inline constexpr std::size_t kBlockSamples = 64;
 
-/// One response of a block. Its values are columns of `kBlockSamples`, x and y one for each station.
+/// One response of a block. Its values are columns of `kBlockSamples`, x and y one for each
+/// station.
 struct BlockOutput {
   enum class Of { angle, displacement, point, transmission } of = Of::angle;
-  int body = 0;           ///< or the dyad of a transmission angle, or the slider
-  int point = 0;          ///< index of a point
-  int guide = 0;          ///< of a displacement: the body with the slide, and the slide in its axes
+  int body = 0;   ///< or the dyad of a transmission angle, or the slider
+  int point = 0;  ///< index of a point
+  int guide = 0;  ///< of a displacement: the body with the slide, and the slide in its axes
   Vec2d through, along;
   double *x = nullptr, *y = nullptr;
 };
@@ -50,7 +51,7 @@ struct ErrorTask {
   const double* offset;    ///< nominal error at each station, of scalars
   const double* weight;    ///< 1, or 0 of samples that are not assembled
   double* extreme;         ///< of each sample: greatest error, is raised
-  double *sum, *square;    ///< of each station: sums of the deviation and of its square, are added to
+  double *sum, *square;  ///< of each station: sums of the deviation and of its square, are added to
 };
 
 struct SampleKernels {

@@ -13,21 +13,21 @@ namespace cognate::problems {
 /// How much of an error one dimension makes.
 struct Contribution {
   std::string dimension;
-  double sensitivity = 0;     ///< ∂q/∂x at the worst position; of a point |∂P/∂x|
-  double largest = 0;         ///< the greatest over all positions, by magnitude
-  std::size_t largest_at = 0; ///< where that is
-  double amount = 0;          ///< |∂q/∂x|·t at the worst position
-  double share = 0;           ///< of the sum of these
+  double sensitivity = 0;      ///< ∂q/∂x at the worst position; of a point |∂P/∂x|
+  double largest = 0;          ///< the greatest over all positions, by magnitude
+  std::size_t largest_at = 0;  ///< where that is
+  double amount = 0;           ///< |∂q/∂x|·t at the worst position
+  double share = 0;            ///< of the sum of these
 };
 
-/// Deviations of a quantity at one position. Not numbers where the box of tolerances comes to a dead
-/// point there.
+/// Deviations of a quantity at one position. Not numbers where the box of tolerances comes to a
+/// dead point there.
 struct PositionFigures {
-  double nominal = 0;            ///< its nominal error; 0 of a plain deviation
-  double linear = 0;             ///< worst case of first order, Σ |∂q/∂x| t
-  double low = 0, high = 0;      ///< exact extremes over the box; of a point 0 and the distance
-  double rss = 0;                ///< root sum of squares of |∂q/∂x| t
-  double mean = 0, sigma = 0;    ///< of the samples
+  double nominal = 0;          ///< its nominal error; 0 of a plain deviation
+  double linear = 0;           ///< worst case of first order, Σ |∂q/∂x| t
+  double low = 0, high = 0;    ///< exact extremes over the box; of a point 0 and the distance
+  double rss = 0;              ///< root sum of squares of |∂q/∂x| t
+  double mean = 0, sigma = 0;  ///< of the samples
 };
 
 /// A share of the samples errs by no more than this.
@@ -40,11 +40,11 @@ struct Quantile {
 struct ToleranceFigures {
   std::string name;  ///< "rocker", "P", "error"; "C transmission"
   bool angle = false;
-  bool is_point = false;     ///< the deviation is a distance
-  bool judged = false;       ///< what yield, quantiles and allocation are about
-  bool exact = true;         ///< whether `low` and `high` are known
+  bool is_point = false;  ///< the deviation is a distance
+  bool judged = false;    ///< what yield, quantiles and allocation are about
+  bool exact = true;      ///< whether `low` and `high` are known
   std::vector<PositionFigures> positions;
-  std::size_t worst = 0;     ///< of the positions: where the linear worst case is greatest
+  std::size_t worst = 0;  ///< of the positions: where the linear worst case is greatest
   std::size_t worst_exact = 0;
   bool exact_everywhere = false;  ///< else `low` and `high` are known at `worst_exact` alone
   std::vector<Contribution> contributions;  ///< at `worst`, greatest first
@@ -58,7 +58,7 @@ struct ToleranceFigures {
 struct ClearanceFigures {
   std::string joint;
   double radial = 0;
-  double massless = 0;     ///< greatest deviation of the judged quantity: the pin anywhere in it
+  double massless = 0;  ///< greatest deviation of the judged quantity: the pin anywhere in it
   std::size_t massless_at = 0;
   std::optional<double> loaded;  ///< with the pin where its reaction presses it; with loads alone
   std::size_t loaded_at = 0;
