@@ -13,6 +13,7 @@
 #include "problems/guidance/least_squares.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/oddities.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
@@ -296,6 +297,12 @@ Result solve(const MotionProblem& given, const Run& run) {
   std::vector<Vec2d> origins;
   for (const Pose& pose : problem.poses) origins.push_back(pose.at);
   note_oddities(extent_of(origins), result);
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        return error_at_targets(design.mechanism, "P", design.crank_angles, origins, true);
+      },
+      result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   return result;
 }

@@ -25,6 +25,7 @@ std::vector<JudgedResponse> judged_responses(const TolerancedMechanism& toleranc
   for (const ToleranceQuantity& quantity : question.quantities) {
     JudgedResponse& one = judged.emplace_back();
     one.response = quantity.response;
+    one.normal = quantity.normal;
     one.offset.assign(question.stations.size(), 0);
     for (std::size_t s = 0; s < question.stations.size(); ++s) {
       nominal.move_to(question.stations[s]);
