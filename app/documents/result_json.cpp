@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_json.hpp"
 #include "app/documents/version.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/mechanism/write_mechanism.hpp"
@@ -157,6 +158,7 @@ ordered_json design_json(const problems::Design& design, bool angular) {
   table["origin"] = design.origin;
   if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
   if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
+  if (design.tolerance) table["tolerance"] = tolerance_json(*design.tolerance);
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
