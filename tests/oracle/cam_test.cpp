@@ -13,6 +13,7 @@
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/result.hpp"
 #include "tests/support/cam_problems.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate {
 namespace {
@@ -22,7 +23,7 @@ using problems::CamDimension;
 using problems::CamProblem;
 
 toml::table data() {
-  return toml::parse_file(COGNATE_ORACLE_DIR "/cams.toml");
+  return toml::parse_file(std::string(kOracleFolder) + "/cams.toml");
 }
 
 std::vector<double> column(const toml::table& table, const char* key) {

@@ -14,6 +14,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -25,7 +26,7 @@ FunctionProblem parsed(const std::string& text) {
 }
 
 FunctionProblem from_library(const char* name) {
-  const auto problem = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
+  const auto problem = read_task(std::filesystem::path(kLibraryFolder) / "function" / name);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }

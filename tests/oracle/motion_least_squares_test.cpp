@@ -15,6 +15,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -63,7 +64,7 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
 
 MotionProblem eleven_poses() {
   const auto problem =
-      read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion/eleven-poses.toml");
+      read_task(std::filesystem::path(kLibraryFolder) / "motion/eleven-poses.toml");
   return std::get<MotionProblem>(problem.value());
 }
 

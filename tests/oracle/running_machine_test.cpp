@@ -10,6 +10,7 @@
 #include "analysis/machine/run.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/machines.hpp"
 
 namespace cognate::machine {
@@ -18,7 +19,7 @@ namespace {
 using test::PeriodicTable;
 
 const toml::table& data() {
-  static const toml::table table = toml::parse_file(COGNATE_ORACLE_DIR "/machines.toml");
+  static const toml::table table = toml::parse_file(std::string(kOracleFolder) + "/machines.toml");
   return table;
 }
 

@@ -11,6 +11,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -317,7 +318,7 @@ TEST(CamProblem, OtherReadersSayWhatItIs) {
 TEST(CamProblem, TheLibraryHasEveryRollerAndFace) {
   std::set<cam::FollowerType> types;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(COGNATE_LIBRARY_DIR) / "cam")) {
+       std::filesystem::directory_iterator(std::filesystem::path(kLibraryFolder) / "cam")) {
     const auto problem = read_task<CamProblem>(entry.path());
     ASSERT_TRUE(problem) << entry.path();
     EXPECT_FALSE(problem->title.empty()) << entry.path();

@@ -7,6 +7,7 @@
 #include "problems/read.hpp"
 #include "problems/toml/table_writer.hpp"
 #include "tests/reading/fault_cases.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -91,7 +92,8 @@ TEST(ChainProblem, FourBarsStayOfTheirOwnKind) {
 }
 
 TEST(ChainProblem, WhatIsWrittenIsRead) {
-  for (const auto& entry : std::filesystem::directory_iterator(COGNATE_LIBRARY_DIR "/chain")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(kLibraryFolder) + "/chain")) {
     const auto problem = read_task<ChainPathProblem>(entry.path());
     ASSERT_TRUE(problem) << entry.path();
     const auto back = reading::read_back(*problem);

@@ -12,6 +12,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -37,7 +38,7 @@ double followed_time_ratio(const NamedMechanism& mechanism) {
 
 TEST(QuickReturnProblem, EveryFileOfTheLibraryIsSolvedAndMovesAsItShould) {
   int files = 0;
-  const std::filesystem::path folder(COGNATE_LIBRARY_DIR "/quick-return");
+  const std::filesystem::path folder(std::string(kLibraryFolder) + "/quick-return");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto problem = std::get<QuickReturnProblem>(*read_task(entry.path()));
     const Result result = solve(problem, {});

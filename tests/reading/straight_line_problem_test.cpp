@@ -14,11 +14,12 @@
 #include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
 
-const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "straight-line";
+const std::filesystem::path kLibrary = std::filesystem::path(kLibraryFolder) / "straight-line";
 
 Result solve_file(const std::string& name) {
   const auto problem = read_task(kLibrary / (name + ".toml"));

@@ -10,11 +10,12 @@
 
 #include "problems/study/key_path.hpp"
 #include "problems/study/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
 
-const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
+const std::filesystem::path kLibrary = kLibraryFolder;
 
 /// Metrics made up for the test: two numbers, a word, and lists of what only a design tells.
 MetricNames names(const Task&) {

@@ -17,6 +17,7 @@
 #include "problems/path/deviation_between_samples.hpp"
 #include "problems/path/shape_placement.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -287,7 +288,7 @@ TEST(ShapePlacement, TurnsAsLittleAsTheFrameAngleAllows) {
 }
 
 TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
-  const std::filesystem::path folder = std::filesystem::path(COGNATE_LIBRARY_DIR) / "path";
+  const std::filesystem::path folder = std::filesystem::path(kLibraryFolder) / "path";
   const struct {
     const char* file;
     double rms;
