@@ -10,6 +10,7 @@
 #include "app/console/terminal.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/kinds.hpp"
 #include "problems/basics/names.hpp"
@@ -119,7 +120,8 @@ constexpr KeyedEntry kCommon[] = {
     {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
     {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
     {"[[load]]", "likewise", kLoad},
-    {"[warnings]", "from where on designs that meet every constraint are warned of", kWarnings}};
+    {"[warnings]", "from where on designs that meet every constraint are warned of", kWarnings},
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
 
 constexpr Entry kHeadKeys[] = {
     {"title", "what tables, reports and drawings are called"},
@@ -230,7 +232,9 @@ std::vector<ListSection> metrics_of_kind() {
   std::vector<ListSection> all = listed(Kind<Problem>::metric_lists());
   if constexpr (designs_linkages<Problem>) {
     for (const MetricList& list : metric_lists()) {
-      if (list.key == "metrics" || list.key == "facts") all.push_back(list_section(list));
+      if (list.key == "metrics" || list.key == "facts" || list.key == "tolerance_metrics") {
+        all.push_back(list_section(list));
+      }
     }
   }
   return all;

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_json.hpp"
 #include "app/documents/version.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/evaluation/write.hpp"
 #include "problems/linkage/constraint_words.hpp"
+#include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::app {
 namespace {
@@ -164,6 +165,7 @@ ordered_json design_json(const problems::Design& design, bool angular) {
   if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
   if (design.twin_of) table["twin_of"] = *design.twin_of;
   if (!design.differs.empty()) table["differs"] = design.differs;
+  if (design.tolerance) table["tolerance"] = tolerance_json(*design.tolerance);
   return table;
 }
 

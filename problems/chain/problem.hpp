@@ -13,6 +13,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -44,6 +45,7 @@ struct ChainPathProblem {
   ChainConstraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

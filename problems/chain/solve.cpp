@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
 #include "problems/chain/verify.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
@@ -88,6 +90,23 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
       "exactly. More points say more of what is wanted between them.");
 }
 
+/// Of a design the traced point of its topology.
+void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) -> std::optional<ToleranceQuestion> {
+        const auto name =
+            find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
+        const auto topology =
+            std::ranges::find(problem.topologies, name.value_or(""), &Topology::name);
+        if (topology == problem.topologies.end()) return std::nullopt;
+        return error_at_targets(design.mechanism,
+                                topology->lines[static_cast<std::size_t>(topology->trace)].name,
+                                design.crank_angles, problem.points, !problem.crank_angles.empty());
+      },
+      result);
+}
+
 }  // namespace
 
 Result solve(const ChainPathProblem& given, const Run& run) {
@@ -110,6 +129,7 @@ Result solve(const ChainPathProblem& given, const Run& run) {
         "No chain was found that closes at every target point; wider bounds or more starts may "
         "help.");
   }
+  add_chain_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

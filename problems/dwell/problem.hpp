@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -42,6 +43,7 @@ struct DwellProblem {
   DwellConstraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

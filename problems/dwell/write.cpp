@@ -3,6 +3,7 @@
 #include "problems/dwell/problem.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -42,6 +43,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
           .set("warnings", warnings_writer(problem.warnings))
+          .append(tolerance_table(problem.tolerances, true))
           .take();
   return all;
 }

@@ -15,6 +15,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -79,6 +80,7 @@ struct FunctionProblem {
   Constraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 

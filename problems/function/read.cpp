@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <utility>
@@ -253,6 +255,14 @@ std::string_view certificate_refusal(const FunctionProblem& problem) {
   return limits_turn(problem.constraints) ? kTurnNotCertified : std::string_view{};
 }
 
+ToleranceScope function_scope(const FunctionProblem& problem) {
+  if (problem.type == MechanismType::slider_crank) return slider_crank_scope();
+  ToleranceScope scope = four_bar_scope();
+  std::erase(scope.dimensions, "coupler_point");
+  scope.unit = "deg";
+  return scope;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -291,6 +301,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                    .needs_full_turn = false},
                   problem.constraints, problem.solve);
 
+  problem.tolerances = read_tolerances(document, function_scope(problem));
   tables.finish();
   problem.warnings = read_warnings(document);
   problem.warnings = read_warnings(document);

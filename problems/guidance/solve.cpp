@@ -13,6 +13,7 @@
 #include "problems/guidance/least_squares.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/twins.hpp"
@@ -300,6 +301,12 @@ Result solve(const MotionProblem& given, const Run& run) {
   if (!exact) merge_long_links(result);
   mark_twins(result.designs);
   add_warnings(extent_of(origins), problem.warnings, result);
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        return error_at_targets(design.mechanism, "P", design.crank_angles, origins, true);
+      },
+      result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   return result;
 }

@@ -7,6 +7,7 @@
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -71,6 +72,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve))
                      .set("warnings", warnings_writer(problem.warnings))
+                     .append(tolerance_table(problem.tolerances, false))
                      .take();
   return all;
 }

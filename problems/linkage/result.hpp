@@ -20,6 +20,7 @@
 #include "problems/basics/quantity.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/result.hpp"
 #include "synthesis/search/deadline.hpp"
 
 namespace cognate::problems {
@@ -122,6 +123,7 @@ struct Design {
   std::vector<std::string> differs{};
   /// Sentences on what meets the constraints and would hardly be built; see warnings.hpp.
   std::vector<std::string> warnings{};
+  std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
 };
 
 /// The four-bar that `design` is. Only where its type is four_bar.

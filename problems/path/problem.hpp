@@ -14,6 +14,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -72,6 +73,7 @@ struct PathProblem {
   Constraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.

@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -309,6 +311,7 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
     check_exact_path(target, mechanism, solve, problem);
   }
 
+  problem.tolerances = read_tolerances(document, four_bar_scope());
   tables.finish();
   problem.warnings = read_warnings(document);
   problem.warnings = read_warnings(document);

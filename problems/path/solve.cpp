@@ -12,6 +12,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
@@ -238,6 +239,22 @@ void add_certificate(const PathProblem& problem, const Run& run, const Deadline&
   result.certificate = certify(problem, best, run, deadline);
 }
 
+/// A point whose crank angle is free may be met a little before or after. Where only some are
+/// prescribed, all keep the angles of the nominal design.
+void add_path_tolerances(const PathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        std::vector<Vec2d> targets;
+        for (const Vec2d& point : problem.points) {
+          targets.push_back(design.placement.value_or(CurvePlacement{}).point(point));
+        }
+        return error_at_targets(design.mechanism, "P", design.crank_angles, targets,
+                                problem.timing != Timing::free);
+      },
+      result);
+}
+
 }  // namespace
 
 Result solve(const PathProblem& given, const Run& run) {
@@ -248,6 +265,7 @@ Result solve(const PathProblem& given, const Run& run) {
     Result exact = solve_exactly(problem, run);
     mark_twins(exact.designs);
     add_warnings(extent_of(problem.points), problem.warnings, exact);
+    add_path_tolerances(problem, run, exact);
     return exact;
   }
   const Deadline deadline(run);
@@ -263,6 +281,7 @@ Result solve(const PathProblem& given, const Run& run) {
   merge_long_links(result);
   mark_twins(result.designs);
   add_warnings(extent_of(problem.points), problem.warnings, result);
+  add_path_tolerances(problem, run, result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
   result.work.skipped = skipped_evaluations(problem.constraints);

@@ -10,6 +10,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 
 namespace cognate::problems {
@@ -39,6 +40,7 @@ struct QuickReturnProblem {
   std::optional<double> pressure_angle_max;              ///< slider-crank, shaper
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

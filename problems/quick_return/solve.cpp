@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
@@ -219,6 +220,12 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
   }
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [](const Design& design) {
+        return output_over_motion(design.mechanism, design.crank_angles);
+      },
+      result);
   result.work.skipped = {"search", "gradients", "velocities", "accelerations", "forces"};
   result.work.threads = 1;
   result.work.seconds = deadline.spent();

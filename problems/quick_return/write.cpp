@@ -2,6 +2,7 @@
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/quick_return/problem.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 
@@ -27,6 +28,9 @@ reading::Written KindTraits<QuickReturnProblem>::written(const QuickReturnProble
   document.set("constraints", constraints)
       .set("solve", solve_writer(problem.solve))
       .set("warnings", warnings_writer(problem.warnings));
+  const bool turns =
+      problem.type == QuickReturnType::four_bar || problem.type == QuickReturnType::guide_bar;
+  document.append(tolerance_table(problem.tolerances, turns));
   return {document.take(), {}};
 }
 

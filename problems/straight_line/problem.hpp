@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -73,6 +74,7 @@ struct StraightLineProblem {
   Constraints constraints;
   Solve solve;  ///< `designs` is 100 where the file says nothing
   WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

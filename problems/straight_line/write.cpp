@@ -2,6 +2,7 @@
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -70,6 +71,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
   document.set("warnings", warnings_writer(problem.warnings));
+  document.append(tolerance_table(problem.tolerances, false));
   return {document.take(), {}};
 }
 

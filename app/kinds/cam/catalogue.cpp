@@ -5,6 +5,7 @@
 
 #include "analysis/cam/motion_law.hpp"
 #include "app/console/text_table.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/cam/keys.hpp"
 #include "problems/cam/motion_laws.hpp"
@@ -120,7 +121,8 @@ constexpr KeyedEntry kTables[] = {
     {"[constraints]", "on the cam", kConstraints},
     {"[drive]", "how it runs", kDrive},
     {"[contact]", "materials, for contact stress", kContact},
-    {"[solve]", "how it is found", kSolve}};
+    {"[solve]", "how it is found", kSolve},
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
 
 constexpr Metric kCamMetrics[] = {
     {"stroke", "length", "maximum displacement of a translating follower"},

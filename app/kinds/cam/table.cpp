@@ -8,6 +8,7 @@
 #include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
+#include "app/console/tolerance_table.hpp"
 #include "app/documents/csv.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/basics/degrees.hpp"
@@ -123,6 +124,16 @@ std::string Kind<CamProblem>::refusal(const CamProblem& /*problem*/, Command com
          "all given; expected kind = \"analysis\" with a whole [mechanism]";
 }
 
+namespace {
+
+/// Of the best cam: those of the others are in the result.
+std::string tolerances_text(const CamResult& result, const Screen& screen) {
+  if (result.designs.empty() || !result.designs.front().tolerance) return {};
+  return tolerance_table(*result.designs.front().tolerance, screen);
+}
+
+}  // namespace
+
 std::string Kind<CamProblem>::describe(const CamProblem& problem) {
   const std::size_t segments = problem.motion.size();
   std::string what = fmt::format("cam of a follower {}, {} segment{} of motion",
@@ -138,7 +149,7 @@ std::string Kind<CamProblem>::table(const CamProblem& problem, const CamResult& 
                                     const Screen& screen) {
   return result_table({.heading = describe(problem),
                        .designs = designs_text(problem, shown_designs(result), screen),
-                       .after = proof_line(problem, result)},
+                       .after = tolerances_text(result, screen) + proof_line(problem, result)},
                       result, screen);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/documents/mechanism_catalogue.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/mechanism/dimensions.hpp"
 
@@ -31,6 +32,7 @@ void add_mechanisms(MetricNames& names) {
 MetricNames linkage_metric_names() {
   MetricNames names;
   add_metrics(names, metrics());
+  add_metrics(names, kToleranceMetrics);
   add_metrics(names,
               study_extras().first(study_extras().size() - 2));  // the last two stand for many
   add_metrics(names, quantities(), "facts.");
