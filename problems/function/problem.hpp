@@ -15,6 +15,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/raster/raster.hpp"
 
 namespace cognate::problems {
 
@@ -78,6 +79,7 @@ struct FunctionProblem {
   std::optional<Range> input_start_bounds, output_start_bounds;
   Constraints constraints;
   Solve solve;
+  std::optional<Raster> raster;   ///< least squares; which lengths take single values only
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 

@@ -1,5 +1,9 @@
+#include "problems/raster/read.hpp"
+
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
@@ -11,6 +15,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/read_raster.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -252,6 +257,30 @@ std::string_view certificate_refusal(const FunctionProblem& problem) {
   return limits_turn(problem.constraints) ? kTurnNotCertified : std::string_view{};
 }
 
+std::string_view raster_refusal(const FunctionProblem& problem) {
+  if (problem.objective != FunctionObjective::least_squares) {
+    return "is given, but only designs of least squares are searched on a raster; expected "
+           "objective "
+           "= \"least-squares\", or remove it";
+  }
+  return search_raster_refusal(problem.solve);
+}
+
+// On a raster the size matters: bounds of the crank take the place of its unit.
+std::optional<Raster> read_function_raster(TableReader& document, TableReader& mechanism,
+                                           FunctionProblem& problem) {
+  constexpr std::array<std::string_view, 5> kKeys{"length", "crank", "coupler", "rocker", "frame"};
+  auto raster = read_raster(document, kKeys, raster_refusal(problem));
+  if (!raster) return std::nullopt;
+  const auto& crank = problem.bounds.crank;
+  const bool is_unit = !mechanism.has("crank") && !mechanism.has("frame");
+  if (is_unit && raster->rule("crank") != nullptr && crank && std::isfinite(crank->max)) {
+    problem.given.crank.reset();
+  }
+  check_raster_bounds(document, *raster, problem.given, problem.bounds);
+  return raster;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -289,6 +318,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                    .has_sizes = false,
                    .needs_full_turn = false},
                   problem.constraints, problem.solve);
+  problem.raster = read_function_raster(document, mechanism, problem);
 
   tables.finish();
   return problem;

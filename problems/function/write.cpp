@@ -8,6 +8,7 @@
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -123,14 +124,16 @@ std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
 reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& problem) {
   using namespace reading;
   Written all;
-  all.document = document_writer(kWord, problem.title, problem.length_unit)
-                     .set("target", written_target(problem))
-                     .set("mechanism", written_mechanism(problem))
-                     .set("bounds", written_bounds(problem))
-                     .set("constraints", constraints_writer(problem.constraints))
-                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
-                     .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
-                     .take();
+  TableWriter document =
+      document_writer(kWord, problem.title, problem.length_unit)
+          .set("target", written_target(problem))
+          .set("mechanism", written_mechanism(problem))
+          .set("bounds", written_bounds(problem))
+          .set("constraints", constraints_writer(problem.constraints))
+          .append(operation_tables(problem.constraints, problem.solve, all.faults))
+          .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by));
+  if (problem.raster) document.set("raster", raster_writer(*problem.raster));
+  all.document = document.take();
   return all;
 }
 

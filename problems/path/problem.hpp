@@ -14,6 +14,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
+#include "problems/raster/raster.hpp"
 
 namespace cognate::problems {
 
@@ -71,6 +72,7 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+  std::optional<Raster> raster;      ///< least squares; which dimensions take single values only
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.

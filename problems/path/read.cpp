@@ -1,6 +1,9 @@
+#include "problems/raster/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -11,6 +14,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/read_raster.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/path/read_curve.hpp"
@@ -244,6 +248,45 @@ std::optional<AtlasSource> read_atlas(TableReader& solve, const std::filesystem:
   return AtlasSource{*name, file, where.line, where.column};
 }
 
+// Designs on a raster are searched for by the error alone, where the target is.
+std::string_view raster_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is given with method = \"exact\", whose dimensions follow from the points; remove it";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\", whose figures are of different sizes; remove "
+           "it, or take place = \"given\"";
+  }
+  return search_raster_refusal(problem.solve);
+}
+
+void check_raster_frame(TableReader& document, const PathProblem& problem) {
+  const Raster& raster = *problem.raster;
+  const Given& given = problem.given;
+  const bool pivots_open = !given.pivot_a || !given.pivot_d;
+  if (!pivots_open || raster.rule("pivots") == nullptr) return;
+  if (given.frame || given.frame_angle) {
+    document.fault("raster",
+                   "puts pivots on a raster, but mechanism gives frame or frame_angle_deg, which "
+                   "follow from them; add pivots = \"free\"");
+  }
+  if (raster.has("frame")) {
+    document.fault("raster",
+                   "has frame, which follows from pivots on the raster; remove it, or add pivots = "
+                   "\"free\"");
+  }
+}
+
+std::optional<Raster> read_path_raster(TableReader& document, PathProblem& problem) {
+  constexpr std::array<std::string_view, 7> kKeys{"length",  "pivots", "coupler_point", "crank",
+                                                  "coupler", "rocker", "frame"};
+  problem.raster = read_raster(document, kKeys, raster_refusal(problem));
+  if (!problem.raster) return std::nullopt;
+  check_raster_frame(document, problem);
+  check_raster_bounds(document, *problem.raster, problem.given, problem.bounds);
+  return problem.raster;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -307,6 +350,8 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
     if (!solve.has("designs")) problem.solve.designs = default_exact_designs(problem);
     check_exact_path(target, mechanism, solve, problem);
   }
+
+  problem.raster = read_path_raster(document, problem);
 
   tables.finish();
   return problem;

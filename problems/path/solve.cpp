@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -22,14 +23,27 @@
 #include "problems/path/curve_following.hpp"
 #include "problems/path/exact.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/path/raster.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
+namespace {
+
+/// The root of the mean square of which an objective of the search is the weighted sum.
+double rms_of(const PathProblem& problem, double sum_of_squares) {
+  const auto& weights = problem.weights;
+  const double total = weights.empty() ? static_cast<double>(problem.points.size())
+                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
+  return std::sqrt(sum_of_squares / total);
+}
+
+}  // namespace
 
 // What error_limit.hpp and objectives.hpp ask of a kind, found by the type of its problem.
 
@@ -41,10 +55,7 @@ ErrorMeasure error_measure(const PathProblem& /*problem*/) {
 
 /// That error of a design, a length.
 double error_of(const PathProblem& problem, const Design& design) {
-  const auto& weights = problem.weights;
-  const double total = weights.empty() ? static_cast<double>(problem.points.size())
-                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
-  return std::sqrt(path_objective(problem, design) / total);
+  return rms_of(problem, path_objective(problem, design));
 }
 
 /// Errors up to this are rounding: the target is met.
@@ -79,6 +90,18 @@ class Designs {
     for (double& angle : angles) angle = in_one_turn(angle + turned);
     Design design = verified(*cognate, angles);
     if (all_satisfied(design.constraints)) insert(std::move(design));
+  }
+
+  /// Adds a design that is on the raster, where its cognates are not.
+  void add_alone(const FourBar& linkage, const std::vector<double>& crank_angles) {
+    origin_ = "raster";
+    add_one(linkage, crank_angles);
+  }
+
+  /// Whether such a design meets every constraint.
+  bool accepts(const FourBar& linkage, const std::vector<double>& crank_angles) const {
+    const Design design = verified(linkage, crank_angles);
+    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   }
 
   bool enough() const {
@@ -223,6 +246,35 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   return result;
 }
 
+/// The continuous optimum and other minima, then the raster.
+Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadline& deadline) {
+  const PathScale scale(problem);
+  PathProblem scaled = scale.into(problem);
+  scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
+  Result result;
+  const PathSearchResult continuous =
+      search_paths(scaled, synthesis::chosen(problem.solve.solver),
+                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  Designs designs(problem, scale.size);
+  const auto accepts = [&](const RasterPath& design) {
+    return designs.accepts(design.linkage, design.crank_angles);
+  };
+  const RasterPathResult found =
+      search_path_raster(problem, scaled, scale, continuous.minima, accepts, run, deadline);
+  for (const RasterPath& one : found.designs) {
+    std::vector<double> angles = one.crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle);
+    designs.add_alone(one.linkage, angles);
+  }
+  result.status = status(deadline, deadline.reached(), designs, !found.designs.empty());
+  result.designs = designs.take();
+  result.quantities = quantities(continuous.statistics);
+  const auto error = [&](double objective) { return scale.size * rms_of(problem, objective); };
+  std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, error);
+  return result;
+}
+
 void add_certificate(const PathProblem& problem, const Run& run, const Deadline& deadline,
                      Result& result) {
   if (result.status != Status::solved) {
@@ -248,6 +300,21 @@ Result solve(const PathProblem& given, const Run& run) {
     return exact;
   }
   const Deadline deadline(run);
+  const auto finish = [&](Result& result) {
+    note_oddities(extent_of(problem.points), result);
+    note_units(problem.constraints.operation, problem.length_unit, result);
+    if (problem.curve) {
+      result.quantities.push_back({"target_length", problem.curve->curve.length()});
+    }
+    result.work.skipped = skipped_evaluations(problem.constraints);
+    result.work.threads = thread_count(run.threads);
+    result.work.seconds = deadline.spent();
+  };
+  if (problem.raster) {
+    Result result = solve_on_raster(problem, run, deadline);
+    finish(result);
+    return result;
+  }
   Result result = solve_objectives(
       problem, before_certificate(run, problem.solve), deadline,
       [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
@@ -257,12 +324,7 @@ Result solve(const PathProblem& given, const Run& run) {
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
-  note_oddities(extent_of(problem.points), result);
-  note_units(problem.constraints.operation, problem.length_unit, result);
-  if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
-  result.work.skipped = skipped_evaluations(problem.constraints);
-  result.work.threads = thread_count(run.threads);
-  result.work.seconds = deadline.spent();
+  finish(result);
   return result;
 }
 
