@@ -11,7 +11,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/version.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/evaluation/write.hpp"
+#include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::app {
 namespace {

@@ -14,6 +14,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -97,6 +98,7 @@ struct CamProblem {
   CamConstraints constraints;
   CamObjective objective = CamObjective::size;
   Solve solve;
+  std::optional<Tolerances> tolerances{};
 
   /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }

@@ -13,6 +13,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -43,6 +44,7 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

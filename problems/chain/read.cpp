@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include "problems/chain/problem.hpp"
@@ -71,6 +73,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
                                        read_traced(tables.target, problem.mechanism));
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  problem.tolerances = read_tolerances(document, {});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

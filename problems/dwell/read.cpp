@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -137,6 +139,7 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
                                        {kOutput, {problem.output.begin(), problem.output.end()}});
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  problem.tolerances = read_tolerances(document, {.unit = "deg"});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

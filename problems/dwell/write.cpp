@@ -2,6 +2,7 @@
 #include "problems/chain/write_design.hpp"
 #include "problems/dwell/problem.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -40,6 +41,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
+          .append(tolerance_table(problem.tolerances, true))
           .take();
   return all;
 }

@@ -1,13 +1,10 @@
-/// @file The tables of a mechanism with its masses and loads, written down.
+/// @file The masses and loads of a mechanism, written down.
 #pragma once
 
 #include "problems/evaluation/problem.hpp"
 #include "problems/toml/table_writer.hpp"
 
 namespace cognate::problems::reading {
-
-/// `[mechanism]`, as its description tells it.
-TableWriter mechanism_writer(const NamedMechanism& mechanism);
 
 /// `[[load]]`.
 TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load);

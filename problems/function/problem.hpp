@@ -16,6 +16,7 @@
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/raster/raster.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -79,7 +80,8 @@ struct FunctionProblem {
   std::optional<Range> input_start_bounds, output_start_bounds;
   Constraints constraints;
   Solve solve;
-  std::optional<Raster> raster;   ///< least squares; which lengths take single values only
+  std::optional<Raster> raster;  ///< least squares; which lengths take single values only
+  std::optional<Tolerances> tolerances{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 

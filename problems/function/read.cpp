@@ -17,6 +17,7 @@
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/read_raster.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/tolerance/read.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
@@ -281,6 +282,14 @@ std::optional<Raster> read_function_raster(TableReader& document, TableReader& m
   return raster;
 }
 
+ToleranceScope function_scope(const FunctionProblem& problem) {
+  if (problem.type == MechanismType::slider_crank) return slider_crank_scope();
+  ToleranceScope scope = four_bar_scope();
+  std::erase(scope.dimensions, "coupler_point");
+  scope.unit = "deg";
+  return scope;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -320,6 +329,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                   problem.constraints, problem.solve);
   problem.raster = read_function_raster(document, mechanism, problem);
 
+  problem.tolerances = read_tolerances(document, function_scope(problem));
   tables.finish();
   return problem;
 }

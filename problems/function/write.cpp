@@ -9,6 +9,7 @@
 #include "problems/function/read_target.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/raster/read.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -124,16 +125,17 @@ std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
 reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& problem) {
   using namespace reading;
   Written all;
-  TableWriter document =
+  all.document =
       document_writer(kWord, problem.title, problem.length_unit)
           .set("target", written_target(problem))
           .set("mechanism", written_mechanism(problem))
           .set("bounds", written_bounds(problem))
           .set("constraints", constraints_writer(problem.constraints))
           .append(operation_tables(problem.constraints, problem.solve, all.faults))
-          .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by));
-  if (problem.raster) document.set("raster", raster_writer(*problem.raster));
-  all.document = document.take();
+          .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
+          .append(raster_table(problem.raster))
+          .append(tolerance_table(problem.tolerances, problem.type == MechanismType::four_bar))
+          .take();
   return all;
 }
 

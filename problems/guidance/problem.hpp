@@ -12,6 +12,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 #include "synthesis/exact/motion/pose.hpp"
 
@@ -50,6 +51,7 @@ struct MotionProblem {
   std::array<std::optional<Box>, 2> moving_bounds;
   Constraints constraints;
   Solve solve;
+  std::optional<Tolerances> tolerances{};
   bool designs_given = false;  ///< whether the file limits how many designs are returned
 };
 

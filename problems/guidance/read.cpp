@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -353,6 +355,7 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
                               "[\"RR\"] as well"},
       problem.constraints, problem.solve);
 
+  problem.tolerances = read_tolerances(document, four_bars ? four_bar_scope() : ToleranceScope{});
   tables.finish();
   return problem;
 }

@@ -6,6 +6,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -69,6 +70,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
                      .set("constraints", constraints_writer(problem.constraints))
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve))
+                     .append(tolerance_table(problem.tolerances, false))
                      .take();
   return all;
 }

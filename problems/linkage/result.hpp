@@ -20,6 +20,7 @@
 #include "problems/basics/quantity.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/result.hpp"
 #include "synthesis/search/deadline.hpp"
 
 namespace cognate::problems {
@@ -112,6 +113,7 @@ struct Design {
   /// Where the target came, if it may be moved; `error` is in the target's own unit all the same.
   std::optional<CurvePlacement> placement;
   std::optional<int> mirror_of;  ///< index of the design of which this is the mirror image
+  std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
 };
 
 /// The four-bar that `design` is. Only where its type is four_bar.

@@ -5,6 +5,7 @@
 
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/machine/problem.hpp"
+#include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::problems {
 namespace reading {

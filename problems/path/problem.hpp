@@ -15,6 +15,7 @@
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
 #include "problems/raster/raster.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -72,7 +73,8 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
-  std::optional<Raster> raster;      ///< least squares; which dimensions take single values only
+  std::optional<Raster> raster;  ///< least squares; which dimensions take single values only
+  std::optional<Tolerances> tolerances{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.

@@ -20,6 +20,7 @@
 #include "problems/path/read_curve.hpp"
 #include "problems/path/read_exact.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/tolerance/read.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
@@ -353,6 +354,7 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
 
   problem.raster = read_path_raster(document, problem);
 
+  problem.tolerances = read_tolerances(document, four_bar_scope());
   tables.finish();
   return problem;
 }

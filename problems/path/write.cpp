@@ -9,6 +9,7 @@
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/raster/read.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -116,16 +117,16 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
   if (problem.curve) constraints.set("no_extra_loop", problem.constraints.no_extra_loop);
   TableWriter solve = solve_writer(problem.solve);
   if (problem.atlas) solve.set("atlas", problem.atlas->name);
-  TableWriter document =
-      document_writer(kWord, problem.title, problem.length_unit)
-          .set("target", written_target(problem))
-          .set("mechanism", given_writer(problem.given))
-          .set("bounds", bounds_writer(problem.bounds))
-          .set("constraints", constraints)
-          .append(operation_tables(problem.constraints, problem.solve, all.faults))
-          .set("solve", solve);
-  if (problem.raster) document.set("raster", raster_writer(*problem.raster));
-  all.document = document.take();
+  all.document = document_writer(kWord, problem.title, problem.length_unit)
+                     .set("target", written_target(problem))
+                     .set("mechanism", given_writer(problem.given))
+                     .set("bounds", bounds_writer(problem.bounds))
+                     .set("constraints", constraints)
+                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
+                     .set("solve", solve)
+                     .append(raster_table(problem.raster))
+                     .append(tolerance_table(problem.tolerances, false))
+                     .take();
   return all;
 }
 

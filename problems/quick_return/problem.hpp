@@ -10,6 +10,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 
 namespace cognate::problems {
@@ -38,6 +39,7 @@ struct QuickReturnProblem {
   Constraints constraints;                               ///< four-bar only
   std::optional<double> pressure_angle_max;              ///< slider-crank, shaper
   Solve solve;
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

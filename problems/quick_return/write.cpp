@@ -1,6 +1,7 @@
 /// A quick-return problem written down, and checked by reading what was written.
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/quick_return/problem.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 
@@ -24,6 +25,9 @@ reading::Written KindTraits<QuickReturnProblem>::written(const QuickReturnProble
       .set("mechanism", mechanism);
   if (four_bar) document.set("bounds", bounds_writer(problem.bounds));
   document.set("constraints", constraints).set("solve", solve_writer(problem.solve));
+  const bool turns =
+      problem.type == QuickReturnType::four_bar || problem.type == QuickReturnType::guide_bar;
+  document.append(tolerance_table(problem.tolerances, turns));
   return {document.take(), {}};
 }
 

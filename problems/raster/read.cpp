@@ -68,9 +68,10 @@ void check_raster_values(TableReader& document, const Raster& raster, std::strin
                                      key, bounds_key, range.min, range.max));
 }
 
-TableWriter raster_writer(const Raster& raster) {
+Table raster_table(const std::optional<Raster>& raster) {
+  if (!raster) return {};
   TableWriter table;
-  for (const auto& [key, rule] : raster.rules) {
+  for (const auto& [key, rule] : raster->rules) {
     if (rule.step) {
       table.set(key, *rule.step);
     } else if (rule.values.empty()) {
@@ -79,7 +80,8 @@ TableWriter raster_writer(const Raster& raster) {
       table.set(key, rule.values);
     }
   }
-  return table.set(kRasterBoxesKey, raster.boxes);
+  table.set(kRasterBoxesKey, raster->boxes);
+  return TableWriter().set(kTable, table).take();
 }
 
 }  // namespace cognate::problems::reading

@@ -21,7 +21,7 @@ std::optional<Raster> read_raster(TableReader& document, std::span<const std::st
 void check_raster_values(TableReader& document, const Raster& raster, std::string_view key,
                          std::string_view group, const Range& range, std::string_view bounds_key);
 
-/// To `raster` of a document.
-TableWriter raster_writer(const Raster& raster);
+/// `raster`, of which that is read, where there is one.
+Table raster_table(const std::optional<Raster>& raster);
 
 }  // namespace cognate::problems::reading

@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -72,6 +73,7 @@ struct StraightLineProblem {
   CrankSides sides = CrankSides::same;  ///< of parallel cranks
   Constraints constraints;
   Solve solve;  ///< `designs` is 100 where the file says nothing
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -183,6 +185,7 @@ StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& 
   constexpr int kAll = 100;
   problem.solve.designs = solve.integer("designs", 1, kAll).value_or(kAll);
 
+  problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
   for (TableReader* table : {&target, &mechanism, &constraints, &solve}) table->finish();
   return problem;
 }

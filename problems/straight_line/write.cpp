@@ -1,6 +1,7 @@
 /// A straight-line problem written down, and checked by reading what was written.
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -68,6 +69,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
         .set("constraints", constraints)
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
+  document.append(tolerance_table(problem.tolerances, false));
   return {document.take(), {}};
 }
 
