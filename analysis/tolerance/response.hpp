@@ -19,9 +19,9 @@ struct Station {
   std::vector<double> sides;
 };
 
-/// The angle of a body's first axis, the displacement along a slide, the place of a point, or the
-/// transmission angle of a dyad (in [0, π], as DyadClosure has it).
-enum class ResponseType { angle, displacement, point, transmission };
+/// The angle of a body's first axis, the displacement along a slide, the place of a point, the
+/// transmission angle of a dyad (in [0, π]) or its discriminant, both as DyadClosure has them.
+enum class ResponseType { angle, displacement, point, transmission, closure };
 
 /// One of these. A displacement is counted along the slide of the nominal mechanism, from the place
 /// in the axes of its body at which that has it.
@@ -69,6 +69,8 @@ class ChangedMechanism {
         const DyadClosure<T>& closure = closures_[response.index];
         return {closure.cosine, sides_[response.index] * closure.sine};
       }
+      case ResponseType::closure:
+        return {closures_[response.index].discriminant, T(0)};
     }
     return {};
   }

@@ -47,9 +47,11 @@ class AtStation {
     for (std::size_t k = 0; k < count; ++k) changes[first + k].by[k] = Interval(1);
     ChangedMechanism<Enclosed> changed(mechanism_.at<Enclosed>(changes));
     changed.move_to(station_);
-    for (const auto& closure : changed.closures()) {
-      // At 0 the dyad is at a dead point; not a number where one before it is.
-      if (!(closure.discriminant.value.low > 0)) return false;
+    // At 0 a dyad is at a dead point; not a number where one before it is.
+    const bool of_closure = response_.type == ResponseType::closure;
+    const std::size_t closed = of_closure ? response_.index : changed.closures().size();
+    for (std::size_t i = 0; i < closed; ++i) {
+      if (!(changed.closures()[i].discriminant.value.low > 0)) return false;
     }
     const Vec2<Enclosed> at = changed.value(response_);
     for (std::size_t k = 0; k < count; ++k) {
@@ -154,20 +156,25 @@ std::optional<std::vector<Vec2<Interval>>> enclosed_rates(const AffineMechanism&
   return rates;
 }
 
-double farthest_corner(std::vector<Vec2d> vectors) {
+Vec2d farthest_corner_place(std::vector<Vec2d> vectors) {
   // On a half plane: the corners are met one after the other as its edge turns.
   for (Vec2d& v : vectors) {
     if (v.y < 0 || (v.y == 0 && v.x < 0)) v = -v;
   }
+  std::erase_if(vectors, [](const Vec2d& v) { return !(squared_norm(v) > 0); });
   std::ranges::sort(vectors, [](const Vec2d& a, const Vec2d& b) { return cross(a, b) > 0; });
   Vec2d corner{};
   for (const Vec2d& v : vectors) corner = corner + v;
-  double greatest = norm(corner);
+  Vec2d farthest = corner;
   for (const Vec2d& v : vectors) {
     corner = corner - 2.0 * v;
-    greatest = std::max(greatest, norm(corner));
+    if (squared_norm(corner) > squared_norm(farthest)) farthest = corner;
   }
-  return greatest;
+  return farthest;
+}
+
+double farthest_corner(std::vector<Vec2d> vectors) {
+  return norm(farthest_corner_place(std::move(vectors)));
 }
 
 }  // namespace cognate::synthesis

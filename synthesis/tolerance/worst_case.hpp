@@ -38,5 +38,7 @@ std::optional<std::vector<Vec2<Interval>>> enclosed_rates(const AffineMechanism&
 /// The greatest length of Σ tᵢ vᵢ with |tᵢ| ≤ 1: the farthest corner of a zonotope. `vectors` are
 /// reordered.
 double farthest_corner(std::vector<Vec2d> vectors);
+/// That corner.
+Vec2d farthest_corner_place(std::vector<Vec2d> vectors);
 
 }  // namespace cognate::synthesis
