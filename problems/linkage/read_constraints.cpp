@@ -118,6 +118,9 @@ void read_pivot_region(TableReader& table, const Given& given, Constraints& cons
   }
 }
 
+constexpr NumberRule kRobustShare{[](double x) { return x >= 0.5 && x <= 0.9999; },
+                                  "a share of what is made from 0.5 to 0.9999"};
+
 void read_counts(TableReader& table, int most_designs, Solve& solve) {
   constexpr int kMostStarts = 1'000'000;
   solve.starts = table.integer("starts", 1, kMostStarts);
@@ -183,6 +186,12 @@ void read_certificate(TableReader& table, std::string_view refusal, Solve& solve
                 "one of them out");
   }
   solve.certify_gap = gap.value_or(solve.certify_gap);
+}
+
+void read_robust(TableReader& table, std::string_view refusal, Solve& solve) {
+  constexpr std::string_view kKey = "robust";
+  solve.robust = table.number(kKey, kRobustShare);
+  if (table.has(kKey) && !refusal.empty()) table.fault(kKey, std::string(refusal));
 }
 
 }  // namespace cognate::problems::reading

@@ -23,6 +23,19 @@ std::string_view search_raster_refusal(const Solve& solve) {
   return {};
 }
 
+std::string_view robust_search_refusal(const Solve& solve) {
+  if (!solve.objectives.empty()) {
+    return "is given with solve.objectives, which it takes the place of; remove one of them";
+  }
+  if (solve.loss != synthesis::Loss::none) {
+    return "is given with solve.loss; robust designs start from least squares: remove one of them";
+  }
+  if (solve.certify) {
+    return "is given with solve.certify, which says nothing of quantiles; remove one of them";
+  }
+  return {};
+}
+
 void check_raster_bounds(TableReader& document, const Raster& raster, const Given& given,
                          const Bounds& bounds) {
   for (const LinkKey& link : kLinkKeys) {

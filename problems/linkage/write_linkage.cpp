@@ -146,6 +146,7 @@ TableWriter solve_writer(const Solve& solve) {
     table.set_name("loss", solve.loss).set("loss_scale", solve.loss_scale);
   }
   table.set("tolerance", solve.tolerance);
+  table.set("robust", solve.robust);
   if (solve.certify) table.set("certify", true).set("certify_gap", solve.certify_gap);
   return table;
 }

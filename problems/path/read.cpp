@@ -261,6 +261,26 @@ std::string_view raster_refusal(const PathProblem& problem) {
   return search_raster_refusal(problem.solve);
 }
 
+// Quantiles are those of tolerances, and sought from designs of least error.
+std::string_view robust_refusal(const PathProblem& problem) {
+  if (!problem.tolerances) {
+    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
+  }
+  if (problem.raster) return "is given with a raster; remove one of them";
+  if (problem.given.pivot_d && !problem.given.pivot_a) {
+    return "is given with pivot_d alone; give pivot_a as well, or neither";
+  }
+  if (problem.tolerances->pivots) {
+    return "is given with tolerance.pivots, which it does not take into account: give that of "
+           "frame instead, or remove it";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\"; remove it, or take place = \"given\"";
+  }
+  if (problem.method == PathMethod::exact) return "is given with method = \"exact\"; remove it";
+  return robust_search_refusal(problem.solve);
+}
+
 void check_raster_frame(TableReader& document, const PathProblem& problem) {
   const Raster& raster = *problem.raster;
   const Given& given = problem.given;
@@ -355,6 +375,7 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
   problem.raster = read_path_raster(document, problem);
 
   problem.tolerances = read_tolerances(document, four_bar_scope());
+  read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
   return problem;
 }

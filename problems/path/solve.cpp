@@ -98,10 +98,13 @@ class Designs {
     add_one(linkage, crank_angles);
   }
 
-  /// Whether such a design meets every constraint.
-  bool accepts(const FourBar& linkage, const std::vector<double>& crank_angles) const {
-    const Design design = verified(linkage, crank_angles);
-    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+  /// A design that meets every constraint; empty where one does not.
+  std::optional<Design> accepted(const FourBar& linkage,
+                                 const std::vector<double>& crank_angles) const {
+    Design design = verified(linkage, crank_angles);
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
   }
 
   bool enough() const {
@@ -257,7 +260,7 @@ Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadlin
                    problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
   Designs designs(problem, scale.size);
   const auto accepts = [&](const RasterPath& design) {
-    return designs.accepts(design.linkage, design.crank_angles);
+    return designs.accepted(design.linkage, design.crank_angles).has_value();
   };
   const RasterPathResult found =
       search_path_raster(problem, scaled, scale, continuous.minima, accepts, run, deadline);
@@ -272,6 +275,35 @@ Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadlin
   const auto error = [&](double objective) { return scale.size * rms_of(problem, objective); };
   std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
   result.notes = raster_notes(found.search, error);
+  return result;
+}
+
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline& deadline) {
+  const PathScale scale(problem);
+  PathProblem scaled = scale.into(problem);
+  scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
+  Result result;
+  const PathSearchResult nominal =
+      search_paths(scaled, synthesis::chosen(problem.solve.solver),
+                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  const Designs designs(problem, scale.size);
+  RobustTask task = robust_path_task(problem, scaled, scale, nominal.minima,
+                                     [&](const FourBar& linkage, std::vector<double> crank_angles) {
+                                       for (double& angle : crank_angles)
+                                         angle = in_one_turn(angle);
+                                       auto design = designs.accepted(linkage, crank_angles);
+                                       if (design) design->origin = "robust";
+                                       return design;
+                                     });
+  task.error = [&](const Design& design) { return error_of(problem, design); };
+  result.quantities = quantities(nominal.statistics);
+  add_robust(task, robust_designs(task, run, deadline), false, result);
+  if (deadline.reached()) {
+    result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  } else if (!result.designs.empty()) {
+    result.status = Status::solved;
+  }
   return result;
 }
 
@@ -310,8 +342,9 @@ Result solve(const PathProblem& given, const Run& run) {
     result.work.threads = thread_count(run.threads);
     result.work.seconds = deadline.spent();
   };
-  if (problem.raster) {
-    Result result = solve_on_raster(problem, run, deadline);
+  if (problem.raster || problem.solve.robust) {
+    Result result = problem.raster ? solve_on_raster(problem, run, deadline)
+                                   : solve_robustly(problem, run, deadline);
     finish(result);
     return result;
   }
