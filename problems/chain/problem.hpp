@@ -13,6 +13,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -44,6 +45,7 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  std::optional<Raster> raster{};  ///< of one topology
   std::optional<Tolerances> tolerances{};
 };
 

@@ -3,6 +3,7 @@
 #include "problems/chain/read_parts.hpp"
 #include "problems/chain/write_design.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
@@ -46,6 +47,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
+          .append(raster_table(problem.raster))
           .append(tolerance_table(problem.tolerances, false))
           .take();
   return all;

@@ -267,6 +267,18 @@ std::string_view raster_refusal(const FunctionProblem& problem) {
   return search_raster_refusal(problem.solve);
 }
 
+std::string_view robust_refusal(const FunctionProblem& problem) {
+  if (!problem.tolerances) {
+    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
+  }
+  if (problem.raster) return "is given with a raster; remove one of them";
+  if (problem.objective != FunctionObjective::least_squares) {
+    return "is given, but robust designs start from least squares; expected objective = "
+           "\"least-squares\", or remove it";
+  }
+  return robust_search_refusal(problem.solve);
+}
+
 // On a raster the size matters: bounds of the crank take the place of its unit.
 std::optional<Raster> read_function_raster(TableReader& document, TableReader& mechanism,
                                            FunctionProblem& problem) {
@@ -330,6 +342,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
   problem.raster = read_function_raster(document, mechanism, problem);
 
   problem.tolerances = read_tolerances(document, function_scope(problem));
+  read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
   return problem;
 }

@@ -23,6 +23,7 @@
 #include "problems/function/exact.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/raster.hpp"
+#include "problems/function/robust.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/scatter.hpp"
 #include "problems/function/search.hpp"
@@ -194,6 +195,29 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
   return result;
 }
 
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result solve_robustly(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  FunctionProblem with_more = problem;
+  with_more.solve.designs = std::max(problem.solve.designs, kMinima);
+  const auto nominal = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto verified = [&](const FunctionGenerator& generator) -> std::optional<Design> {
+    Design design = function_design(problem, wanted, generator,
+                                    positions_of(generator, wanted.samples), "robust");
+    check_error(problem, design);
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
+  };
+  RobustTask task = robust_function_task(problem, wanted, nominal.minima, verified);
+  task.error = [&](const Design& design) { return degrees(error_of(problem, design)); };
+  result.quantities = quantities(nominal.statistics);
+  add_robust(task, robust_designs(task, run, deadline), true, result);
+  result.status = status(result, deadline, deadline.reached());
+  return result;
+}
+
 void add_certificate(const FunctionProblem& problem, const Run& run, const Deadline& deadline,
                      Result& result) {
   if (result.status != Status::solved) {
@@ -220,7 +244,7 @@ Result solve(const FunctionProblem& given, const Run& run) {
       : problem.raster
           ? solve_on_raster(problem, run, deadline)
           : solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
-  if (!exact && !problem.raster) {
+  if (!exact && !problem.raster && !problem.solve.robust) {
     Run silent = run;
     silent.progress = nullptr;
     const auto solve_once = [&](const FunctionProblem& other) {
