@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/console/messages.hpp"
@@ -16,6 +18,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/keys.hpp"
 #include "problems/linkage/warning_keys.hpp"
+#include "problems/raster/keys.hpp"
 
 namespace cognate::app {
 namespace {
@@ -130,9 +133,30 @@ constexpr Entry kHeadKeys[] = {
      "in "
      "kg m2 whatever it is; without it lengths count as m where there are forces"}};
 
+/// The keys of `[raster]`, from their declarations.
+std::span<const Entry> raster_entries() {
+  static const auto all = [] {
+    std::array<Entry, problems::kRasterKeys.size() + 1> entries{};
+    for (std::size_t i = 0; i < problems::kRasterKeys.size(); ++i) {
+      entries[i] = {problems::kRasterKeys[i].key, problems::kRasterKeys[i].meaning};
+    }
+    entries.back() = {problems::kRasterBoxesKey, problems::kRasterBoxesMeaning};
+    return entries;
+  }();
+  return all;
+}
+
 /// The tables with the same keys in every synthesis problem for which they have a meaning.
 std::span<const KeyedEntry> common_tables() {
-  return kCommon;
+  static const auto all = [] {
+    std::vector<KeyedEntry> tables(std::begin(kCommon), std::end(kCommon));
+    tables.push_back({"[raster]",
+                      "dimensions that take single values only, the best of all combinations "
+                      "(paths and functions by least squares)",
+                      raster_entries()});
+    return tables;
+  }();
+  return all;
 }
 
 using nlohmann::ordered_json;

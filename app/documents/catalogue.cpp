@@ -17,8 +17,9 @@ constexpr Entry kAtlas[] = {{"atlas",
                              "paths, closed curves: the study file of an atlas, whose nearest "
                              "curves a search begins with"}};
 
-constexpr auto kSolveOptions = entries_of(keys::kSearchKeys, kObjectives, keys::kLossKeys,
-                                          keys::kToleranceKeys, kAtlas, keys::kCertificateKeys);
+constexpr auto kSolveOptions =
+    entries_of(keys::kSearchKeys, kObjectives, keys::kLossKeys, keys::kStoppingKeys, kAtlas,
+               keys::kCertificateKeys, keys::kRobustKeys);
 
 constexpr Metric kMotionMetrics[] = {
     {"class", "",
@@ -129,6 +130,20 @@ constexpr Metric kQuantities[] = {
     {"certified_real_solutions", "1", "real ones proven to be real"},
     {"free_parameters", "1", "dimensions that the positions leave free"},
     {"family_members_solved", "1", "choices of these that were solved for"},
+    {"raster_combinations", "1", "of values of the dimensions on a raster"},
+    {"raster_covered", "1",
+     "of these, that were evaluated or lie in ranges no local minimum of which is better"},
+    {"raster_evaluated", "1", "of these, that were evaluated"},
+    {"raster_boxes", "1", "ranges of the dimensions whose minima were found"},
+    {"raster_complete", "boolean", "whether all combinations are covered"},
+    {"raster_proven", "boolean", "whether each combination was evaluated: none is better"},
+    {"raster_error, raster_bound", "length or deg",
+     "root mean square error of the best design on the raster; what a combination that is not "
+     "covered may have by the minima of its range (no proof unless raster_proven)"},
+    {"raster_gap", "1", "(raster_error - raster_bound)/raster_error"},
+    {"continuous_error, rounded_error", "length or deg",
+     "of the optimum without a raster, and of that with each dimension rounded"},
+    {"rounded_feasible", "boolean", "whether the latter meets every constraint"},
     {"starts", "1", "local searches of a global one"},
     {"target_length", "length", "of a closed target curve (paths)"},
     {"best_hits", "1", "how many of them reached the best minimum"},

@@ -13,6 +13,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -45,6 +46,7 @@ struct ChainPathProblem {
   ChainConstraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Raster> raster{};  ///< of one topology
   std::optional<Tolerances> tolerances{};
 };
 

@@ -4,6 +4,7 @@
 #include "problems/chain/write_design.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
@@ -48,6 +49,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
           .set("warnings", warnings_writer(problem.warnings))
+          .append(raster_table(problem.raster))
           .append(tolerance_table(problem.tolerances, false))
           .take();
   return all;

@@ -15,6 +15,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -80,6 +81,7 @@ struct FunctionProblem {
   Constraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Raster> raster;  ///< least squares; which lengths take single values only
   std::optional<Tolerances> tolerances{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@
 #include "problems/function/error.hpp"
 #include "problems/function/exact.hpp"
 #include "problems/function/problem.hpp"
+#include "problems/function/raster.hpp"
+#include "problems/function/robust.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/scatter.hpp"
 #include "problems/function/search.hpp"
@@ -34,7 +37,9 @@
 #include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/twins.hpp"
+#include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -165,6 +170,59 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
   return result;
 }
 
+/// The continuous optimum and other minima, then the raster.
+Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  FunctionProblem with_more = problem;
+  with_more.solve.designs = std::max(problem.solve.designs, kMinima);
+  const auto continuous = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto design_of = [&](const FunctionGenerator& generator) {
+    Design design = function_design(problem, wanted, generator,
+                                    positions_of(generator, wanted.samples), "raster");
+    check_error(problem, design);
+    return design;
+  };
+  const auto accepts = [&](const FunctionGenerator& generator) {
+    const Design design = design_of(generator);
+    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+  };
+  const auto found =
+      search_function_raster(problem, wanted, continuous.minima, accepts, run, deadline);
+  for (const FunctionGenerator& one : found.designs) result.designs.push_back(design_of(one));
+  result.quantities = quantities(continuous.statistics);
+  const auto error = [&](double objective) {
+    return degrees(std::sqrt(objective / double(wanted.samples.size())));
+  };
+  std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, error);
+  result.status = status(result, deadline, deadline.reached());
+  return result;
+}
+
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result solve_robustly(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  FunctionProblem with_more = problem;
+  with_more.solve.designs = std::max(problem.solve.designs, kMinima);
+  const auto nominal = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto verified = [&](const FunctionGenerator& generator) -> std::optional<Design> {
+    Design design = function_design(problem, wanted, generator,
+                                    positions_of(generator, wanted.samples), "robust");
+    check_error(problem, design);
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
+  };
+  RobustTask task = robust_function_task(problem, wanted, nominal.minima, verified);
+  task.error = [&](const Design& design) { return degrees(error_of(problem, design)); };
+  result.quantities = quantities(nominal.statistics);
+  add_robust(task, robust_designs(task, run, deadline), true, result);
+  result.status = status(result, deadline, deadline.reached());
+  return result;
+}
+
 void add_certificate(const FunctionProblem& problem, const Run& run, const Deadline& deadline,
                      Result& result) {
   if (result.status != Status::solved) {
@@ -223,10 +281,14 @@ Result solve(const FunctionProblem& given, const Run& run) {
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
     return solve_by_search(one, own, deadline);
   };
-  Result result = exact ? solve_exactly(problem, deadline)
-                        : solve_objectives(problem, before_certificate(run, problem.solve),
-                                           deadline, solve_one);
-  if (!exact) {
+  const auto solve_as_asked = [&] {
+    if (exact) return solve_exactly(problem, deadline);
+    if (problem.raster) return solve_on_raster(problem, run, deadline);
+    if (problem.solve.robust) return solve_robustly(problem, run, deadline);
+    return solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
+  };
+  Result result = solve_as_asked();
+  if (!exact && !problem.raster && !problem.solve.robust) {
     Run silent = run;
     silent.progress = nullptr;
     const auto solve_once = [&](const FunctionProblem& other) {

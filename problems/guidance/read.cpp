@@ -359,7 +359,6 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
   problem.tolerances = read_tolerances(document, four_bars ? four_bar_scope() : ToleranceScope{});
   tables.finish();
   problem.warnings = read_warnings(document);
-  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -71,8 +71,17 @@ inline constexpr Key<Solve> kLossKeys[] = {
         "with a loss: the error from which it differs, a length for paths, radians for functions",
         kErrorScale)};
 
-inline constexpr Key<Solve> kToleranceKeys[] = {key<&Solve::tolerance>(
+inline constexpr Key<Solve> kStoppingKeys[] = {key<&Solve::tolerance>(
     "tolerance", "relative change of the error at which a refinement stops", kTolerance)};
+
+inline constexpr NumberRule kRobustShare{[](double x) { return x >= 0.5 && x <= 0.9999; },
+                                         "a share of what is made from 0.5 to 0.9999"};
+
+inline constexpr Key<Solve> kRobustKeys[] = {key<&Solve::robust>(
+    "robust",
+    "with [tolerance]: the share of what is made, 0.5 to 0.9999, whose error is to be least; "
+    "paths and functions by least squares",
+    kRobustShare)};
 
 inline constexpr Key<Solve> kCertificateKeys[] = {
     key<&Solve::certify>("certify",

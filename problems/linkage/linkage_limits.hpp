@@ -123,6 +123,8 @@ struct Solve {
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
   bool certify = false;             ///< prove how near the best design is to the best possible
   double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
+  /// With tolerances: the share of what is made whose error is to be least.
+  std::optional<double> robust{};
 };
 
 /// `[warnings]`: from where on designs that meet every constraint are warned of; see warnings.hpp.

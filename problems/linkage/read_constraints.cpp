@@ -123,7 +123,7 @@ Solve read_solve(TableReader& table, const Constraints& constraints, bool minima
   Solve solve;
   read_keys(table, kSearchKeys, solve);
   read_design_count(table, most_designs, solve);
-  read_keys(table, kToleranceKeys, solve);
+  read_keys(table, kStoppingKeys, solve);
   check_solver(table, solve.solver, constraints, minimax);
   return solve;
 }
@@ -173,6 +173,11 @@ void read_certificate(TableReader& table, std::string_view refusal, Solve& solve
                 "is true with a loss, but only sums of squares can be certified; leave "
                 "one of them out");
   }
+}
+
+void read_robust(TableReader& table, std::string_view refusal, Solve& solve) {
+  read_keys(table, kRobustKeys, solve);
+  if (table.has("robust") && !refusal.empty()) table.fault("robust", std::string(refusal));
 }
 
 }  // namespace cognate::problems::reading

@@ -38,4 +38,7 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve);
 /// certified and what can, for a message; empty where it can be.
 void read_certificate(TableReader& table, std::string_view refusal, Solve& solve);
 
+/// `robust`. `refusal`: what speaks against it, "is given with …".
+void read_robust(TableReader& table, std::string_view refusal, Solve& solve);
+
 }  // namespace cognate::problems::reading

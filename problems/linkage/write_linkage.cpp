@@ -138,7 +138,8 @@ TableWriter solve_writer(const Solve& solve) {
   }
   if (!objectives.empty()) table.set("objectives", objectives);
   if (solve.loss != synthesis::Loss::none) write_keys(solve, kLossKeys, table);
-  write_keys(solve, kToleranceKeys, table);
+  write_keys(solve, kStoppingKeys, table);
+  write_keys(solve, kRobustKeys, table);
   return solve.certify ? write_keys(solve, kCertificateKeys, table) : table;
 }
 

@@ -14,6 +14,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -73,6 +74,7 @@ struct PathProblem {
   Constraints constraints;
   Solve solve;
   WarningLimits warnings{};
+  std::optional<Raster> raster;  ///< least squares; which dimensions take single values only
   std::optional<Tolerances> tolerances{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
