@@ -285,8 +285,11 @@ py::list types() {
     if constexpr (problems::SimpleType<Type>) {
       for (const auto& key : Traits::kKeys) {
         const auto form = std::visit([](const auto& holds) { return holds.kForm; }, key.holds);
-        keys.append(
-            py::make_tuple(std::string(key.name), std::string(form), std::string(key.meaning)));
+        const bool is_required =
+            form == "length" || form == "pivots" ||
+            std::holds_alternative<problems::NonzeroKey<Type>>(key.holds);
+        keys.append(py::make_tuple(std::string(key.name), std::string(form),
+                                   std::string(key.meaning), is_required));
       }
     }
     all.append(py::make_tuple(std::string(Traits::kWord), std::string(Traits::kMeaning), keys));

@@ -183,17 +183,24 @@ _FORMS = {"length": "float", "number": "float", "place": "[x, y]", "pivots": "[[
           "direction": "float, degrees", "assembly": "str", "point": "[u, v]"}
 
 
-def _class_of(word: str, meaning: str, keys: Sequence[tuple[str, str, str]]) -> type[Mechanism]:
+def _class_of(word: str, meaning: str,
+              keys: Sequence[tuple[str, str, str, bool]]) -> type[Mechanism]:
     lines = [f"{meaning[0].upper()}{meaning[1:]}.", "", "Keywords", "--------"]
-    for key, form, text in keys:
+    for key, form, text, _ in keys:
         lines += [f"{key} : {_FORMS[form]}", f"    {text[0].upper()}{text[1:]}."]
     lines += ["point : list of dictionaries", "    ``[[point]]``: further points of its links."]
-    made = type(_name(word), (Mechanism,),
-                {"__doc__": "\n".join(lines), "_word": word, "__module__": __name__})
-    parameters = [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None)
-                  for key in (*(key for key, _, _ in keys), "point")]
-    made.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    return made
+
+    def __init__(self: Mechanism, **values: Any) -> None:
+        Mechanism.__init__(self, **values)
+
+    kind = inspect.Parameter.KEYWORD_ONLY
+    parameters = [inspect.Parameter(key, kind) if required
+                  else inspect.Parameter(key, kind, default=None) for key, _, _, required in keys]
+    parameters.append(inspect.Parameter("point", kind, default=None))
+    own = inspect.Parameter("self", inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    __init__.__signature__ = inspect.Signature([own, *parameters])  # type: ignore[attr-defined]
+    return type(_name(word), (Mechanism,), {"__doc__": "\n".join(lines), "_word": word,
+                                            "__module__": __name__, "__init__": __init__})
 
 
 _CLASSES = {word: _class_of(word, meaning, keys)
