@@ -142,11 +142,12 @@ class ResultTest(InFolder):
         with self.assertRaises(IndexError):
             result.designs[len(result.designs)]
 
-    def test_warnings_name_the_design(self):
-        document = {**self.results["quick-return/crank-rocker-best"].document,
-                    "notes": ["Design 1, 3: too long.", "Design 2: odd.", "Other."]}
-        result = cognate.Result(cognate._core.answer_of_document(json.dumps(document), "x"))
-        self.assertEqual(result.designs[0].warnings, ["Design 1, 3: too long."])
+    def test_warnings(self):
+        result = cognate.solve(LIBRARY / "quick-return/crank-rocker-best.toml",
+                               constraints={"transmission_angle_deg": [89, 91]})
+        for design in result.designs:
+            self.assertEqual(any(name in text for text in design.warnings
+                                 for name in ["transmission_angle_deg"]), not design.is_feasible)
 
     def test_frames(self):
         import pandas

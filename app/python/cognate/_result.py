@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
@@ -161,14 +160,10 @@ class Design:
 
     @property
     def warnings(self) -> list[str]:
-        """The notes of the result that name this design, and constraints that it misses."""
-        found = [f"{c.name} is {c.value}; the bound is {c.bound}"
-                 for c in self.constraints if not c.satisfied]
-        for note in self._result.notes:
-            named = re.match(r"Design ([\d, ]+)", note)
-            if named and str(self.number) in re.findall(r"\d+", named.group(1)):
-                found.append(note)
-        return found
+        """Why it would hardly be built though it meets the file, and constraints that it misses."""
+        missed = [f"{c.name} is {c.value}; the bound is {c.bound}"
+                  for c in self.constraints if not c.satisfied]
+        return [*missed, *self._table.get("warnings", [])]
 
     @property
     def origin(self) -> str:
@@ -289,6 +284,11 @@ class Result:
     def notes(self) -> list[str]:
         """Sentences: degeneracies, why nothing was found, what no engineer would build."""
         return [str(note) for note in self.document["notes"]]
+
+    @property
+    def warnings(self) -> list[str]:
+        """Those of the designs, with their numbers."""
+        return [str(warning) for warning in self.document.get("warnings", [])]
 
     @property
     def facts(self) -> Any:
