@@ -200,6 +200,7 @@ std::string key_in(std::string_view message) {
 std::string key_of(const Source& source, const Fault& fault) {
   const std::string there = key_at(source.places, {fault.line, fault.column});
   const std::string said = key_in(fault.message);
+  if (source.places.empty() && source.file.empty()) return said;
   const bool is_below = there.empty() || said.starts_with(there + ".");
   const bool is_missing = fault.message.find("is missing") != std::string::npos ||
                           fault.message.find("are missing") != std::string::npos;

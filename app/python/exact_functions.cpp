@@ -167,6 +167,9 @@ py::object smallest_cam(const py::object& motion, double pressure_deg, const py:
   follower["type"] = "translating-roller";
   document["follower"] = follower;
   document["motion"] = motion;
+  py::dict constraints;
+  constraints["pressure_angle_deg_max"] = pressure_deg;
+  document["constraints"] = constraints;
   const Source source = source_of(document);
   auto read = problems::reading::read_task(source.document, source.folder);
   if (!read) raise_faults(source, read.error());

@@ -285,9 +285,8 @@ py::list types() {
     if constexpr (problems::SimpleType<Type>) {
       for (const auto& key : Traits::kKeys) {
         const auto form = std::visit([](const auto& holds) { return holds.kForm; }, key.holds);
-        const bool is_required =
-            form == "length" || form == "pivots" ||
-            std::holds_alternative<problems::NonzeroKey<Type>>(key.holds);
+        const bool is_required = form == "length" || form == "pivots" ||
+                                 std::holds_alternative<problems::NonzeroKey<Type>>(key.holds);
         keys.append(py::make_tuple(std::string(key.name), std::string(form),
                                    std::string(key.meaning), is_required));
       }

@@ -35,10 +35,9 @@ using problems::Task;
 /// Of a cam's table over its turn, as `cognate solve` has it.
 constexpr int kTurnSteps = 360;
 
-/// What `parse` makes of a value as its text; None is nothing. A fault is told of the keyword.
+/// What `parse` makes of a value as its text; None is nothing. Faults name the option.
 template <class Parse>
-auto parsed(const py::object& value, const char* option, const char* keyword, const Parse& parse,
-            std::vector<std::string>& faults) {
+auto parsed(const py::object& value, const Parse& parse, std::vector<std::string>& faults) {
   using Value = typename std::invoke_result_t<Parse, std::string_view>::value_type;
   std::optional<Value> result;
   if (value.is_none()) return result;
@@ -46,17 +45,29 @@ auto parsed(const py::object& value, const char* option, const char* keyword, co
   if (read) {
     result = *read;
   } else {
-    std::string message = read.error();
-    if (message.starts_with(option)) message.replace(0, std::string_view(option).size(), keyword);
-    faults.push_back(std::move(message));
+    faults.push_back(read.error());
   }
   return result;
+}
+
+/// `message` with the options that it names, "--cutter-radius", as keywords, "cutter_radius".
+std::string as_keywords(std::string message) {
+  for (auto at = message.find("--"); at != std::string::npos; at = message.find("--", at)) {
+    message.erase(at, 2);
+    const auto is_part = [](char c) { return c == '-' || ('a' <= c && c <= 'z'); };
+    for (; at < message.size() && is_part(message[at]); ++at) {
+      if (message[at] == '-') message[at] = '_';
+    }
+  }
+  return message;
 }
 
 void raise_arguments(const std::vector<std::string>& messages) {
   if (messages.empty()) return;
   std::vector<Fault> faults;
-  for (const std::string& message : messages) faults.push_back({kFirstOfPython, 1, message});
+  for (const std::string& message : messages) {
+    faults.push_back({kFirstOfPython, 1, as_keywords(message)});
+  }
   Source arguments;
   raise_faults(arguments, faults);
 }
@@ -189,7 +200,7 @@ py::dict export_files(const std::string& document, const std::string& name, cons
   std::vector<std::string> faults;
   const auto unit = parsed(
       text(options, "length_unit") ? py::object(options["length_unit"]) : py::object(py::none()),
-      "--length-unit", "length_unit", app::parse_length_unit, faults);
+      app::parse_length_unit, faults);
   raise_arguments(faults);
   const auto design = app::parse_result_design(document, exporting.design, name)
                           .and_then([&](app::ResultDesign read) {
@@ -278,12 +289,9 @@ void bind_answer(py::module_& module) {
 RunOptions checked(const Steering& steering) {
   std::vector<std::string> faults;
   RunOptions options;
-  options.seed =
-      parsed(steering.seed, "--seed", "seed", app::parse_seed, faults).value_or(options.seed);
-  options.threads = parsed(steering.threads, "--threads", "threads", app::parse_threads, faults)
-                        .value_or(options.threads);
-  options.time_limit =
-      parsed(steering.time_limit, "--time-limit", "time_limit", app::parse_time_limit, faults);
+  options.seed = parsed(steering.seed, app::parse_seed, faults).value_or(options.seed);
+  options.threads = parsed(steering.threads, app::parse_threads, faults).value_or(options.threads);
+  options.time_limit = parsed(steering.time_limit, app::parse_time_limit, faults);
   if (!steering.progress.is_none() && PyCallable_Check(steering.progress.ptr()) == 0) {
     faults.emplace_back(
         "progress is no function; expected True, False or a function of the share "

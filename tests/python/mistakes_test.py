@@ -36,7 +36,7 @@ MISTAKES = [  # what is done, the key, a part of the message
     (check(kind=KIND, target={"points": "0 0 1 1"}), "target.points", "array"),
     (check(kind=KIND, target={"points": {1, 2}}), "target.points", "set"),
     (check(kind=KIND, target={"points": np.array([1 + 2j])}), "target.points", "complex"),
-    (check(kind=KIND, target={"points": POINTS, "timing": "prescribed"}), "target.crank_deg", "missing"),
+    (check(kind=KIND, target={"points": POINTS, "timing": "prescribed"}), "target.timing", "crank_deg"),
     (check(kind=KIND, target=POINTS), "target", "table"),
     (check(kind=KIND, target={"points": POINTS}, bounds={"length": [5, 1]}), "bounds.length", ""),
     (check(kind=KIND, target={"points": POINTS}, solve={"designs": 2.5}), "solve.designs", "integer"),

@@ -15,6 +15,7 @@ mechanism says; :func:`cognate.analyze` follows a motion through change points.
 
 from __future__ import annotations
 
+import copy
 import inspect
 from typing import Any, Mapping, Optional, Sequence
 
@@ -40,6 +41,7 @@ class Mechanism(_core.Mechanism):
                                      f"type is given; a {type(self).__name__} has its own")])
             keys = {"type": self._word, **keys}
         super().__init__(keys)
+        self._given = copy.deepcopy(keys)
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of ``[mechanism]``, with every default."""
@@ -87,7 +89,7 @@ class Mechanism(_core.Mechanism):
         """
         if angles is None:
             angles = np.linspace(0, 2 * np.pi, 360, endpoint=False)
-        return self._point(point or self._drawn_point(), angles, 0, threads)
+        return self._point(self._drawn_point() if point is None else point, angles, 0, threads)
 
     def rotations(self, angles: Any, *, order: int = 0, threads: int = 1) -> dict[str, Any]:
         """Angles of the moving bodies in (-pi, pi], (...), or their derivatives by the drive."""
@@ -103,7 +105,7 @@ class Mechanism(_core.Mechanism):
         ``"crank"``, ``"fixed_pivots[0][1]"``, ``"coupler_point[0]"``; those by ``"..._deg"`` are
         for a degree. The angles of the drive stay as they are. Not for chains.
         """
-        return self._gradient(point or self._drawn_point(), angles)
+        return self._gradient(self._drawn_point() if point is None else point, angles)
 
     def forces(self, angles: Any, *, speed: float = 1.0, acceleration: float = 0.0,
                link: Optional[Sequence[Mapping[str, Any]]] = None,
@@ -163,7 +165,7 @@ class Mechanism(_core.Mechanism):
         return _show.mechanism_svg(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return mechanism_of, (self.to_dict(),)
+        return mechanism_of, (self._given,)
 
 
 def _factor(value: Any, name: str) -> Any:
