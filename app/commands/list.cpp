@@ -294,11 +294,21 @@ ordered_json document_of(const std::vector<ListSection>& sections) {
   return document;
 }
 
+/// Of all kinds where `kind` is empty.
+std::vector<ListSection> sections_of(const std::string& kind, bool metrics) {
+  if (!kind.empty()) return of_kind(kind, metrics);
+  return metrics ? listed(metric_lists()) : capabilities();
+}
+
 }  // namespace
 
+std::optional<ordered_json> list_document(const std::string& kind, bool metrics) {
+  const auto sections = sections_of(kind, metrics);
+  return sections.empty() ? std::nullopt : std::optional(document_of(sections));
+}
+
 ExitStatus list_command(const std::string& kind, bool metrics, const Options& options) {
-  const auto all = [&] { return metrics ? listed(metric_lists()) : capabilities(); };
-  const auto sections = kind.empty() ? all() : of_kind(kind, metrics);
+  const auto sections = sections_of(kind, metrics);
   if (sections.empty()) {
     complain(unknown_kind(kind));
     return exit_bad_input;
