@@ -85,8 +85,8 @@ void read_chain_solve(TableReader& table, Solve& solve) {
 void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types) {
   mechanism.choice_of("type", types);
-  document.know({"target", "mechanism", "bounds", "constraints", "solve", "pivot", "crank", "dyad",
-                 "point", "tolerance"});
+  document.know({"target", "mechanism", "bounds", "constraints", "solve", "raster", "pivot",
+                 "crank", "dyad", "point", "raster", "tolerance"});
 }
 
 }  // namespace cognate::problems::reading

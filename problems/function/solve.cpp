@@ -239,11 +239,13 @@ Result solve(const FunctionProblem& given, const Run& run) {
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
     return solve_by_search(one, own, deadline);
   };
-  Result result =
-      exact ? solve_exactly(problem, deadline)
-      : problem.raster
-          ? solve_on_raster(problem, run, deadline)
-          : solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
+  const auto solve_any = [&] {
+    if (exact) return solve_exactly(problem, deadline);
+    if (problem.raster) return solve_on_raster(problem, run, deadline);
+    if (problem.solve.robust) return solve_robustly(problem, run, deadline);
+    return solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
+  };
+  Result result = solve_any();
   if (!exact && !problem.raster && !problem.solve.robust) {
     Run silent = run;
     silent.progress = nullptr;
