@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/output_files.hpp"
@@ -38,12 +39,6 @@ nlohmann::ordered_json export_document(const fs::path& file, const Exported& mad
 
 ExitStatus complain_that(const std::string& what) {
   complain(what);
-  return exit_bad_input;
-}
-
-/// Says `message`, which begins with a file's name.
-ExitStatus refuse_file(const std::string& message) {
-  write_standard_error(printable(message) + '\n');
   return exit_bad_input;
 }
 
@@ -106,11 +101,11 @@ ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
   const auto design = read_result_design(file, exporting.design).and_then([&](ResultDesign read) {
     return in_length_unit(std::move(read), options.length_unit);
   });
-  if (!design) return refuse_file(design.error());
+  if (!design) return refuse_result(file, design.error(), options);
   const auto made = export_design(*design, exporting, stem_of_result(file), options);
   if (made) return write_and_tell(file, *made, options);
   const auto& [message, of_file] = made.error();
-  return of_file ? refuse_file(message) : complain_that(message);
+  return of_file ? refuse_result(file, message, options) : complain_that(message);
 }
 
 }  // namespace cognate::app

@@ -54,7 +54,7 @@ using nlohmann::ordered_json;
 using problems::Cell;
 using problems::Study;
 
-/// What a page bears that is to open at once.
+/// What a page holds that is to open at once.
 constexpr std::size_t kStudyRows = 5'000;
 constexpr std::size_t kStudyCells = 80'000;
 constexpr std::size_t kBaseText = 200'000;

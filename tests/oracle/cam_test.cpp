@@ -15,7 +15,7 @@
 #include "tests/support/cam_problems.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::cam_test {
 namespace {
 
 using cam::MotionLaw;
@@ -284,4 +284,4 @@ TEST(CamOracle, LimitsOfRiseAndReturnHoldOnBothSides) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_test

@@ -16,7 +16,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::exact_function_test {
 namespace {
 
 FunctionProblem parsed(const std::string& text) {
@@ -467,4 +467,4 @@ TEST(ExactFunction, JumpWithinTheDomainIsNoted) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::exact_function_test

@@ -15,7 +15,7 @@
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_generation_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -368,4 +368,4 @@ TEST(RefinedFunction, MinimaxOfATableIsTheSameForEverySeed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_generation_test

@@ -8,7 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::gear_test {
 namespace {
 
 using gear::SpurGear;
@@ -157,4 +157,4 @@ TEST(GearOracle, UndercutGear) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_test

@@ -13,7 +13,7 @@
 #include "tests/oracle/li_xu.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::li_xu_files_test {
 namespace {
 
 struct File {
@@ -98,4 +98,4 @@ TEST(LiXuFiles, EveryRowOfForces) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::li_xu_files_test

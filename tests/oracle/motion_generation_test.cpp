@@ -13,7 +13,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_generation_test {
 namespace {
 
 Result solved(const std::string& name) {
@@ -210,4 +210,4 @@ TEST(MotionOracleTest, LibraryIsSolved) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_generation_test

@@ -17,7 +17,7 @@
 #include "synthesis/fit/dyad_fit.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_least_squares_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -348,4 +348,4 @@ TEST(MotionLeastSquares, APlantedSliderCrankComesBack) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_least_squares_test

@@ -13,7 +13,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::noisy_paths_test {
 namespace {
 
 PathProblem problem_of(const char* name) {
@@ -115,4 +115,4 @@ TEST(NoisyPaths, EverySeedFindsTheBestOfATripleRockerWithLimits) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::noisy_paths_test

@@ -21,7 +21,7 @@
 #include "tests/support/folders.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_exact_test {
 namespace {
 
 PathProblem library(const std::string& name) {
@@ -439,4 +439,4 @@ TEST(ExactPaths, NameWhatCoincides) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_exact_test

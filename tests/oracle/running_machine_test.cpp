@@ -13,7 +13,7 @@
 #include "tests/support/folders.hpp"
 #include "tests/support/machines.hpp"
 
-namespace cognate::machine {
+namespace cognate::machine::running_machine_test {
 namespace {
 
 using test::PeriodicTable;
@@ -230,4 +230,4 @@ TEST(ShaperExample, NeedsTheFlywheelThatGivesItsFluctuation) {
 }
 
 }  // namespace
-}  // namespace cognate::machine
+}  // namespace cognate::machine::running_machine_test

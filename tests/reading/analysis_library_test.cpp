@@ -16,7 +16,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::analysis_library_test {
 namespace {
 
 const std::filesystem::path kLibrary = std::filesystem::path(kLibraryFolder) / "analysis";
@@ -160,4 +160,4 @@ TEST(AnalysisLibraryTest, ClaimsOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::analysis_library_test

@@ -9,7 +9,7 @@
 #include "tests/reading/fault_cases.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::chain_problem_test {
 namespace {
 
 /// A file with `more` after a closed target of four points; the first line of it is line 4.
@@ -177,4 +177,4 @@ const FaultCase kFaults[] = {
 INSTANTIATE_TEST_SUITE_P(Files, ChainFaults, testing::ValuesIn(kFaults), name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::chain_problem_test

@@ -14,7 +14,7 @@
 #include "tests/reading/fault_cases.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::quick_return_problem_test {
 namespace {
 
 // A file with `lines` in [mechanism]: the first of them is line 5.
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(QuickReturnProblem, QuickReturnFaults, testing::ValuesI
                          name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::quick_return_problem_test

@@ -11,7 +11,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_library_test {
 namespace {
 
 const std::filesystem::path kLibrary = kLibraryFolder;
@@ -260,4 +260,4 @@ TEST(ReadFunctionTest, ExactPairsStartAtTheFrame) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_library_test

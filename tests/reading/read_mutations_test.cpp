@@ -17,7 +17,7 @@
 #include "tests/fuzz/sound_machine.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_mutations_test {
 namespace {
 
 std::vector<std::string> library() {
@@ -117,4 +117,4 @@ TEST(ReadMutationsTest, EveryPrefixGivesAProblemOrFaults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_mutations_test

@@ -16,7 +16,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::straight_line_problem_test {
 namespace {
 
 const std::filesystem::path kLibrary = std::filesystem::path(kLibraryFolder) / "straight-line";
@@ -287,4 +287,4 @@ TEST(StraightLine, ReaderOfSearchesRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::straight_line_problem_test

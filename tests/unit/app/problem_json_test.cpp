@@ -11,7 +11,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::app {
+namespace cognate::app::problem_json_test {
 namespace {
 
 using nlohmann::json;
@@ -429,4 +429,4 @@ TEST(ProblemJson, AMachineWithEverythingReadsBack) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::problem_json_test

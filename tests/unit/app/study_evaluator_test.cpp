@@ -19,7 +19,7 @@
 #include "problems/study/design_text.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_evaluator_test {
 namespace {
 
 using problems::Cell;
@@ -322,4 +322,4 @@ TEST(DesignValues, AreFoundByTheirPlace) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_evaluator_test

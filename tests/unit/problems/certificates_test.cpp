@@ -19,7 +19,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::certificates_test {
 namespace {
 
 template <class Kind>
@@ -228,4 +228,4 @@ TEST(Certificates, FunctionFilesReachTheBoundAsTheyAreMeant) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::certificates_test

@@ -19,7 +19,7 @@
 #include "problems/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::closed_path_test {
 namespace {
 
 /// Crank-rockers and a double crank.
@@ -308,4 +308,4 @@ TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::closed_path_test

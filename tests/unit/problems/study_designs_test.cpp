@@ -14,7 +14,7 @@
 #include "problems/study/read.hpp"
 #include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_designs_test {
 namespace {
 
 StudyVariable grid(std::string key, std::vector<double> values) {
@@ -250,4 +250,4 @@ TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_designs_test

@@ -6,7 +6,7 @@
 
 #include "problems/mechanism/named_mechanism.hpp"
 
-namespace cognate::app {
+namespace cognate::problems {
 
 struct Dimension {
   std::string name;
@@ -17,6 +17,6 @@ struct Dimension {
 /// not zero for every mechanism of their kind. Those of one type are always the same ones, in the
 /// same order; except of a chain, which has the lengths of its links, the frame where it has two
 /// pivots, and how far its further points are out on their bodies.
-std::vector<Dimension> dimensions(const problems::NamedMechanism& mechanism);
+std::vector<Dimension> main_dimensions(const NamedMechanism& mechanism);
 
-}  // namespace cognate::app
+}  // namespace cognate::problems

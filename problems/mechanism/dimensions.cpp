@@ -1,11 +1,11 @@
-#include "app/console/design_dimensions.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 #include <cmath>
 #include <variant>
 
 #include "problems/mechanism/mechanism_types.hpp"
 
-namespace cognate::app {
+namespace cognate::problems {
 namespace {
 
 using List = std::vector<Dimension>;
@@ -20,21 +20,21 @@ enum class Rank { length, frame, offset };
 /// Appends what a key of a type holds, if it is of rank `wanted`.
 template <class Type>
 struct AddDimension {
-  const problems::DimensionKey<Type>& key;
+  const DimensionKey<Type>& key;
   const Type& mechanism;
   Rank wanted;
   List& list;
 
-  void operator()(const problems::LengthKey<Type>& length) const {
+  void operator()(const LengthKey<Type>& length) const {
     add(Rank::length, key.name, mechanism.*length.of);
   }
-  void operator()(const problems::PivotsKey<Type>& pivots) const {
+  void operator()(const PivotsKey<Type>& pivots) const {
     add(Rank::frame, "frame", distance(mechanism.*pivots.first, mechanism.*pivots.second));
   }
-  void operator()(const problems::OffsetKey<Type>& offset) const {
+  void operator()(const OffsetKey<Type>& offset) const {
     add(Rank::offset, key.name, mechanism.*offset.of);
   }
-  void operator()(const problems::NonzeroKey<Type>& offset) const {
+  void operator()(const NonzeroKey<Type>& offset) const {
     add(Rank::offset, key.name, mechanism.*offset.of);
   }
   template <class Other>
@@ -50,16 +50,16 @@ template <class Type>
 List dimensions_of(const Type& mechanism) {
   List list;
   for (const Rank rank : {Rank::length, Rank::frame, Rank::offset}) {
-    for (const auto& key : problems::TypeTraits<Type>::kKeys) {
+    for (const auto& key : TypeTraits<Type>::kKeys) {
       std::visit(AddDimension<Type>{key, mechanism, rank, list}, key.holds);
     }
   }
   return list;
 }
 
-List dimensions_of(const problems::ChainDescription& chain) {
+List dimensions_of(const ChainDescription& chain) {
   List list;
-  if (const auto* crank = std::get_if<problems::CrankDescription>(&chain.drive)) {
+  if (const auto* crank = std::get_if<CrankDescription>(&chain.drive)) {
     list.push_back({crank->name, crank->length});
   }
   for (const auto& dyad : chain.dyads) {
@@ -75,14 +75,14 @@ List dimensions_of(const problems::ChainDescription& chain) {
 
 }  // namespace
 
-std::vector<Dimension> dimensions(const problems::NamedMechanism& mechanism) {
+std::vector<Dimension> main_dimensions(const NamedMechanism& mechanism) {
   List list = std::visit([](const auto& described) { return dimensions_of(described); },
                          mechanism.description);
-  if (mechanism.type() != problems::MechanismType::chain) return list;
+  if (mechanism.type() != MechanismType::chain) return list;
   for (const auto& point : mechanism.extra_points) {
     list.push_back({point.on.front(), std::hypot(point.at.x, point.at.y)});
   }
   return list;
 }
 
-}  // namespace cognate::app
+}  // namespace cognate::problems
