@@ -4,28 +4,22 @@
 
 #include <string>
 
+#include "problems/linkage/keys.hpp"
+
 namespace cognate::app {
 namespace {
 
-constexpr Entry kSolveOptions[] = {
-    {"solver", "one of the solvers above (default \"auto\")"},
-    {"starts", "how many starts are refined (default: chosen by the problem)"},
-    {"designs",
-     "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
-     "many: to 10000, by default all"},
-    {"objectives", {}},  // see objectives_meaning
-    {"loss",
-     "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
-     "that gross errors in the target do not govern"},
-    {"loss_scale",
-     "with a loss: the error from which it differs, a length for paths, radians for functions"},
-    {"tolerance", "relative change of the error at which a refinement stops"},
-    {"atlas",
-     "paths, closed curves: the study file of an atlas, whose nearest curves a search begins with"},
-    {"certify",
-     "true: prove how near the best design is to the best possible; timed paths and functions by "
-     "least squares (at most 60 s, or what --time-limit leaves)"},
-    {"certify_gap", "the relative gap at which a certificate is complete (default 1e-3)"}};
+namespace keys = problems::reading;
+
+constexpr Entry kObjectives[] = {{"objectives", {}}};  // see objectives_meaning
+
+constexpr Entry kAtlas[] = {{"atlas",
+                             "paths, closed curves: the study file of an atlas, whose nearest "
+                             "curves a search begins with"}};
+
+constexpr auto kSolveOptions =
+    entries_of(keys::kSearchKeys, kObjectives, keys::kLossKeys, keys::kStoppingKeys, kAtlas,
+               keys::kCertificateKeys, keys::kRobustKeys);
 
 constexpr Metric kMotionMetrics[] = {
     {"class", "",
@@ -136,6 +130,20 @@ constexpr Metric kQuantities[] = {
     {"certified_real_solutions", "1", "real ones proven to be real"},
     {"free_parameters", "1", "dimensions that the positions leave free"},
     {"family_members_solved", "1", "choices of these that were solved for"},
+    {"raster_combinations", "1", "of values of the dimensions on a raster"},
+    {"raster_covered", "1",
+     "of these, that were evaluated or lie in ranges no local minimum of which is better"},
+    {"raster_evaluated", "1", "of these, that were evaluated"},
+    {"raster_boxes", "1", "ranges of the dimensions whose minima were found"},
+    {"raster_complete", "boolean", "whether all combinations are covered"},
+    {"raster_proven", "boolean", "whether each combination was evaluated: none is better"},
+    {"raster_error, raster_bound", "length or deg",
+     "root mean square error of the best design on the raster; what a combination that is not "
+     "covered may have by the minima of its range (no proof unless raster_proven)"},
+    {"raster_gap", "1", "(raster_error - raster_bound)/raster_error"},
+    {"continuous_error, rounded_error", "length or deg",
+     "of the optimum without a raster, and of that with each dimension rounded"},
+    {"rounded_feasible", "boolean", "whether the latter meets every constraint"},
     {"starts", "1", "local searches of a global one"},
     {"target_length", "length", "of a closed target curve (paths)"},
     {"best_hits", "1", "how many of them reached the best minimum"},
@@ -162,7 +170,7 @@ std::string objectives_meaning() {
 std::span<const Entry> solve_options() {
   static const std::string objectives = objectives_meaning();
   static const auto options = [] {
-    auto all = std::to_array(kSolveOptions);
+    auto all = kSolveOptions;
     std::ranges::find(all, "objectives", &Entry::name)->meaning = objectives;
     return all;
   }();

@@ -14,6 +14,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -90,13 +91,14 @@ struct CamProblem {
   std::vector<FreeMotionParameter> free_motion;
   CamLength lengths[kCamDimensions];
   cam::Operation operation;
-  bool has_operation = false;  ///< whether forces and torque can be told
-  bool has_contact = false;    ///< whether contact stress can be told
+  bool has_operation = false;  ///< whether forces and torque are known
+  bool has_contact = false;    ///< whether contact stress is known
   std::optional<ContactMaterials> materials;
   std::optional<double> preload;  ///< empty: the least that keeps contact
   CamConstraints constraints;
   CamObjective objective = CamObjective::size;
   Solve solve;
+  std::optional<Tolerances> tolerances{};
 
   /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }

@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include "problems/cam/problem.hpp"
@@ -34,6 +36,16 @@ void read_solve(TableReader& solve, CamProblem& problem) {
                           to_string(solver)));
 }
 
+ToleranceScope cam_scope(const CamProblem& problem) {
+  ToleranceScope scope;
+  for (const auto& [name, dimension] : names<CamDimension>()) {
+    if (problem.length(dimension).used) scope.dimensions.emplace_back(name);
+  }
+  scope.has_pivots = false;
+  if (cam::is_oscillating(problem.follower)) scope.unit = "deg";
+  return scope;
+}
+
 void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   const std::size_t before = document.faults().size();
   CamLengthTables lengths{tables.follower, tables.mechanism, tables.bounds};
@@ -44,6 +56,7 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   read_cam_objective(tables.target, problem);
   read_cam_constraints(tables.constraints, problem);
   read_solve(tables.solve, problem);
+  problem.tolerances = read_tolerances(document, cam_scope(problem));
   for (TableReader* table : {&tables.follower, &tables.mechanism, &tables.bounds, &tables.target,
                              &tables.constraints, &tables.solve}) {
     table->finish();
@@ -69,7 +82,7 @@ CamProblem KindTraits<CamProblem>::read(reading::TableReader& document,
   if (read_follower(tables.follower, problem)) {
     read_tables(document, tables, problem);
   } else {
-    document.know({"motion", "drive", "contact"});
+    document.know({"motion", "drive", "contact", "tolerance"});
   }
   return problem;
 }

@@ -37,6 +37,7 @@ struct CamDesign {
   std::vector<ConstraintCheck> constraints;
   std::string origin;
   std::optional<SizeProof> proof;
+  std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
 };
 
 /// Peak factors of a segment of the motion and the handbook's.

@@ -8,6 +8,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/cam/keys.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -233,7 +234,10 @@ reading::Written KindTraits<CamProblem>::written(const CamProblem& problem) {
   document.set("target", TableWriter{}.set_name("objective", problem.objective))
       .set("constraints", written_constraints(problem));
   write_contact(problem, document);
-  all.document = document.set("solve", solve_writer(problem.solve)).take();
+  all.document =
+      document.set("solve", solve_writer(problem.solve))
+          .append(tolerance_table(problem.tolerances, cam::is_oscillating(problem.follower)))
+          .take();
   return all;
 }
 

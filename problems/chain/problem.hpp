@@ -13,6 +13,8 @@
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -43,6 +45,9 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
+  std::optional<Raster> raster{};  ///< of one topology
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>
@@ -60,7 +65,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
-/// same designs whatever the number of threads.
+/// same designs for any number of threads.
 Result solve(const ChainPathProblem& problem, const Run& run);
 
 template <>

@@ -1,10 +1,16 @@
+#include "problems/raster/read.hpp"
+
 #include <fmt/core.h>
+
+#include <array>
 
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/mechanism/part_names.hpp"
+#include "problems/tolerance/read.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems {
@@ -43,6 +49,15 @@ void read_chain_constraints(TableReader& constraints, ChainConstraints& limits) 
   refuse_four_bar_limits(constraints, "transmission_angle_deg, over and rms_error_max");
 }
 
+std::optional<Raster> read_chain_raster(TableReader& document, const ChainPathProblem& problem) {
+  constexpr std::array<std::string_view, 4> kKeys{"length", "pivots", "coupler_point", "crank"};
+  const bool is_one = problem.topologies.size() == 1;
+  return read_raster(document, kKeys,
+                     is_one ? ""
+                            : "is given with a type of several topologies; expected a single one, "
+                              "as \"watt-1\" or \"chain\"");
+}
+
 }  // namespace
 }  // namespace reading
 
@@ -71,10 +86,13 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
                                        read_traced(tables.target, problem.mechanism));
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  problem.raster = read_chain_raster(document, problem);
+  problem.tolerances = read_tolerances(document, {});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();
   }
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

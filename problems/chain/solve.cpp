@@ -3,14 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
+#include "problems/chain/raster.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
 #include "problems/chain/verify.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -75,6 +81,31 @@ Status status_of(const std::vector<Design>& designs, const Deadline& deadline) {
   return all_satisfied(designs.front().constraints) ? Status::solved : Status::infeasible;
 }
 
+/// The designs of the raster, from those that the search found without one.
+void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
+                 const ScaledChain& scaled, const std::vector<FoundChain>& continuous,
+                 const Run& run, const Deadline& deadline, Result& result) {
+  const auto design_of = [&](const RasterChain& chain) {
+    const FoundChain as_found{&scaled, chain.design, chain.angles, 0};
+    Design design = verified(problem, *scaled.topology, named(*scaled.topology, chain.design),
+                             angles_of_targets(as_found));
+    design.origin = "raster";
+    return design;
+  };
+  const auto accepts = [&](const RasterChain& chain) {
+    const Design design = design_of(chain);
+    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+  };
+  const auto found =
+      search_chain_raster(problem, scaled, scale, continuous, accepts, run, deadline);
+  result.designs.clear();
+  for (const RasterChain& chain : found.designs) result.designs.push_back(design_of(chain));
+  // The objective is the mean square.
+  const auto error = [&](double objective) { return scale.size * std::sqrt(objective); };
+  std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, error);
+}
+
 void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
                    Result& result) {
   std::size_t unknowns = 0;
@@ -85,6 +116,23 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
   result.notes.push_back(
       "The target has fewer points than the chain has dimensions: infinitely many designs meet it "
       "exactly. More points say more of what is wanted between them.");
+}
+
+/// Of a design the traced point of its topology.
+void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) -> std::optional<ToleranceQuestion> {
+        const auto name =
+            find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
+        const auto topology =
+            std::ranges::find(problem.topologies, name.value_or(""), &Topology::name);
+        if (topology == problem.topologies.end()) return std::nullopt;
+        return error_at_targets(design.mechanism,
+                                topology->lines[static_cast<std::size_t>(topology->trace)].name,
+                                design.crank_angles, problem.points, !problem.crank_angles.empty());
+      },
+      result);
 }
 
 }  // namespace
@@ -102,12 +150,18 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   result.designs = designs_of(problem, scale, found.designs);
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
+  if (problem.raster) {
+    take_raster(problem, scale, chains.front(), found.designs, run, deadline, result);
+    result.status = status_of(result.designs, deadline);
+  }
   note_unknowns(problem, chains, result);
+  add_warnings(extent_of(problem.points), problem.warnings, result);
   if (result.designs.empty()) {
     result.notes.push_back(
         "No chain was found that closes at every target point; wider bounds or more starts may "
         "help.");
   }
+  add_chain_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

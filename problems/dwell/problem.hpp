@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -41,6 +42,8 @@ struct DwellProblem {
   double swing_min = 0;         ///< of the output over the turn
   DwellConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

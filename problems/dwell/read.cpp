@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,6 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/dwell/problem.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -137,10 +140,12 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
                                        {kOutput, {problem.output.begin(), problem.output.end()}});
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  problem.tolerances = read_tolerances(document, {.unit = "deg"});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();
   }
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

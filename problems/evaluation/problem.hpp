@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -50,6 +51,7 @@ struct AnalysisProblem {
   std::vector<Inertia> inertias;  ///< one for each body; all zero where the file gives none
   std::vector<LoadRule> loads;
   Vec2d gravity{};
+  std::optional<Tolerances> tolerances{};
 };
 
 template <>

@@ -5,6 +5,7 @@
 
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/read_output.hpp"
+#include "problems/evaluation/tolerance_scope.hpp"
 #include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_links.hpp"
@@ -141,6 +142,7 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.output = read_output(output, read.names, weighs_or_bears(problem));
   problem.mechanism = std::move(read.mechanism);
   check_coupler_curve(output, mechanism, problem);
+  problem.tolerances = read_tolerances(document, tolerance_scope(problem.mechanism));
   mechanism.finish();
   return problem;
 }

@@ -51,6 +51,7 @@ struct AnalysisResult {
   std::vector<Landmark> landmarks;
   std::vector<Quantity> quantities;  ///< of the motion as a whole
   std::vector<Cognate> cognates;
+  std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
   Work work;
   std::vector<std::string> notes;
 };

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include "problems/evaluation/problem.hpp"
+#include "problems/evaluation/tolerance_scope.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -79,6 +81,7 @@ reading::Written KindTraits<AnalysisProblem>::written(const AnalysisProblem& pro
                      .set("drive", sweep_writer(problem))
                      .set("output", output_writer(problem, all.faults))
                      .append(body_tables(problem, {}, all.faults))
+                     .append(tolerance_table(problem.tolerances, judges_angle(problem)))
                      .take();
   return all;
 }

@@ -1,13 +1,10 @@
-/// @file The tables of a mechanism with its masses and loads, written down.
+/// @file The masses and loads of a mechanism, written down.
 #pragma once
 
 #include "problems/evaluation/problem.hpp"
 #include "problems/toml/table_writer.hpp"
 
 namespace cognate::problems::reading {
-
-/// `[mechanism]`, as its description tells it.
-TableWriter mechanism_writer(const NamedMechanism& mechanism);
 
 /// `[[load]]`.
 TableWriter load_writer(const AnalysisProblem& problem, const LoadRule& load);
@@ -21,8 +18,8 @@ Table body_tables(const AnalysisProblem& problem, const Array& more_loads,
 void check_load(const AnalysisProblem& problem, const LoadRule& load,
                 std::vector<std::string>& faults);
 
-/// Adds to `faults` what `given` is not that `told`, made of the same description, is.
-void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& told,
+/// Adds to `faults` where `given` differs from `read`, made of the same description.
+void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& read,
                           std::vector<std::string>& faults);
 
 }  // namespace cognate::problems::reading

@@ -1,5 +1,9 @@
+#include "problems/raster/read.hpp"
+
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
@@ -11,7 +15,10 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/read_raster.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/tolerance/read.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
@@ -252,6 +259,50 @@ std::string_view certificate_refusal(const FunctionProblem& problem) {
   return limits_turn(problem.constraints) ? kTurnNotCertified : std::string_view{};
 }
 
+std::string_view raster_refusal(const FunctionProblem& problem) {
+  if (problem.objective != FunctionObjective::least_squares) {
+    return "is given, but only designs of least squares are searched on a raster; expected "
+           "objective "
+           "= \"least-squares\", or remove it";
+  }
+  return search_raster_refusal(problem.solve);
+}
+
+std::string_view robust_refusal(const FunctionProblem& problem) {
+  if (!problem.tolerances) {
+    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
+  }
+  if (problem.raster) return "is given with a raster; remove one of them";
+  if (problem.objective != FunctionObjective::least_squares) {
+    return "is given, but robust designs start from least squares; expected objective = "
+           "\"least-squares\", or remove it";
+  }
+  return robust_search_refusal(problem.solve);
+}
+
+// On a raster the size matters: bounds of the crank take the place of its unit.
+std::optional<Raster> read_function_raster(TableReader& document, TableReader& mechanism,
+                                           FunctionProblem& problem) {
+  constexpr std::array<std::string_view, 5> kKeys{"length", "crank", "coupler", "rocker", "frame"};
+  auto raster = read_raster(document, kKeys, raster_refusal(problem));
+  if (!raster) return std::nullopt;
+  const auto& crank = problem.bounds.crank;
+  const bool is_unit = !mechanism.has("crank") && !mechanism.has("frame");
+  if (is_unit && raster->rule("crank") != nullptr && crank && std::isfinite(crank->max)) {
+    problem.given.crank.reset();
+  }
+  check_raster_bounds(document, *raster, problem.given, problem.bounds);
+  return raster;
+}
+
+ToleranceScope function_scope(const FunctionProblem& problem) {
+  if (problem.type == MechanismType::slider_crank) return slider_crank_scope();
+  ToleranceScope scope = four_bar_scope();
+  std::erase(scope.dimensions, "coupler_point");
+  scope.unit = "deg";
+  return scope;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -289,8 +340,12 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
                    .has_sizes = false,
                    .needs_full_turn = false},
                   problem.constraints, problem.solve);
+  problem.raster = read_function_raster(document, mechanism, problem);
 
+  problem.tolerances = read_tolerances(document, function_scope(problem));
+  read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +13,9 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion_within.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
@@ -21,15 +24,22 @@
 #include "problems/function/error.hpp"
 #include "problems/function/exact.hpp"
 #include "problems/function/problem.hpp"
+#include "problems/function/raster.hpp"
+#include "problems/function/robust.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/function/scatter.hpp"
 #include "problems/function/search.hpp"
 #include "problems/function/target/jumps.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -160,6 +170,59 @@ Result solve_by_search(const FunctionProblem& problem, const Run& run, const Dea
   return result;
 }
 
+/// The continuous optimum and other minima, then the raster.
+Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  FunctionProblem with_more = problem;
+  with_more.solve.designs = std::max(problem.solve.designs, kMinima);
+  const auto continuous = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto design_of = [&](const FunctionGenerator& generator) {
+    Design design = function_design(problem, wanted, generator,
+                                    positions_of(generator, wanted.samples), "raster");
+    check_error(problem, design);
+    return design;
+  };
+  const auto accepts = [&](const FunctionGenerator& generator) {
+    const Design design = design_of(generator);
+    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+  };
+  const auto found =
+      search_function_raster(problem, wanted, continuous.minima, accepts, run, deadline);
+  for (const FunctionGenerator& one : found.designs) result.designs.push_back(design_of(one));
+  result.quantities = quantities(continuous.statistics);
+  const auto error = [&](double objective) {
+    return degrees(std::sqrt(objective / double(wanted.samples.size())));
+  };
+  std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, error);
+  result.status = status(result, deadline, deadline.reached());
+  return result;
+}
+
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result solve_robustly(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  const FunctionSamples wanted = function_samples(problem);
+  FunctionProblem with_more = problem;
+  with_more.solve.designs = std::max(problem.solve.designs, kMinima);
+  const auto nominal = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto verified = [&](const FunctionGenerator& generator) -> std::optional<Design> {
+    Design design = function_design(problem, wanted, generator,
+                                    positions_of(generator, wanted.samples), "robust");
+    check_error(problem, design);
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
+  };
+  RobustTask task = robust_function_task(problem, wanted, nominal.minima, verified);
+  task.error = [&](const Design& design) { return degrees(error_of(problem, design)); };
+  result.quantities = quantities(nominal.statistics);
+  add_robust(task, robust_designs(task, run, deadline), true, result);
+  result.status = status(result, deadline, deadline.reached());
+  return result;
+}
+
 void add_certificate(const FunctionProblem& problem, const Run& run, const Deadline& deadline,
                      Result& result) {
   if (result.status != Status::solved) {
@@ -168,6 +231,43 @@ void add_certificate(const FunctionProblem& problem, const Run& run, const Deadl
   }
   const double best = result.designs.front().error.sum_of_squares;
   result.certificate = certify(problem, function_samples(problem), best, run, deadline);
+}
+
+/// The error of the output at the samples, start angles being those of the design.
+std::optional<ToleranceQuestion> function_question(const FunctionProblem& problem,
+                                                   const Design& design) {
+  if (!design.metrics.input_start || !design.metrics.output_start) return std::nullopt;
+  const NamedMechanism& mechanism = design.mechanism;
+  const FourBar* linkage = mechanism.four_bar();
+  const auto* slider = std::get_if<SliderCrank>(&mechanism.description);
+  if (!linkage && !slider) return std::nullopt;
+  const double zero = linkage ? frame_angle(*linkage) : angle_of(slider->direction);
+  const FunctionSamples wanted = function_samples(problem);
+  std::vector<double> angles;
+  for (const auto& pair : wanted.samples) {
+    angles.push_back(zero + *design.metrics.input_start + pair.input);
+  }
+  auto [question, kept] = question_at(mechanism, angles);
+  ToleranceQuantity error{.name = "error",
+                          .response = travel_response(mechanism.mechanism, mechanism.output),
+                          .judged = true};
+  ChangedMechanism<double> nominal({mechanism.mechanism, {}});
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    nominal.move_to(question.stations[s]);
+    const Vec2d value = nominal.value(error.response);
+    const double output = *design.metrics.output_start + wanted.samples[kept[s]].output;
+    error.offset.push_back(linkage ? std::remainder(angle_of(value) - zero - output, kTurn)
+                                   : value.x - output);
+  }
+  question.quantities.push_back(std::move(error));
+  add_transmissions(mechanism, question);
+  return std::move(question);
+}
+
+void add_function_tolerances(const FunctionProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) { return function_question(problem, design); }, result);
 }
 
 }  // namespace
@@ -181,10 +281,14 @@ Result solve(const FunctionProblem& given, const Run& run) {
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
     return solve_by_search(one, own, deadline);
   };
-  Result result = exact ? solve_exactly(problem, deadline)
-                        : solve_objectives(problem, before_certificate(run, problem.solve),
-                                           deadline, solve_one);
-  if (!exact) {
+  const auto solve_as_asked = [&] {
+    if (exact) return solve_exactly(problem, deadline);
+    if (problem.raster) return solve_on_raster(problem, run, deadline);
+    if (problem.solve.robust) return solve_robustly(problem, run, deadline);
+    return solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
+  };
+  Result result = solve_as_asked();
+  if (!exact && !problem.raster && !problem.solve.robust) {
     Run silent = run;
     silent.progress = nullptr;
     const auto solve_once = [&](const FunctionProblem& other) {
@@ -193,8 +297,11 @@ Result solve(const FunctionProblem& given, const Run& run) {
     add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
+  if (!exact) merge_long_links(result);
   note_motions(problem, function_samples(problem), result);
-  note_oddities(std::nullopt, result, kDeadTransmission);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
+  add_function_tolerances(problem, run, result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});

@@ -7,7 +7,10 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -123,14 +126,18 @@ std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
 reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& problem) {
   using namespace reading;
   Written all;
-  all.document = document_writer(kWord, problem.title, problem.length_unit)
-                     .set("target", written_target(problem))
-                     .set("mechanism", written_mechanism(problem))
-                     .set("bounds", written_bounds(problem))
-                     .set("constraints", constraints_writer(problem.constraints))
-                     .append(operation_tables(problem.constraints, problem.solve, all.faults))
-                     .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
-                     .take();
+  all.document =
+      document_writer(kWord, problem.title, problem.length_unit)
+          .set("target", written_target(problem))
+          .set("mechanism", written_mechanism(problem))
+          .set("bounds", written_bounds(problem))
+          .set("constraints", constraints_writer(problem.constraints))
+          .append(operation_tables(problem.constraints, problem.solve, all.faults))
+          .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
+          .set("warnings", warnings_writer(problem.warnings))
+          .append(raster_table(problem.raster))
+          .append(tolerance_table(problem.tolerances, problem.type == MechanismType::four_bar))
+          .take();
   return all;
 }
 

@@ -12,6 +12,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/tolerance/tolerances.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 #include "synthesis/exact/motion/pose.hpp"
 
@@ -50,6 +51,8 @@ struct MotionProblem {
   std::array<std::optional<Box>, 2> moving_bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
+  std::optional<Tolerances> tolerances{};
   bool designs_given = false;  ///< whether the file limits how many designs are returned
 };
 
@@ -78,7 +81,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const MotionProblem& problem, const Run& run);
 

@@ -24,8 +24,8 @@ inline constexpr int kMostSearchedDesigns = 100;
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
 
-/// `solve.starts` and `solve.designs`, of these at most `most_designs`, into `solve`.
-void read_counts(TableReader& table, int most_designs, Solve& solve);
+/// `solve.designs`, at most `most_designs`, into `solve`.
+void read_design_count(TableReader& table, int most_designs, Solve& solve);
 
 /// Whether `solver` can have so many unknowns, the crank angle of each point or pose among them.
 void check_unknown_count(TableReader& table, synthesis::Solver solver, int count);
@@ -37,5 +37,8 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve);
 /// `solve.certify` and `solve.certify_gap` into `solve`. `refusal`: why this problem cannot be
 /// certified and what can, for a message; empty where it can be.
 void read_certificate(TableReader& table, std::string_view refusal, Solve& solve);
+
+/// `robust`. `refusal`: what speaks against it, "is given with …".
+void read_robust(TableReader& table, std::string_view refusal, Solve& solve);
 
 }  // namespace cognate::problems::reading

@@ -14,6 +14,8 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
+#include "problems/raster/raster.hpp"
+#include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
 
@@ -71,6 +73,9 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
+  std::optional<Raster> raster;  ///< least squares; which dimensions take single values only
+  std::optional<Tolerances> tolerances{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.
@@ -91,7 +96,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const PathProblem& problem, const Run& run);
 

@@ -1,6 +1,9 @@
+#include "problems/raster/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -11,11 +14,14 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/read_raster.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/path/read_curve.hpp"
 #include "problems/path/read_exact.hpp"
 #include "problems/search/read_objectives.hpp"
+#include "problems/tolerance/read.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
@@ -244,6 +250,65 @@ std::optional<AtlasSource> read_atlas(TableReader& solve, const std::filesystem:
   return AtlasSource{*name, file, where.line, where.column};
 }
 
+// Designs on a raster are searched for by the error alone, where the target is.
+std::string_view raster_refusal(const PathProblem& problem) {
+  if (problem.method == PathMethod::exact) {
+    return "is given with method = \"exact\", whose dimensions follow from the points; remove it";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\", whose figures are of different sizes; remove "
+           "it, or take place = \"given\"";
+  }
+  return search_raster_refusal(problem.solve);
+}
+
+// Quantiles are those of tolerances, and sought from designs of least error.
+std::string_view robust_refusal(const PathProblem& problem) {
+  if (!problem.tolerances) {
+    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
+  }
+  if (problem.raster) return "is given with a raster; remove one of them";
+  if (problem.given.pivot_d && !problem.given.pivot_a) {
+    return "is given with pivot_d alone; give pivot_a as well, or neither";
+  }
+  if (problem.tolerances->pivots) {
+    return "is given with tolerance.pivots, which it does not take into account: give that of "
+           "frame instead, or remove it";
+  }
+  if (problem.curve && problem.curve->place == CurvePlace::similar) {
+    return "is given with target.place = \"similar\"; remove it, or take place = \"given\"";
+  }
+  if (problem.method == PathMethod::exact) return "is given with method = \"exact\"; remove it";
+  return robust_search_refusal(problem.solve);
+}
+
+void check_raster_frame(TableReader& document, const PathProblem& problem) {
+  const Raster& raster = *problem.raster;
+  const Given& given = problem.given;
+  const bool pivots_open = !given.pivot_a || !given.pivot_d;
+  if (!pivots_open || raster.rule("pivots") == nullptr) return;
+  if (given.frame || given.frame_angle) {
+    document.fault("raster",
+                   "puts pivots on a raster, but mechanism gives frame or frame_angle_deg, which "
+                   "follow from them; add pivots = \"free\"");
+  }
+  if (raster.has("frame")) {
+    document.fault("raster",
+                   "has frame, which follows from pivots on the raster; remove it, or add pivots = "
+                   "\"free\"");
+  }
+}
+
+std::optional<Raster> read_path_raster(TableReader& document, PathProblem& problem) {
+  constexpr std::array<std::string_view, 7> kKeys{"length",  "pivots", "coupler_point", "crank",
+                                                  "coupler", "rocker", "frame"};
+  problem.raster = read_raster(document, kKeys, raster_refusal(problem));
+  if (!problem.raster) return std::nullopt;
+  check_raster_frame(document, problem);
+  check_raster_bounds(document, *problem.raster, problem.given, problem.bounds);
+  return problem.raster;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -308,7 +373,12 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
     check_exact_path(target, mechanism, solve, problem);
   }
 
+  problem.raster = read_path_raster(document, problem);
+
+  problem.tolerances = read_tolerances(document, four_bar_scope());
+  read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -1,6 +1,7 @@
 /// @file The global search for path generation: many screened starts, each brought to its minimum.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "problems/linkage/result.hpp"
 #include "problems/path/model.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/path/scale.hpp"
+#include "problems/search/robust.hpp"
 #include "problems/search/statistics.hpp"
 #include "synthesis/optimise/solver.hpp"
 
@@ -40,5 +43,17 @@ struct PathSearchResult {
 /// are among the candidates. Counts what was done in `work`.
 PathSearchResult search_paths(const PathProblem& scaled, synthesis::Solver solver, double tolerance,
                               const Run& run, const Deadline& deadline, Work& work);
+
+/// The design that a four-bar in the file's unit is with its crank angles at the points (from the x
+/// axis); empty where it breaks a constraint.
+using VerifiedPath =
+    std::function<std::optional<Design>(const FourBar& linkage, std::vector<double> crank_angles)>;
+
+/// The search for paths that mind their tolerances least, from minima of `scaled`; it needs
+/// `scale` to last. Without a start where no dimension has a tolerance, or no minimum is within
+/// limits.
+RobustTask robust_path_task(const PathProblem& problem, const PathProblem& scaled,
+                            const PathScale& scale, const std::vector<PathMinimum>& minima,
+                            const VerifiedPath& verified);
 
 }  // namespace cognate::problems

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -12,24 +13,40 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/curve_following.hpp"
 #include "problems/path/exact.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/path/raster.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
+namespace {
+
+/// The root of the mean square of which an objective of the search is the weighted sum.
+double rms_of(const PathProblem& problem, double sum_of_squares) {
+  const auto& weights = problem.weights;
+  const double total = weights.empty() ? static_cast<double>(problem.points.size())
+                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
+  return std::sqrt(sum_of_squares / total);
+}
+
+}  // namespace
 
 // What error_limit.hpp and objectives.hpp ask of a kind, found by the type of its problem.
 
@@ -41,10 +58,7 @@ ErrorMeasure error_measure(const PathProblem& /*problem*/) {
 
 /// That error of a design, a length.
 double error_of(const PathProblem& problem, const Design& design) {
-  const auto& weights = problem.weights;
-  const double total = weights.empty() ? static_cast<double>(problem.points.size())
-                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
-  return std::sqrt(path_objective(problem, design) / total);
+  return rms_of(problem, path_objective(problem, design));
 }
 
 /// Errors up to this are rounding: the target is met.
@@ -79,6 +93,21 @@ class Designs {
     for (double& angle : angles) angle = in_one_turn(angle + turned);
     Design design = verified(*cognate, angles);
     if (all_satisfied(design.constraints)) insert(std::move(design));
+  }
+
+  /// Adds a design that is on the raster, where its cognates are not.
+  void add_alone(const FourBar& linkage, const std::vector<double>& crank_angles) {
+    origin_ = "raster";
+    add_one(linkage, crank_angles);
+  }
+
+  /// A design that meets every constraint; empty where one does not.
+  std::optional<Design> accepted(const FourBar& linkage,
+                                 const std::vector<double>& crank_angles) const {
+    Design design = verified(linkage, crank_angles);
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
   }
 
   bool enough() const {
@@ -223,6 +252,64 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   return result;
 }
 
+/// The continuous optimum and other minima, then the raster.
+Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadline& deadline) {
+  const PathScale scale(problem);
+  PathProblem scaled = scale.into(problem);
+  scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
+  Result result;
+  const PathSearchResult continuous =
+      search_paths(scaled, synthesis::chosen(problem.solve.solver),
+                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  Designs designs(problem, scale.size);
+  const auto accepts = [&](const RasterPath& design) {
+    return designs.accepted(design.linkage, design.crank_angles).has_value();
+  };
+  const RasterPathResult found =
+      search_path_raster(problem, scaled, scale, continuous.minima, accepts, run, deadline);
+  for (const RasterPath& one : found.designs) {
+    std::vector<double> angles = one.crank_angles;
+    for (double& angle : angles) angle = in_one_turn(angle);
+    designs.add_alone(one.linkage, angles);
+  }
+  result.status = status(deadline, deadline.reached(), designs, !found.designs.empty());
+  result.designs = designs.take();
+  result.quantities = quantities(continuous.statistics);
+  const auto error = [&](double objective) { return scale.size * rms_of(problem, objective); };
+  std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, error);
+  return result;
+}
+
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline& deadline) {
+  const PathScale scale(problem);
+  PathProblem scaled = scale.into(problem);
+  scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
+  Result result;
+  const PathSearchResult nominal =
+      search_paths(scaled, synthesis::chosen(problem.solve.solver),
+                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  const Designs designs(problem, scale.size);
+  RobustTask task = robust_path_task(problem, scaled, scale, nominal.minima,
+                                     [&](const FourBar& linkage, std::vector<double> crank_angles) {
+                                       for (double& angle : crank_angles)
+                                         angle = in_one_turn(angle);
+                                       auto design = designs.accepted(linkage, crank_angles);
+                                       if (design) design->origin = "robust";
+                                       return design;
+                                     });
+  task.error = [&](const Design& design) { return error_of(problem, design); };
+  result.quantities = quantities(nominal.statistics);
+  add_robust(task, robust_designs(task, run, deadline), false, result);
+  if (deadline.reached()) {
+    result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  } else if (!result.designs.empty()) {
+    result.status = Status::solved;
+  }
+  return result;
+}
+
 void add_certificate(const PathProblem& problem, const Run& run, const Deadline& deadline,
                      Result& result) {
   if (result.status != Status::solved) {
@@ -236,6 +323,22 @@ void add_certificate(const PathProblem& problem, const Run& run, const Deadline&
   result.certificate = certify(problem, best, run, deadline);
 }
 
+/// A point whose crank angle is free may be met a little before or after. Where only some are
+/// prescribed, all keep the angles of the nominal design.
+void add_path_tolerances(const PathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        std::vector<Vec2d> targets;
+        for (const Vec2d& point : problem.points) {
+          targets.push_back(design.placement.value_or(CurvePlacement{}).point(point));
+        }
+        return error_at_targets(design.mechanism, "P", design.crank_angles, targets,
+                                problem.timing != Timing::free);
+      },
+      result);
+}
+
 }  // namespace
 
 Result solve(const PathProblem& given, const Run& run) {
@@ -244,10 +347,29 @@ Result solve(const PathProblem& given, const Run& run) {
   const PathProblem problem = in_joules(*valid);
   if (problem.method == PathMethod::exact) {
     Result exact = solve_exactly(problem, run);
-    note_oddities(extent_of(problem.points), exact);
+    mark_twins(exact.designs);
+    add_warnings(extent_of(problem.points), problem.warnings, exact);
+    add_path_tolerances(problem, run, exact);
     return exact;
   }
   const Deadline deadline(run);
+  const auto finish = [&](Result& result) {
+    mark_twins(result.designs);
+    add_warnings(extent_of(problem.points), problem.warnings, result);
+    note_units(problem.constraints.operation, problem.length_unit, result);
+    if (problem.curve) {
+      result.quantities.push_back({"target_length", problem.curve->curve.length()});
+    }
+    result.work.skipped = skipped_evaluations(problem.constraints);
+    result.work.threads = thread_count(run.threads);
+    result.work.seconds = deadline.spent();
+  };
+  if (problem.raster || problem.solve.robust) {
+    Result result = problem.raster ? solve_on_raster(problem, run, deadline)
+                                   : solve_robustly(problem, run, deadline);
+    finish(result);
+    return result;
+  }
   Result result = solve_objectives(
       problem, before_certificate(run, problem.solve), deadline,
       [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
@@ -257,12 +379,9 @@ Result solve(const PathProblem& given, const Run& run) {
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
-  note_oddities(extent_of(problem.points), result);
-  note_units(problem.constraints.operation, problem.length_unit, result);
-  if (problem.curve) result.quantities.push_back({"target_length", problem.curve->curve.length()});
-  result.work.skipped = skipped_evaluations(problem.constraints);
-  result.work.threads = thread_count(run.threads);
-  result.work.seconds = deadline.spent();
+  merge_long_links(result);
+  add_path_tolerances(problem, run, result);
+  finish(result);
   return result;
 }
 

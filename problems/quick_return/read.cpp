@@ -1,3 +1,5 @@
+#include "problems/tolerance/read.hpp"
+
 #include <fmt/core.h>
 
 #include <optional>
@@ -6,6 +8,7 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/quick_return/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -146,6 +149,26 @@ void know_all(LinkageTables& tables) {
                            "no_order_defect", "no_circuit_defect", "pressure_angle_deg_max"});
 }
 
+ToleranceScope quick_return_scope(QuickReturnType type) {
+  ToleranceScope scope;
+  switch (type) {
+    case QuickReturnType::four_bar:
+      scope = four_bar_scope();
+      std::erase(scope.dimensions, "coupler_point");
+      scope.unit = "deg";
+      break;
+    case QuickReturnType::slider_crank:
+      return slider_crank_scope();
+    case QuickReturnType::guide_bar:
+      scope = guide_bar_scope();
+      scope.unit = "deg";
+      break;
+    case QuickReturnType::shaper:
+      break;
+  }
+  return scope;
+}
+
 }  // namespace
 
 }  // namespace cognate::problems::reading
@@ -167,7 +190,9 @@ QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& do
   }
   problem.solve = read_solve(tables.solve, problem.constraints, false);
   if (!tables.solve.has("designs")) problem.solve.designs = kMostDesigns;
+  problem.tolerances = read_tolerances(document, quick_return_scope(problem.type));
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -10,6 +10,7 @@
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/segment.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -125,6 +126,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   constexpr int kAlongFront = 12;
   if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
 
+  problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
   tables.finish();
   return problem;
 }

@@ -53,8 +53,13 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return outward(std::min(std::min(p, q), std::min(r, s)),
                  std::max(std::max(p, q), std::max(r, s)));
 }
-/// `b` positive.
+/// Not numbers where 0 lies within `b`.
 inline Interval operator/(const Interval& a, const Interval& b) {
+  if (b.high < 0) return -a / -b;
+  if (b.low < 0) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone};
+  }
   return outward(a.low / (a.low < 0 ? b.low : b.high), a.high / (a.high < 0 ? b.high : b.low));
 }
 

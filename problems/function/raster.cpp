@@ -1,0 +1,207 @@
+#include "problems/function/raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/function/found.hpp"
+#include "problems/function/length_ranges.hpp"
+#include "problems/function/model.hpp"
+#include "problems/linkage/linkage_keys.hpp"
+#include "problems/linkage/verify.hpp"
+#include "synthesis/raster/model_raster.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::RasterNumbers;
+using synthesis::RasterPoint;
+
+/// Input start angles from which each combination is begun, where the file leaves them open.
+constexpr int kInputStarts = 12;
+
+/// What is chosen before dimensions: assembly and class.
+struct FunctionForm {
+  Assembly assembly;
+  const FunctionProblem* problem;
+  std::shared_ptr<const FunctionModel> model;
+};
+
+/// The forms of the minima, and both assemblies of the problem itself.
+class FunctionForms {
+ public:
+  FunctionForms(const ConfinedFunctions& confined, const FunctionSamples& wanted,
+                const std::vector<FunctionDesign>& minima)
+      : confined_(confined), wanted_(wanted) {
+    for (const FunctionDesign& minimum : minima) number_of(minimum.generator);
+    for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
+      const auto& given = confined.plain().given.assembly;
+      if (!given || *given == assembly) number_of(assembly, confined.plain());
+    }
+  }
+
+  std::size_t number_of(const FunctionGenerator& generator) {
+    return number_of(generator.assembly, confined_.of(generator.links));
+  }
+
+  const std::vector<FunctionForm>& all() const { return forms_; }
+
+ private:
+  std::size_t number_of(Assembly assembly, const FunctionProblem& problem) {
+    for (std::size_t i = 0; i < forms_.size(); ++i) {
+      if (forms_[i].assembly == assembly && forms_[i].problem == &problem) return i;
+    }
+    forms_.push_back({assembly, &problem,
+                      std::make_shared<const FunctionModel>(problem, wanted_, assembly,
+                                                            synthesis::Objective::sum_of_squares)});
+    return forms_.size() - 1;
+  }
+
+  const ConfinedFunctions& confined_;
+  const FunctionSamples& wanted_;
+  std::vector<FunctionForm> forms_;
+};
+
+struct FunctionAxes {
+  std::vector<double Lengths<double>::*> lengths;
+  std::vector<synthesis::RasterAxis> axes;
+  std::vector<synthesis::AxisVariable> variables;
+};
+
+FunctionAxes axes_of(const FunctionProblem& problem) {
+  FunctionAxes all;
+  const auto ranges = length_ranges(problem);
+  int place = 0;
+  for (std::size_t i = 0; i < kLinkKeys.size(); ++i) {
+    if (ranges[i].min == ranges[i].max) continue;
+    const int variable = place++;
+    const RasterRule* rule = problem.raster->rule(kLinkKeys[i].key);
+    if (rule == nullptr) continue;
+    all.lengths.push_back(kLinkKeys[i].length);
+    all.axes.push_back({std::string(kLinkKeys[i].key), values_within(*rule, ranges[i], ranges[i])});
+    all.variables.push_back({.variable = variable, .is_logarithm = true});
+  }
+  return all;
+}
+
+std::vector<std::shared_ptr<const synthesis::Model>> models_of(const FunctionForms& forms) {
+  std::vector<std::shared_ptr<const synthesis::Model>> models;
+  for (const FunctionForm& form : forms.all()) models.push_back(form.model);
+  return models;
+}
+
+class FunctionRaster final : public synthesis::ModelRaster {
+ public:
+  FunctionRaster(const FunctionProblem& problem, const FunctionSamples& wanted,
+                 const FunctionForms& forms, const FunctionAcceptance& accepts)
+      : FunctionRaster(problem, wanted, forms, accepts, axes_of(problem)) {}
+
+  /// From points that are known and, where start angles are free, from several of the input's in
+  /// each form, the output's then following to first order.
+  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
+                                      std::span<const RasterPoint> from) const override {
+    std::vector<RasterPoint> starts(from.begin(), from.end());
+    for (std::size_t form = 0; form < forms_.all().size(); ++form) add_starts(form, at, starts);
+    std::optional<RasterPoint> best;
+    for (RasterPoint& found : relax({at, at}, starts)) {
+      if (!std::isfinite(found.objective) || found.violation > kFunctionFeasibility) continue;
+      if (!best || found.objective < best->objective) best = std::move(found);
+    }
+    return best;
+  }
+
+  bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }
+
+  FunctionGenerator design(const RasterPoint& point) const {
+    FunctionGenerator made =
+        forms_.all()[static_cast<std::size_t>(point.form)].model->generator(point.x);
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      // Without the rounding of the logarithm.
+      const auto& values = axes()[i].values;
+      made.links.*lengths_[i] = values.at(values.nearest(point.values[i]));
+    }
+    return made;
+  }
+
+ private:
+  FunctionRaster(const FunctionProblem& problem, const FunctionSamples& wanted,
+                 const FunctionForms& forms, const FunctionAcceptance& accepts, FunctionAxes axes)
+      : ModelRaster(std::move(axes.axes), std::move(axes.variables), models_of(forms),
+                    {.feasibility = kFunctionFeasibility}),
+        problem_(problem),
+        wanted_(wanted),
+        forms_(forms),
+        accepts_(accepts),
+        lengths_(std::move(axes.lengths)) {}
+
+  void add_starts(std::size_t form, const RasterNumbers& at,
+                  std::vector<RasterPoint>& starts) const {
+    const FunctionModel& model = *forms_.all()[form].model;
+    RasterPoint start;
+    start.form = static_cast<int>(form);
+    std::vector<double> x(model.variables().size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto& [name, lower, upper, scale] = model.variables()[i];
+      x[i] = std::isfinite(lower) && std::isfinite(upper) ? 0.5 * (lower + upper) : 0;
+    }
+    place(at, x);
+    const bool is_given = problem_.input_start || problem_.start != FunctionStart::free;
+    const int count = is_given ? 1 : kInputStarts;
+    for (int k = 0; k < count; ++k) {
+      FunctionGenerator generator = model.generator(x);
+      if (!is_given) generator.input_start = kTurn * k / count;
+      if (!problem_.output_start && problem_.start == FunctionStart::free) {
+        const auto output = best_output_start(generator, wanted_.samples);
+        if (!output) continue;
+        generator.output_start = *output;
+      }
+      start.x = model.variables_of(generator);
+      starts.push_back(start);
+    }
+  }
+
+  const FunctionProblem& problem_;
+  const FunctionSamples& wanted_;
+  const FunctionForms& forms_;
+  const FunctionAcceptance& accepts_;
+  std::vector<double Lengths<double>::*> lengths_;
+};
+
+}  // namespace
+
+RasterFunctionResult search_function_raster(const FunctionProblem& problem,
+                                            const FunctionSamples& wanted,
+                                            const std::vector<FunctionDesign>& minima,
+                                            const FunctionAcceptance& accepts, const Run& run,
+                                            const Deadline& deadline) {
+  const ConfinedFunctions confined(problem);
+  FunctionForms forms(confined, wanted, minima);
+  const FunctionRaster raster(problem, wanted, forms, accepts);
+  std::vector<RasterPoint> from;
+  for (const FunctionDesign& minimum : minima) {
+    const std::size_t form = forms.number_of(minimum.generator);
+    from.push_back(raster.point(static_cast<int>(form),
+                                forms.all()[form].model->variables_of(minimum.generator)));
+  }
+  RasterFunctionResult result;
+  result.search =
+      synthesis::search_raster(raster, from,
+                               {.feasibility = kFunctionFeasibility,
+                                .met = kMetExactly,
+                                .designs = static_cast<std::size_t>(problem.solve.designs),
+                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                .threads = run.threads,
+                                .deadline = &deadline,
+                                .progress = run.progress});
+  for (const RasterPoint& point : result.search.designs) {
+    result.designs.push_back(raster.design(point));
+  }
+  return result;
+}
+
+}  // namespace cognate::problems

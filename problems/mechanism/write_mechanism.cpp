@@ -1,0 +1,124 @@
+/// `[mechanism]`, as its description tells it.
+#include "problems/mechanism/write_mechanism.hpp"
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+#include "analysis/numbers/angle.hpp"
+#include "problems/mechanism/mechanism_types.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+TableWriter slide_writer(const SlideDescription& slide) {
+  TableWriter table;
+  std::visit([&](const auto& through) { table.set("through", through); }, slide.through);
+  return table.set_deg("direction_deg", slide.direction)
+      .set("offset", slide.offset)
+      .set("on", slide.on);
+}
+
+TableWriter drive_writer(const CrankDescription& crank) {
+  TableWriter table;
+  return table.set("at", crank.at)
+      .set("pin", crank.pin)
+      .set("length", crank.length)
+      .set("name", crank.name);
+}
+
+TableWriter drive_writer(const SliderDescription& slider) {
+  TableWriter table;
+  return table.add("slide", node(slide_writer(slider.slide)))
+      .set("pin", slider.pin)
+      .set("name", slider.name);
+}
+
+TableWriter dyad_writer(const DyadDescription& dyad) {
+  TableWriter table;
+  table.set_name("type", dyad.type);
+  if (!dyad.joins.empty()) table.set("joins", dyad.joins);
+  if (!dyad.lengths.empty()) table.set("lengths", dyad.lengths);
+  Array slides;
+  for (const SlideDescription& slide : dyad.slides) slides.push_back(node(slide_writer(slide)));
+  if (dyad.type == DyadType::prp) {
+    table.set("slides", slides);
+  } else if (!slides.empty()) {
+    table.add("slide", slides.front());
+  }
+  if (dyad.type == DyadType::rpr) table.set("offset", dyad.offset);
+  if (dyad.type == DyadType::rpp) table.set_deg("slot_deg", dyad.slot);
+  if (dyad.type != DyadType::prp && dyad.type != DyadType::rpp) {
+    table.set_name("assembly", dyad.assembly);
+  }
+  if (!dyad.new_point.empty()) table.set("new", dyad.new_point);
+  return table.set("names", dyad.names);
+}
+
+/// Writes what one key of a type holds.
+template <class Type>
+struct KeyWriter {
+  TableWriter& table;
+  std::string_view key;
+  const Type& mechanism;
+
+  void operator()(const PivotsKey<Type>& pivots) const {
+    table.set(key, std::array{mechanism.*pivots.first, mechanism.*pivots.second});
+  }
+  void operator()(const DirectionKey<Type>& line) const { set_angle(mechanism.*line.of); }
+  void operator()(const InclinationKey<Type>& line) const { set_angle(mechanism.*line.of); }
+  void operator()(const AssemblyKey<Type>& assembly) const {
+    table.set_name(key, mechanism.*assembly.of);
+  }
+  /// A number, or a point.
+  template <class Other>
+  void operator()(const Other& other) const {
+    table.set(key, mechanism.*other.of);
+  }
+
+ private:
+  void set_angle(const Vec2d& direction) const { table.set_deg(key, angle_of(direction)); }
+};
+
+/// What `[mechanism]` says besides its type.
+template <class Type>
+void write_description(const Type& mechanism, TableWriter& table) {
+  for (const auto& key : TypeTraits<Type>::kKeys) {
+    std::visit(KeyWriter<Type>{table, key.name, mechanism}, key.holds);
+  }
+}
+
+void write_description(const ChainDescription& chain, TableWriter& table) {
+  Array pivots, dyads;
+  for (const auto& [name, at] : chain.pivots) {
+    pivots.push_back(node(TableWriter{}.set("name", name).set("at", at)));
+  }
+  for (const DyadDescription& dyad : chain.dyads) dyads.push_back(node(dyad_writer(dyad)));
+  const bool turns = std::holds_alternative<CrankDescription>(chain.drive);
+  table.set("pivot", pivots);
+  std::visit(
+      [&](const auto& drive) { table.add(turns ? "crank" : "slider", node(drive_writer(drive))); },
+      chain.drive);
+  table.set("dyad", dyads);
+}
+
+}  // namespace
+
+TableWriter mechanism_writer(const NamedMechanism& mechanism) {
+  TableWriter table;
+  table.set_name("type", mechanism.type());
+  std::visit([&](const auto& described) { write_description(described, table); },
+             mechanism.description);
+  Array points;
+  for (const PointDescription& point : mechanism.extra_points) {
+    points.push_back(
+        node(TableWriter{}
+                 .set("name", point.name)
+                 .add("on", point.on.size() == 1 ? node(point.on.front()) : node(point.on))
+                 .set("at", point.at)));
+  }
+  if (!points.empty()) table.set("point", points);
+  return table;
+}
+
+}  // namespace cognate::problems::reading

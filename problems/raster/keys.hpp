@@ -1,0 +1,41 @@
+/// @file The keys of `[raster]`, each declared once: the reader, what is written of it and
+/// `cognate list` run over the declarations.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace cognate::problems {
+
+struct RasterKey {
+  std::string_view key;
+  std::string_view meaning;
+  bool may_be_negative = false;  ///< its values are coordinates or offsets, not lengths
+};
+
+inline constexpr std::array kRasterKeys{
+    RasterKey{
+        "length",
+        "all dimensions that have no key of their own: STEP (multiples of it), [VALUE, ...] or "
+        "\"free\"",
+        true},
+    RasterKey{"pivots", "both coordinates of the fixed pivots; the frame then follows from them",
+              true},
+    RasterKey{"coupler_point", "both coordinates of points of the coupler", true},
+    RasterKey{"crank", "the crank"},
+    RasterKey{"coupler", "the coupler"},
+    RasterKey{"rocker", "the rocker"},
+    RasterKey{"frame", "the frame, where the pivots are free or not searched"},
+    RasterKey{"offset", "the offset of a slide or of a cam's follower", true},
+    RasterKey{"base_radius", "of a cam"},
+    RasterKey{"roller_radius", "of a cam"},
+    RasterKey{"centre_distance", "from the cam to the follower's pivot"},
+    RasterKey{"arm", "of an oscillating follower"},
+    RasterKey{"face_offset", "of an oscillating flat follower", true}};
+
+inline constexpr std::string_view kRasterBoxesKey = "boxes";
+inline constexpr std::string_view kRasterBoxesMeaning =
+    "how many boxes branch and bound examines at most (default 20000)";
+inline constexpr std::string_view kRasterFree = "free";
+
+}  // namespace cognate::problems

@@ -1,0 +1,84 @@
+#include "problems/raster/report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cognate::problems {
+namespace {
+
+/// (error − bound)/error; 0 where both are nothing.
+double gap_of(double error, double bound) {
+  return error > 0 ? std::max(0.0, (error - bound) / error) : 0;
+}
+
+/// Whole numbers in full as far as that is readable.
+std::string count(double number) {
+  return number < 1e15 ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number);
+}
+
+std::string coverage(const synthesis::RasterResult& found) {
+  if (found.is_enumerated) {
+    return fmt::format("Each of the {} combinations on the raster was evaluated: none is better.",
+                       count(found.combinations));
+  }
+  if (found.is_complete) {
+    return fmt::format(
+        "All {} combinations on the raster are covered, {} of them evaluated; of the others no "
+        "local minimum in their ranges is better, which is no proof.",
+        count(found.combinations), found.evaluated);
+  }
+  return fmt::format(
+      "{} of {} combinations on the raster are covered ({:.3g} %), {} of them evaluated; more "
+      "boxes cover more.",
+      count(found.covered), count(found.combinations), 100 * found.covered / found.combinations,
+      found.evaluated);
+}
+
+}  // namespace
+
+std::vector<Quantity> raster_quantities(const synthesis::RasterResult& found,
+                                        const ErrorOfObjective& error) {
+  std::vector<Quantity> all{
+      {"raster_combinations", found.combinations},   {"raster_covered", found.covered},
+      {"raster_evaluated", double(found.evaluated)}, {"raster_boxes", double(found.boxes)},
+      {"raster_complete", found.is_complete},        {"raster_proven", found.is_enumerated}};
+  if (found.relaxed) all.push_back({"continuous_error", error(found.relaxed->objective)});
+  if (found.rounded && std::isfinite(found.rounded->objective)) {
+    all.push_back({"rounded_error", error(found.rounded->objective)});
+  }
+  all.push_back({"rounded_feasible", found.rounded_is_accepted});
+  if (found.designs.empty()) return all;
+  const double best = error(found.designs.front().objective), bound = error(found.bound);
+  all.push_back({"raster_error", best});
+  all.push_back({"raster_bound", bound});
+  all.push_back({"raster_gap", gap_of(best, bound)});
+  return all;
+}
+
+std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
+                                      const ErrorOfObjective& error) {
+  std::vector<std::string> notes{coverage(found)};
+  if (found.designs.empty()) {
+    notes.emplace_back(found.is_enumerated
+                           ? "No combination on the raster meets every constraint."
+                           : "No combination on the raster was found that meets every "
+                             "constraint.");
+    return notes;
+  }
+  if (!found.relaxed) return notes;
+  const double best = error(found.designs.front().objective), bound = error(found.bound);
+  const bool has_rounded = found.rounded && std::isfinite(found.rounded->objective);
+  const std::string rounded =
+      !has_rounded ? std::string("which cannot be rounded")
+                   : fmt::format("which rounded has {:.4g}{}", error(found.rounded->objective),
+                                 found.rounded_is_accepted ? "" : " and breaks a constraint");
+  notes.push_back(fmt::format(
+      "Error on the raster {:.4g}; of the continuous optimum {:.4g}, {}; bound of the "
+      "search {:.4g} (gap {:.3g} %).",
+      best, error(found.relaxed->objective), rounded, bound, 100 * gap_of(best, bound)));
+  return notes;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,250 @@
+#include "problems/search/robust.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/numbers/parallel.hpp"
+#include "problems/tolerance/draws.hpp"
+#include "synthesis/robust/quantile_model.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Samples of the search, of a point of the front, and of the figures that are told.
+constexpr std::size_t kSearchSamples = 2048, kFrontSamples = 100'000, kToldSamples = 1'000'000;
+/// Points of the front between nominal optimum and least quantile.
+constexpr int kBetween = 6;
+/// A search that has gained less than this begins anew no more; so often at most: the solver sees a
+/// function with edges and may stop on one.
+constexpr double kGain = 1e-4;
+constexpr int kRestarts = 8;
+constexpr int kIterations = 60;
+/// Seeds of samples: those of the search are not those of the figures.
+constexpr std::uint64_t kSearchSeed = 0x526f62757374, kFrontSeed = 0x46726f6e74,
+                        kToldSeed = 0x546f6c64;
+
+/// Dimensions moved by drawn changes.
+class DrawnPerturbation final : public synthesis::Perturbation {
+ public:
+  DrawnPerturbation(const RobustStart& start, ToleranceDistribution distribution,
+                    std::uint64_t seed, std::size_t count)
+      : variables_(start.variables), count_(count), changes_(start.dimensions.size() * count) {
+    draw_changes(start.dimensions, distribution, seed, 0, count, changes_);
+  }
+
+  std::size_t count() const override { return count_; }
+
+  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
+            std::span<double> slope) const override {
+    std::ranges::copy(x, moved.begin());
+    std::ranges::fill(slope, 1.0);
+    for (std::size_t d = 0; d < variables_.size(); ++d) {
+      const synthesis::AxisVariable& axis = variables_[d];
+      const auto place = static_cast<std::size_t>(axis.variable);
+      const double change = changes_[d * count_ + sample] / axis.scale;
+      if (axis.is_logarithm) {
+        const double length = std::exp(x[place]);
+        moved[place] = std::log(length + change);
+        slope[place] = length / (length + change);
+      } else {
+        moved[place] += change;
+      }
+    }
+  }
+
+ private:
+  std::vector<synthesis::AxisVariable> variables_;
+  std::size_t count_;
+  std::vector<double> changes_;  ///< a column for each dimension
+};
+
+/// A design on its way.
+struct RobustFound {
+  const RobustStart* start = nullptr;
+  std::vector<double> x;
+  RobustPoint point;
+};
+
+class RobustSearch {
+ public:
+  RobustSearch(const RobustTask& task, const Run& run, const Deadline& deadline)
+      : task_(task), run_(run), deadline_(deadline) {}
+
+  RobustAnswer run() {
+    const auto nominal = known(task_.starts.front(), task_.starts.front().x);
+    if (!nominal) return {};
+    std::vector<RobustFound> all{*nominal};
+    add_least(all);
+    const std::size_t best = least_of(all);
+    if (best > 0) add_between(all[0], all[best], all);
+    return {front_of(std::move(all))};
+  }
+
+ private:
+  bool is_over() const { return deadline_.reached(); }
+
+  synthesis::QuantileOptions options(std::optional<double> most) const {
+    return {.share = task_.share,
+            .components = task_.components,
+            .scale = task_.scale,
+            .most_sum_of_squares = most};
+  }
+
+  /// The share of `count` samples drawn afresh that err by no more.
+  double quantile(const RobustStart& start, std::span<const double> x, std::uint64_t seed,
+                  std::size_t count) const {
+    const DrawnPerturbation drawn(start, task_.distribution, seed + run_.seed, count);
+    const synthesis::QuantileModel model(*start.model, drawn, options({}));
+    const auto errors = model.errors(x, run_.threads);
+    const double place = std::ceil(task_.share * static_cast<double>(count));
+    return task_.unit * errors[std::min(count, static_cast<std::size_t>(place)) - 1];
+  }
+
+  /// The point that `x` is, if it meets the constraints.
+  std::optional<RobustFound> known(const RobustStart& start, std::vector<double> x) const {
+    auto design = task_.design(start, x);
+    if (!design) return std::nullopt;
+    RobustFound found{&start, std::move(x), {*std::move(design)}};
+    found.point.error = task_.error(found.point.design);
+    found.point.quantile = quantile(start, found.x, kFrontSeed, kFrontSamples);
+    return found;
+  }
+
+  /// The least quantile that a descent from `x` finds, the nominal sum of squares within `most`.
+  std::vector<double> descend(const RobustStart& start, std::vector<double> x,
+                              std::optional<double> most) const {
+    const DrawnPerturbation drawn(start, task_.distribution, kSearchSeed, kSearchSamples);
+    const synthesis::QuantileModel model(*start.model, drawn, options(most));
+    const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRestarts && !is_over(); ++round) {
+      const auto solution =
+          synthesis::solve(synthesis::Solver::slsqp, restricted, restricted.inwards(x),
+                           {.tolerance = 1e-9,
+                            .max_iterations = kIterations,
+                            .time_limit = deadline_.remaining(),
+                            .interrupted = deadline_.flag()});
+      const bool is_worse = !(solution.objective < before * (1 - kGain));
+      if (solution.x.empty() || solution.stop == synthesis::Stop::no_value) break;
+      if (solution.objective < before) x = restricted.outwards(solution.x);
+      if (is_worse) break;
+      before = solution.objective;
+    }
+    return x;
+  }
+
+  void add_least(std::vector<RobustFound>& all) const {
+    std::vector<std::optional<RobustFound>> found(task_.starts.size());
+    parallel_for(static_cast<int>(found.size()), run_.threads, [&](int index, int) {
+      const auto i = static_cast<std::size_t>(index);
+      if (is_over()) return;
+      found[i] = known(task_.starts[i], descend(task_.starts[i], task_.starts[i].x, {}));
+    });
+    for (auto& one : found) {
+      if (one) all.push_back(*std::move(one));
+    }
+  }
+
+  static std::size_t least_of(const std::vector<RobustFound>& all) {
+    const auto least = std::ranges::min_element(
+        all, {}, [](const RobustFound& found) { return found.point.quantile; });
+    return static_cast<std::size_t>(least - all.begin());
+  }
+
+  double sum_of_squares(const RobustFound& found) const {
+    std::vector<double> r(static_cast<std::size_t>(found.start->model->residual_count()));
+    if (!found.start->model->residuals(found.x, r, {}, {})) return 0;
+    double sum = 0;
+    for (const double value : r) sum += value * value;
+    return sum;
+  }
+
+  /// Points between the two ends, the nominal error bounded in equal steps.
+  void add_between(const RobustFound nominal, const RobustFound best,
+                   std::vector<RobustFound>& all) const {
+    const double low = std::sqrt(sum_of_squares(nominal)), high = std::sqrt(sum_of_squares(best));
+    if (!(high > low)) return;
+    std::vector<std::optional<RobustFound>> found(2 * kBetween);
+    parallel_for(2 * kBetween, run_.threads, [&](int index, int) {
+      if (is_over()) return;
+      const double share = double(index / 2 + 1) / (kBetween + 1);
+      const double most = low + share * (high - low);
+      const RobustFound& from = index % 2 == 0 ? nominal : best;
+      found[static_cast<std::size_t>(index)] =
+          known(*from.start, descend(*from.start, from.x, most * most));
+    });
+    for (auto& one : found) {
+      if (one) all.push_back(*std::move(one));
+    }
+  }
+
+  /// Those that no other is better than in both, by their error; the two ends told with more
+  /// samples, the end dropped where these do not find it better.
+  std::vector<RobustPoint> front_of(std::vector<RobustFound> all) const {
+    std::ranges::stable_sort(all.begin() + 1, all.end(), {},
+                             [](const RobustFound& found) { return found.point.error; });
+    std::vector<RobustFound*> kept;
+    for (RobustFound& found : all) {
+      const bool is_less = kept.empty() || found.point.quantile < kept.back()->point.quantile;
+      if (is_less) kept.push_back(&found);
+    }
+    tell(*kept.front());
+    if (kept.size() > 1) {
+      tell(*kept.back());
+      if (!(kept.back()->point.quantile < kept.front()->point.quantile)) kept.resize(1);
+    }
+    std::vector<RobustPoint> front;
+    for (RobustFound* found : kept) front.push_back(std::move(found->point));
+    return front;
+  }
+
+  void tell(RobustFound& found) const {
+    found.point.quantile = quantile(*found.start, found.x, kToldSeed, kToldSamples);
+  }
+
+  const RobustTask& task_;
+  const Run& run_;
+  const Deadline& deadline_;
+};
+
+}  // namespace
+
+RobustAnswer robust_designs(const RobustTask& task, const Run& run, const Deadline& deadline) {
+  return task.starts.empty() ? RobustAnswer{} : RobustSearch(task, run, deadline).run();
+}
+
+void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Result& result) {
+  if (answer.front.empty()) {
+    result.notes.emplace_back(
+        "There is no robust design: no nominal design meets every constraint.");
+    return;
+  }
+  const std::string unit = is_angle ? "_deg" : "";
+  Family family{"Robust front", {{"nominal_error" + unit, {}}, {"quantile" + unit, {}}}};
+  for (const RobustPoint& point : answer.front) {
+    family.columns[0].values.push_back(point.error);
+    family.columns[1].values.push_back(point.quantile);
+  }
+  const double nominal = answer.front.front().quantile, robust = answer.front.back().quantile;
+  result.quantities.push_back({"nominal_quantile" + unit, nominal});
+  result.quantities.push_back({"robust_quantile" + unit, robust});
+  result.quantities.push_back({"robust_samples", double(kToldSamples)});
+  result.notes.push_back(fmt::format(
+      "Of what is made of the robust design {:.4g} % err by no more than {:.4g}, of the nominal "
+      "optimum by no more than {:.4g}: by {} samples that the search has not seen.",
+      100 * task.share, robust, nominal, kToldSamples));
+  if (answer.front.size() == 1) {
+    result.notes.emplace_back("No design was found that is more robust than the nominal optimum.");
+  }
+  result.designs.clear();
+  for (auto point = answer.front.rbegin(); point != answer.front.rend(); ++point) {
+    result.designs.push_back(std::move(point->design));
+  }
+  result.families.push_back(std::move(family));
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,154 @@
+#include "problems/tolerance/allocate.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "analysis/numbers/constants.hpp"
+#include "synthesis/tolerance/allocation.hpp"
+#include "synthesis/tolerance/worst_case.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// What the file calls the dimension `name`: "coupler_point" for "coupler_point.u".
+bool is_of_group(std::string_view name, std::string_view group, bool is_pivot) {
+  if (group == "pivots") return is_pivot;
+  return name == group || (name.starts_with(group) && name.substr(group.size()).starts_with("."));
+}
+
+bool is_pivot_coordinate(std::string_view name) {
+  return name.ends_with(".x") || name.ends_with(".y");
+}
+
+/// Demands of one position for given tolerances.
+class Demands {
+ public:
+  Demands(const ToleranceQuestion& question, std::size_t judged, const SensitivityTable& table,
+          double limit, int power)
+      : question_(question),
+        quantity_(question.quantities[judged]),
+        judged_(judged),
+        table_(table),
+        limit_(limit),
+        power_(power) {}
+
+  /// The nominal error at a station, and of a point its direction.
+  Vec2d nominal(std::size_t s) const {
+    if (!quantity_.is_distance()) {
+      return {quantity_.offset.empty() ? 0 : std::abs(quantity_.offset[s]), 0};
+    }
+    return quantity_.target.empty() ? Vec2d{} : table_.value(s, judged_) - quantity_.target[s];
+  }
+
+  double greatest_nominal() const {
+    double most = 0;
+    for (std::size_t s = 0; s < question_.stations.size(); ++s) {
+      most = std::max(most, norm(nominal(s)));
+    }
+    return most;
+  }
+
+  synthesis::ToleranceDemand worst(const std::vector<double>& t) const {
+    synthesis::ToleranceDemand worst;
+    double most = -1;
+    for (std::size_t s = 0; s < question_.stations.size(); ++s) {
+      synthesis::ToleranceDemand demand = power_ == 2 ? squared(s) : direct(s, t);
+      double spent = 0;
+      for (std::size_t i = 0; i < t.size(); ++i) {
+        spent += demand.factors[i] * std::pow(t[i], power_);
+      }
+      if (spent / demand.limit > most) {
+        most = spent / demand.limit;
+        worst = std::move(demand);
+      }
+    }
+    return worst;
+  }
+
+ private:
+  synthesis::ToleranceDemand squared(std::size_t s) const {
+    synthesis::ToleranceDemand demand;
+    for (const Vec2d& rate : table_.rates(s, judged_)) demand.factors.push_back(squared_norm(rate));
+    const double left = limit_ - norm(nominal(s));
+    demand.limit = left * left;
+    return demand;
+  }
+
+  /// Along the direction in which the corner of the tolerances lies farthest.
+  synthesis::ToleranceDemand direct(std::size_t s, const std::vector<double>& t) const {
+    const auto rates = table_.rates(s, judged_);
+    const Vec2d base = nominal(s);
+    Vec2d along{1, 0};
+    if (quantity_.is_distance()) {
+      std::vector<Vec2d> arms{base};
+      for (std::size_t i = 0; i < t.size(); ++i) arms.push_back(t[i] * rates[i]);
+      const Vec2d corner = synthesis::farthest_corner_place(std::move(arms));
+      if (norm(corner) > 0) along = (1 / norm(corner)) * corner;
+    }
+    synthesis::ToleranceDemand demand;
+    for (const Vec2d& rate : rates) demand.factors.push_back(std::abs(dot(rate, along)));
+    demand.limit = limit_ - std::abs(dot(base, along));
+    return demand;
+  }
+
+  const ToleranceQuestion& question_;
+  const ToleranceQuantity& quantity_;
+  std::size_t judged_;
+  const SensitivityTable& table_;
+  double limit_;
+  int power_;
+};
+
+std::vector<double> costs_of(const std::vector<TolerancedDimension>& dimensions,
+                             const Allocation& allocation) {
+  std::vector<double> costs;
+  for (const TolerancedDimension& dimension : dimensions) {
+    double cost = 1;
+    for (const auto& [group, factor] : allocation.costs) {
+      if (is_of_group(dimension.name, group, is_pivot_coordinate(dimension.name))) cost = factor;
+    }
+    costs.push_back(cost);
+  }
+  return costs;
+}
+
+}  // namespace
+
+void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tolerances,
+                    const ToleranceQuestion& question, std::size_t judged,
+                    const SensitivityTable& table, ToleranceResult& result) {
+  if (!tolerances.allocation || toleranced.dimensions.empty()) return;
+  const Allocation& allocation = *tolerances.allocation;
+  const bool angle = is_angular(question.quantities[judged].response.type);
+  const double limit = allocation.limit * (angle ? kPi / 180 : 1);
+  const int power = allocation.basis == AllocationBasis::rss ? 2 : 1;
+  const Demands demands(question, judged, table, limit, power);
+  if (!(demands.greatest_nominal() < limit)) {
+    result.notes.push_back(fmt::format(
+        "No tolerances keep the error within the limit of tolerance.allocate: that of the nominal "
+        "design is {:.6g} already.",
+        demands.greatest_nominal() * (angle ? 180 / kPi : 1)));
+    return;
+  }
+  const std::vector<double> costs = costs_of(toleranced.dimensions, allocation);
+  const auto cheapest = synthesis::cheapest_tolerances(
+      costs, [&](const std::vector<double>& t) { return demands.worst(t); }, power);
+  if (!cheapest) {
+    result.notes.emplace_back(
+        "No tolerances were allocated: a dimension does not change the error at any position, so "
+        "that its tolerance has no end.");
+    return;
+  }
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const double t = cheapest->tolerances[i];
+    result.allocation.push_back({toleranced.dimensions[i].name, t, costs[i] / t});
+  }
+  result.allocation_cost = cheapest->cost;
+  result.allocation_error = limit;
+}
+
+}  // namespace cognate::problems

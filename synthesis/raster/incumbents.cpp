@@ -1,0 +1,91 @@
+#include "synthesis/raster/incumbents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "analysis/numbers/parallel.hpp"
+
+namespace cognate::synthesis {
+
+RasterIncumbents::RasterIncumbents(const RasterTask& task, const RasterOptions& options)
+    : task_(task), options_(options) {}
+
+double RasterIncumbents::objective() const {
+  return best_.empty() ? std::numeric_limits<double>::infinity() : best_.front().point.objective;
+}
+
+bool RasterIncumbents::meets_all(const RasterPoint& point) const {
+  return point.violation <= options_.feasibility && std::isfinite(point.objective) &&
+         task_.accepts(point);
+}
+
+void RasterIncumbents::consider(const std::vector<RasterNumbers>& all,
+                                std::span<const RasterPoint> from) {
+  std::vector<RasterNumbers> fresh;
+  for (const RasterNumbers& at : all) {
+    if (looked_at_.insert(at).second) fresh.push_back(at);
+  }
+  std::vector<std::optional<RasterPoint>> found(fresh.size());
+  parallel_for(static_cast<int>(fresh.size()), options_.threads, [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    found[i] = task_.evaluate(fresh[i], from);
+  });
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    if (found[i]) insert(std::move(fresh[i]), *std::move(found[i]));
+  }
+}
+
+/// Acceptance may cost more than all else: it is asked only of what would be kept.
+void RasterIncumbents::insert(RasterNumbers at, RasterPoint point) {
+  const bool is_full = best_.size() >= options_.designs;
+  if (is_full && !(point.objective < best_.back().point.objective)) return;
+  if (!meets_all(point)) return;
+  if (is_full) best_.pop_back();
+  const auto place = std::ranges::upper_bound(
+      best_, point.objective, {}, [](const Kept& kept) { return kept.point.objective; });
+  best_.insert(place, {std::move(at), std::move(point)});
+}
+
+std::vector<RasterNumbers> RasterIncumbents::neighbours(const RasterNumbers& at) const {
+  const auto axes = task_.axes();
+  std::vector<RasterNumbers> all;
+  const auto moved = [&](const RasterNumbers& from, std::size_t axis, std::int64_t by) {
+    RasterNumbers to = from;
+    to[axis] += by;
+    if (to[axis] < 0 || to[axis] >= axes[axis].values.count()) to.clear();
+    return to;
+  };
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (const int by : {-1, 1}) {
+      const RasterNumbers one = moved(at, i, by);
+      if (one.empty()) continue;
+      all.push_back(one);
+      for (std::size_t k = i + 1; k < axes.size(); ++k) {
+        for (const int other : {-1, 1}) {
+          RasterNumbers two = moved(one, k, other);
+          if (!two.empty()) all.push_back(std::move(two));
+        }
+      }
+    }
+  }
+  return all;
+}
+
+void RasterIncumbents::improve(const std::function<bool()>& is_over) {
+  while (!best_.empty() && !is_over()) {
+    const double before = objective();
+    const std::vector<RasterPoint> from{best_.front().point};
+    consider(neighbours(best_.front().at), from);
+    if (!(objective() < before)) return;
+  }
+}
+
+std::vector<RasterPoint> RasterIncumbents::take() {
+  std::vector<RasterPoint> all;
+  for (Kept& kept : best_) all.push_back(std::move(kept.point));
+  return all;
+}
+
+}  // namespace cognate::synthesis

@@ -1,0 +1,52 @@
+/// @file The best combinations of a raster that are known, and those that were looked at.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "synthesis/raster/raster.hpp"
+
+namespace cognate::synthesis {
+
+/// Combinations that were evaluated, the best of them kept.
+class RasterIncumbents {
+ public:
+  /// What it is made of must outlive it.
+  RasterIncumbents(const RasterTask& task, const RasterOptions& options);
+
+  /// Evaluates those of `all` that were not yet, from `from`, and keeps the best that are accepted.
+  void consider(const std::vector<RasterNumbers>& all, std::span<const RasterPoint> from);
+
+  /// Moves on from the best to its best neighbour (one or two axes by one value each) until none is
+  /// better, or `is_over`.
+  void improve(const std::function<bool()>& is_over);
+
+  /// Whether `point`, at one combination, meets every constraint.
+  bool meets_all(const RasterPoint& point) const;
+
+  /// Of the best; infinite without one.
+  double objective() const;
+  std::uint64_t evaluated() const { return looked_at_.size(); }
+  /// Best first.
+  std::vector<RasterPoint> take();
+
+ private:
+  struct Kept {
+    RasterNumbers at;
+    RasterPoint point;
+  };
+
+  void insert(RasterNumbers at, RasterPoint point);
+  std::vector<RasterNumbers> neighbours(const RasterNumbers& at) const;
+
+  const RasterTask& task_;
+  const RasterOptions& options_;
+  std::set<RasterNumbers> looked_at_;
+  std::vector<Kept> best_;
+};
+
+}  // namespace cognate::synthesis
