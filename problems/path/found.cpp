@@ -209,7 +209,7 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   // A crank that turns fully satisfies no limits there: the descent stays in the class that it
   // began in.
   const auto own = turns ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
-  if (!knows_limits || !own || own == side) return solution;
+  if (!knows_limits || !own || own == side || own == confined_to) return solution;
   found.minimum.confined_to = own;
   along = in_order(model_of(problem, found.minimum));
   if (improves(along)) return along;
