@@ -102,8 +102,8 @@ double unit_of(const std::vector<MotionCondition>& conditions, double rise, doub
 }
 
 /// `append_pieces` of a polynomial: one piece. False where a condition is given twice, lies outside
-/// the segment, or where the conditions have no polynomial or many (Pólya's condition fails), told
-/// by the condition number of their equations.
+/// the segment, or where the conditions have no polynomial or many (Pólya's condition fails),
+/// reported by the condition number of their equations.
 bool append_polynomial(const MotionSegment& segment, double begin, double start, int index,
                        std::vector<MotionPiece<double>>& pieces) {
   constexpr Real kLeastReciprocalCondition = 1e-12L, kGreatestResidual = 1e-9L;

@@ -20,8 +20,9 @@ struct Station {
 };
 
 /// The angle of a body's first axis, the displacement along a slide, the place of a point, the
-/// transmission angle of a dyad (in [0, π]) or its discriminant, both as DyadClosure has them.
-enum class ResponseType { angle, displacement, point, transmission, closure };
+/// transmission angle of a dyad (in [0, π]) or its discriminant, both as DyadClosure has them, or
+/// how far a point lies along a direction.
+enum class ResponseType { angle, displacement, point, transmission, closure, along };
 
 /// One of these. A displacement is counted along the slide of the nominal mechanism, from the place
 /// in the axes of its body at which that has it.
@@ -29,6 +30,7 @@ struct Response {
   ResponseType type = ResponseType::angle;
   std::size_t index = 0;  ///< of the body, the point of the MechanismWithPoints, or the dyad
   SlidingPair slide;      ///< of a displacement
+  Vec2d direction{};      ///< unit vector, of `along`
 };
 
 /// Whether the response is an angle, given by a unit vector.
@@ -64,6 +66,10 @@ class ChangedMechanism {
       case ResponseType::point: {
         const Attached<T>& point = changed_.points[response.index];
         return place(point.body, point.at);
+      }
+      case ResponseType::along: {
+        const Attached<T>& point = changed_.points[response.index];
+        return {dot(place(point.body, point.at), lifted(response.direction)), T(0)};
       }
       case ResponseType::transmission: {
         const DyadClosure<T>& closure = closures_[response.index];

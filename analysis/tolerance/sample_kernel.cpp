@@ -149,6 +149,11 @@ void errors_of_block(const ErrorTask& task) {
     const Vec2d reference = task.reference[s];
     if (task.angular) {
       angles(x, y, reference, deviation);
+    } else if (task.normal != nullptr) {
+      const Vec2d normal = task.normal[s];
+      for (std::size_t i = 0; i < kBlockSamples; ++i) {
+        deviation[i] = (x[i] - reference.x) * normal.x + (y[i] - reference.y) * normal.y;
+      }
     } else if (task.point) {
       for (std::size_t i = 0; i < kBlockSamples; ++i) {
         const double dx = x[i] - reference.x, dy = y[i] - reference.y;

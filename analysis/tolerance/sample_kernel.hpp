@@ -48,6 +48,7 @@ struct ErrorTask {
   std::size_t stations, samples;
   bool angular, point;
   const Vec2d* reference;  ///< nominal value at each station; of a point its target
+  const Vec2d* normal;     ///< along which a point's distance counts, or null
   const double* offset;    ///< nominal error at each station, of scalars
   const double* weight;    ///< 1, or 0 of samples that are not assembled
   double* extreme;         ///< of each sample: greatest error, is raised

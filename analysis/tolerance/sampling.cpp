@@ -100,6 +100,7 @@ class BlockRoom {
                                 .angular = is_angular(judged.response.type),
                                 .point = judged.response.type == ResponseType::point,
                                 .reference = judged.reference.data(),
+                                .normal = judged.normal.empty() ? nullptr : judged.normal.data(),
                                 .offset = judged.offset.data(),
                                 .weight = weight_.data(),
                                 .extreme = own,

@@ -20,6 +20,9 @@ struct JudgedResponse {
   Response response;
   std::vector<Vec2d> reference;  ///< one for each station
   std::vector<double> offset;    ///< likewise; of points 0
+  /// Of a point of which only the part of its distance along these unit vectors counts, which makes
+  /// it a scalar; else empty.
+  std::vector<Vec2d> normal;
 };
 
 /// Over the assembled samples, of the deviation of a scalar or of a point's distance.

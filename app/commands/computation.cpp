@@ -85,6 +85,16 @@ ExitStatus refuse(const fs::path& file, const std::vector<problems::Fault>& faul
   return exit_bad_input;
 }
 
+ExitStatus refuse_result(const fs::path& file, const std::string& message, const Options& options) {
+  write_standard_error(printable(message) + '\n');
+  const std::string name = file.string() + ": ";
+  const bool named = message.starts_with(name);
+  if (options.json) {
+    print(write_json(faults_document(file, {{1, 1, message.substr(named ? name.size() : 0)}})));
+  }
+  return exit_bad_input;
+}
+
 ExitStatus compute(const fs::path& file, const Options& options, const Computation& computation) {
   const auto complain_that = [](const std::string& what) {
     complain(what);

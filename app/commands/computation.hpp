@@ -43,6 +43,11 @@ nlohmann::ordered_json faults_document(const std::filesystem::path& file,
 ExitStatus refuse(const std::filesystem::path& file, const std::vector<problems::Fault>& faults,
                   const Options& options);
 
+/// The same of a file that is no result, or lacks what is asked of it: `message` begins with its
+/// name.
+ExitStatus refuse_result(const std::filesystem::path& file, const std::string& message,
+                         const Options& options);
+
 /// Runs `computation` of the problem in `file` as `options` say: with progress and interrupts,
 /// writes NAME.result.json and its files, NAME being the file's stem, and prints the table (with
 /// `--json` the document, with `--quiet` nothing). Whether the files can be written is found out

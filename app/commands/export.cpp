@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/computation.hpp"
+#include "app/commands/export_design.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/output_files.hpp"
@@ -41,12 +43,6 @@ ExitStatus complain_that(const std::string& what) {
   return exit_bad_input;
 }
 
-/// Says `message`, which begins with a file's name.
-ExitStatus refuse_file(const std::string& message) {
-  write_standard_error(printable(message) + '\n');
-  return exit_bad_input;
-}
-
 ExitStatus write_and_tell(const fs::path& file, const Exported& made, const Options& options) {
   const fs::path folder = options.out.value_or(".");
   if (const auto written = write_files(folder, made.files); !written) {
@@ -80,7 +76,8 @@ ExportOutcome analysis_file(const ResultDesign& design, const ExportOptions& exp
   });
 }
 
-/// By the kind that has mechanisms of this type alone, or as a linkage.
+}  // namespace
+
 ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exporting,
                             const std::string& stem, const Options& options) {
   const std::string type = text_under(design.table["mechanism"], "type");
@@ -99,18 +96,16 @@ ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exp
   });
 }
 
-}  // namespace
-
 ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
                           const Options& options) {
   const auto design = read_result_design(file, exporting.design).and_then([&](ResultDesign read) {
     return in_length_unit(std::move(read), options.length_unit);
   });
-  if (!design) return refuse_file(design.error());
+  if (!design) return refuse_result(file, design.error(), options);
   const auto made = export_design(*design, exporting, stem_of_result(file), options);
   if (made) return write_and_tell(file, *made, options);
   const auto& [message, of_file] = made.error();
-  return of_file ? refuse_file(message) : complain_that(message);
+  return of_file ? refuse_result(file, message, options) : complain_that(message);
 }
 
 }  // namespace cognate::app

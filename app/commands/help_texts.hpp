@@ -120,7 +120,8 @@ inline constexpr const char* kExportTail =
   arcs.
   Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
-               circle on BASE_CIRCLE, a cross on CENTRE
+               circle of the profile on BASE_CIRCLE, the prime circle of a
+               roller's pitch curve on PRIME_CIRCLE, a cross on CENTRE
     NAME.svg   a picture with the same curves
     NAME.profile.csv   the points with cam angle, outward normal, curvature
                radius; of a groove or conjugate cams one file for each curve

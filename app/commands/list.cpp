@@ -12,9 +12,12 @@
 #include "app/console/terminal.hpp"
 #include "app/documents/catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/documents/version.hpp"
 #include "app/kinds/kinds.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/linkage/keys.hpp"
+#include "problems/linkage/warning_keys.hpp"
 #include "problems/raster/keys.hpp"
 
 namespace cognate::app {
@@ -77,26 +80,11 @@ constexpr Entry kBounds[] = {
     {"coupler_point", "[[umin, vmin], [umax, vmax]]"},
     {"frame_angle_deg, input_start_deg, output_start_deg, output_start", "[min, max]"}};
 
-constexpr Entry kDesignConstraints[] = {
-    {"class",
-     "\"crank-rocker\", \"double-crank\", \"rocker-crank\", \"double-rocker\", \"triple-rocker\", "
-     "\"grashof\" or \"non-grashof\""},
-    {"transmission_angle_deg", "[min, max] over the motion"},
-    {"link_ratio_max", "longest over shortest link"},
-    {"time_ratio", "[min, max] of K; with class = \"crank-rocker\""},
-    {"rms_error_max", "paths and motions: the most root mean square of the distances"},
-    {"rms_error_deg_max", "functions by least squares: likewise of the angles"},
-    {"max_error_deg_max", "functions by minimax: the maximum error allowed"},
-    {"pivot_region", "[[xmin, ymin], [xmax, ymax]] of the fixed pivots"},
-    {"clearance",
-     "[[constraints.clearance]], over the full turn: point = \"coupler-point\", \"B\" or \"C\", "
-     "inside or outside = [[xmin, "
-     "ymin], [xmax, ymax]]"}};
+namespace keys = problems::reading;
 
-constexpr Entry kMotionConstraints[] = {
-    {"no_branch_defect, no_order_defect, no_circuit_defect", "true (default) or false"},
-    {"no_extra_loop",
-     "true (default) or false: the whole coupler curve keeps to a closed target curve"}};
+constexpr auto kDesignConstraints =
+    entries_of(keys::kMobilityKeys, keys::kErrorKeys, keys::kPlaceLimitKeys);
+constexpr auto kMotionConstraints = entries_of(keys::kDefectKeys, keys::kLoopKeys);
 
 constexpr auto kConstraints = with_cycle_quantities(
     kDesignConstraints,
@@ -126,13 +114,17 @@ constexpr Entry kLoad[] = {
      "\"always\" (default); on the rocker of a crank-rocker \"advance\" (while it turns "
      "counter-clockwise) or \"return\""}};
 
+constexpr auto kWarnings = entries_of(problems::reading::kWarningKeys);
+
 constexpr KeyedEntry kCommon[] = {
     {"[bounds]", "of what is sought", kBounds},
     {"[constraints]", "on the designs", kConstraints},
     {"[drive]", "for peak accelerations, torques, speeds and powers over the turn", kDrive},
     {"[flywheel]", "for speed_fluctuation_max and flywheel_inertia_max", kFlywheel},
     {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
-    {"[[load]]", "likewise", kLoad}};
+    {"[[load]]", "likewise", kLoad},
+    {"[warnings]", "from where on designs that meet every constraint are warned of", kWarnings},
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
 
 constexpr Entry kHeadKeys[] = {
     {"title", "what tables, reports and drawings are called"},
@@ -264,7 +256,9 @@ std::vector<ListSection> metrics_of_kind() {
   std::vector<ListSection> all = listed(Kind<Problem>::metric_lists());
   if constexpr (designs_linkages<Problem>) {
     for (const MetricList& list : metric_lists()) {
-      if (list.key == "metrics" || list.key == "facts") all.push_back(list_section(list));
+      if (list.key == "metrics" || list.key == "facts" || list.key == "tolerance_metrics") {
+        all.push_back(list_section(list));
+      }
     }
   }
   return all;
@@ -300,11 +294,21 @@ ordered_json document_of(const std::vector<ListSection>& sections) {
   return document;
 }
 
+/// Of all kinds where `kind` is empty.
+std::vector<ListSection> sections_of(const std::string& kind, bool metrics) {
+  if (!kind.empty()) return of_kind(kind, metrics);
+  return metrics ? listed(metric_lists()) : capabilities();
+}
+
 }  // namespace
 
+std::optional<ordered_json> list_document(const std::string& kind, bool metrics) {
+  const auto sections = sections_of(kind, metrics);
+  return sections.empty() ? std::nullopt : std::optional(document_of(sections));
+}
+
 ExitStatus list_command(const std::string& kind, bool metrics, const Options& options) {
-  const auto all = [&] { return metrics ? listed(metric_lists()) : capabilities(); };
-  const auto sections = kind.empty() ? all() : of_kind(kind, metrics);
+  const auto sections = sections_of(kind, metrics);
   if (sections.empty()) {
     complain(unknown_kind(kind));
     return exit_bad_input;

@@ -97,9 +97,8 @@ ExitStatus analyze_command(const fs::path& file, const Options& options) {
 }
 
 ExitStatus analyze_design_command(const fs::path& file, int design, const Options& options) {
-  const auto refuse_file = [](const std::string& message) {
-    write_standard_error(printable(message) + '\n');
-    return exit_bad_input;
+  const auto refuse_file = [&](const std::string& message) {
+    return refuse_result(file, message, options);
   };
   const auto given = read_result_design(file, design).and_then([&](ResultDesign read) {
     return in_length_unit(std::move(read), options.length_unit);

@@ -107,8 +107,9 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
   const bool has_report = !options.json || options.out;
   if (has_report) {
     const auto rows = report_rows(database.connection(), sweep.study, kReportedRows);
-    const auto written =
-        write_file(sweep.path(".report.html"), study_report_html(document, sweep.study, rows));
+    const auto written = write_file(sweep.path(".report.html"),
+                                    study_report_html(document, sweep.study, rows,
+                                                      sweep.path(".study.db").filename().string()));
     if (!written) return refuse_study(written.error());
   }
   say_end(sweep, summary);

@@ -1,6 +1,7 @@
 #include "app/console/design_columns.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +10,14 @@
 #include <string>
 #include <variant>
 
-#include "app/console/design_dimensions.hpp"
+#include "analysis/mechanism/joints.hpp"
 #include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/type_quantities.hpp"
 #include "problems/linkage/linkage_keys.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
 namespace {
@@ -74,12 +76,14 @@ std::string origin_text(const Design& design) {
   std::string text = printable(design.origin);
   if (design.cognate_of) text += fmt::format(", cognate of {}", *design.cognate_of + 1);
   if (design.mirror_of) text += fmt::format(", mirror image of {}", *design.mirror_of + 1);
+  if (design.twin_of) text += fmt::format(", links of {}", *design.twin_of + 1);
+  if (!design.differs.empty()) text += fmt::format(", other {}", fmt::join(design.differs, ", "));
   return text;
 }
 
 std::string dimensions_text(const Design& design) {
   std::string text;
-  for (const auto& [name, value] : dimensions(design.mechanism)) {
+  for (const auto& [name, value] : main_dimensions(design.mechanism)) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{} {}", name, number(value, 6));
   }
@@ -95,6 +99,50 @@ std::string coupler_point_text(const Design& design) {
   if (mechanism.extra_points.empty()) return kNoValue;
   const Vec2d& p = mechanism.extra_points.front().at;
   return fmt::format("[{}, {}]", number(p.x, 6), number(p.y, 6));
+}
+
+/// The largest of what a design's lengths are, beside which less is rounding.
+double size_of(const Design& design) {
+  double size = 0;
+  for (const auto& dimension : problems::main_dimensions(design.mechanism)) {
+    size = std::max(size, std::abs(dimension.value));
+  }
+  return size;
+}
+
+/// `value`, or that it is nothing but rounding beside `size`.
+std::string error_text(double value, double size, int digits) {
+  constexpr double kRounding = 1e-12;
+  return std::abs(value) <= kRounding * size ? "exact (to rounding)" : number(value, digits);
+}
+
+/// "[0, 0] [3.5, 0]": the pins of the frame.
+std::string pivots_text(const Design& design) {
+  std::string text;
+  for (const Joint& joint : joints(design.mechanism.mechanism).joints) {
+    if (joint.type != JointType::revolute || joint.at.body != 0) continue;
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : " ", number(joint.at.at.x, 6),
+                        number(joint.at.at.y, 6));
+  }
+  return text.empty() ? kNoValue : text;
+}
+
+std::string assembly_text(const Design& design) {
+  const FourBar* linkage = design.mechanism.four_bar();
+  return linkage ? std::string(problems::to_string(linkage->assembly)) : kNoValue;
+}
+
+/// The crank's angle at the first target, of a driving slider its place.
+std::string first_drive_text(const Design& design) {
+  if (design.crank_angles.empty()) return kNoValue;
+  const bool slides =
+      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
+  const double at = design.crank_angles.front();
+  return number(slides ? at : problems::degrees(at), 6);
+}
+
+std::string degrees_text(const std::optional<double>& angle) {
+  return angle ? number(problems::degrees(*angle), 6) : kNoValue;
 }
 
 std::string quantity_text(const Design& design, std::string_view name) {
@@ -114,8 +162,10 @@ class Columns : public DesignTable<Design> {
     if (unit.empty()) return;
     const double scale = unit == "deg" ? problems::degrees(1) : 1;
     const auto add_error = [&](std::string_view name, double problems::TargetError::*part) {
-      add(fmt::format("{} [{}]", name, unit), Align::right,
-          [=](const Design& d) { return number(scale * (d.error.*part), 4); });
+      add(fmt::format("{} [{}]", name, unit), Align::right, [=](const Design& d) {
+        const double size = unit == "deg" ? problems::degrees(1) : size_of(d);
+        return error_text(scale * (d.error.*part), size, 4);
+      });
     };
     add_error("rms", &problems::TargetError::rms);
     add_error("max", &problems::TargetError::max);
@@ -135,11 +185,11 @@ class Columns : public DesignTable<Design> {
       add("dimensions [length]", Align::left, dimensions_text);
       return;
     }
-    const auto names =
-        designs().empty() ? std::vector<Dimension>{} : dimensions(designs().front().mechanism);
+    const auto names = designs().empty() ? std::vector<problems::Dimension>{}
+                                         : main_dimensions(designs().front().mechanism);
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i].name + " [length]", Align::right,
-          [i](const Design& d) { return number(dimensions(d.mechanism)[i].value, 6); });
+          [i](const Design& d) { return number(main_dimensions(d.mechanism)[i].value, 6); });
     }
   }
 };
@@ -171,8 +221,19 @@ std::vector<Column> design_columns(Designs designs, const ColumnChoice& choice) 
   if (choice.coupler_point) {
     columns.add_if_any("coupler point [length]", Align::left, coupler_point_text);
   }
-  columns.add_if_any("residual", Align::right,
-                     [](const Design& d) { return number(d.metrics.precision_residual, 2); });
+  if (choice.places) {
+    columns.add_if_any("fixed pivots [length]", Align::left, pivots_text);
+    columns.add_if_any("drive at the first", Align::right, first_drive_text);
+  }
+  columns.add_if_any("assembly", Align::left, assembly_text);
+  columns.add_if_any("input start [deg]", Align::right,
+                     [](const Design& d) { return degrees_text(d.metrics.input_start); });
+  columns.add_if_any("output start [deg]", Align::right,
+                     [](const Design& d) { return degrees_text(d.metrics.output_start); });
+  columns.add_if_any("residual", Align::right, [](const Design& d) {
+    const auto& residual = d.metrics.precision_residual;
+    return residual ? error_text(*residual, 1, 2) : kNoValue;
+  });
   columns.add_if_any("condition", Align::right,
                      [](const Design& d) { return number(d.metrics.condition, 3); });
   columns.add("defects", Align::left, defects_text);

@@ -25,6 +25,8 @@ struct ColumnChoice {
   std::string_view error_unit;  ///< errors are left out where empty, and in degrees where "deg"
   bool angular_output = false;  ///< whether speeds and accelerations are those of a rocker
   bool coupler_point = false;
+  bool places =
+      false;  ///< whether fixed pivots and the crank's angle at the first target are found
   std::span<const QuantityColumn> quantities;
 };
 

@@ -13,6 +13,7 @@
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
+#include "app/console/tolerance_table.hpp"
 #include "problems/basics/names.hpp"
 
 namespace cognate::app {
@@ -62,6 +63,12 @@ std::string certificate_line(const Result& result) {
       proof.upper_bound, proof.lower_bound, proof.gap_relative, among);
 }
 
+/// Of the best design: those of the others are in the result.
+std::string tolerances_text(std::span<const problems::Design> designs, const Screen& screen) {
+  if (designs.empty() || !designs.front().tolerance) return {};
+  return tolerance_table(*designs.front().tolerance, screen);
+}
+
 /// Without a unit in the file lengths count as metres where powers, torques and inertias follow
 /// from them.
 Screen with_metres(Screen screen, std::span<const problems::Design> designs) {
@@ -78,11 +85,11 @@ std::string design_table(const std::string& heading, const ColumnChoice& choice,
                          const Result& result, const Screen& screen) {
   const auto designs = shown_designs(result);
   return result_table({.heading = heading,
-                       .before = quantities_line(result),
                        .designs = designs.empty() ? ""
                                                   : table_text(design_columns(designs, choice),
                                                                with_metres(screen, designs)),
-                       .after = certificate_line(result)},
+                       .after = quantities_line(result) + tolerances_text(designs, screen) +
+                                certificate_line(result)},
                       result, screen);
 }
 

@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <variant>
 
 #include "app/console/messages.hpp"
+#include "problems/basics/length_unit.hpp"
+#include "problems/linkage/constraint_words.hpp"
 
 namespace cognate::app {
 
@@ -32,6 +35,25 @@ std::string number_list(const std::vector<std::size_t>& numbers) {
     text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
   }
   return text;
+}
+
+/// The name of a constraint, followed by its words where these say more.
+std::string name_with_words(const std::string& name, const std::string& label) {
+  const auto letters = [](std::string text) {
+    std::erase_if(text, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+    return text;
+  };
+  return letters(name).find(letters(label)) != std::string::npos
+             ? name
+             : fmt::format("{}, the {}", name, label);
+}
+
+/// "at most 5", "40…140", "crank-rocker".
+std::string allowed_text(const problems::ConstraintCheck& check, std::string_view relation) {
+  const std::string bound = std::visit(WrittenValue{}, check.bound);
+  if (!std::holds_alternative<double>(check.bound)) return bound;
+  if (relation == "<=") return "at most " + bound;
+  return relation == ">=" ? "at least " + bound : bound;
 }
 
 }  // namespace
@@ -101,13 +123,15 @@ std::string WrittenValue::operator()(const problems::Range& range) const {
 void Violations::add(std::size_t number, std::span<const problems::ConstraintCheck> checks) {
   for (const auto& check : checks) {
     if (check.satisfied) continue;
-    const auto values = fmt::format("{}; allowed: {}", std::visit(WrittenValue{}, check.value),
-                                    std::visit(WrittenValue{}, check.bound));
-    const auto same = [&](const Line& line) {
-      return line.name == check.name && line.values == values;
-    };
+    const problems::ConstraintWords words = problems::words_of(check);
+    const std::string name = name_with_words(check.name, words.label);
+    const std::string unit = problems::in_length_unit(words.unit, length_);
+    const auto values =
+        fmt::format("{}{}{}; allowed: {}", std::visit(WrittenValue{}, check.value),
+                    unit.empty() ? "" : " ", unit, allowed_text(check, words.relation));
+    const auto same = [&](const Line& line) { return line.name == name && line.values == values; };
     auto line = std::ranges::find_if(lines_, same);
-    if (line == lines_.end()) line = lines_.insert(line, {check.name, values, {}});
+    if (line == lines_.end()) line = lines_.insert(line, {name, values, {}});
     line->designs.push_back(number);
   }
 }
@@ -119,6 +143,14 @@ std::string Violations::text(bool colour) const {
     const auto what = fmt::format("design{} {} violate{} {}", one ? "" : "s",
                                   number_list(line.designs), one ? "s" : "", line.name);
     text += paint(what, Colour::red, colour) + ": " + line.values + '\n';
+  }
+  return text;
+}
+
+std::string warnings_text(std::span<const std::string> warnings, bool colour) {
+  std::string text;
+  for (const auto& warning : warnings) {
+    text += paint("warning:", Colour::yellow, colour) + ' ' + printable(warning) + '\n';
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/console/paint.hpp"
@@ -52,9 +53,14 @@ struct WrittenValue {
 /// Which designs violate what: one line for all that violate a constraint by the same value.
 class Violations {
  public:
+  /// `length`: the word for the unit of lengths, or empty.
+  explicit Violations(std::string length) : length_(std::move(length)) {}
+
   /// The checks of the design `number`.
   void add(std::size_t number, std::span<const problems::ConstraintCheck> checks);
-  /// "designs 2 and 5 to 8 violate class: rocker-crank; allowed: crank-rocker", and so on.
+  /// "designs 2 and 5 to 8 violate class: rocker-crank; allowed: crank-rocker", "design 3 violates
+  /// tip_clearance_min.pinion, the tip clearance (pinion): 0.1 module; allowed: at least 0.2", and
+  /// so on.
   std::string text(bool colour) const;
 
  private:
@@ -63,6 +69,7 @@ class Violations {
     std::string values;  ///< what it is and what is allowed
     std::vector<std::size_t> designs;
   };
+  std::string length_;
   std::vector<Line> lines_;  ///< in the order in which the first design of each came
 };
 
@@ -77,17 +84,16 @@ std::string status_text(const AnyResult& result, bool colour) {
 
 /// What those of `result`'s designs that are printed violate.
 template <class AnyResult>
-std::string violations_text(const AnyResult& result, bool colour) {
-  Violations violations;
+std::string violations_text(const AnyResult& result, const Screen& screen) {
+  Violations violations(screen.length);
   std::size_t number = 0;
   for (const auto& design : shown_designs(result)) violations.add(++number, design.constraints);
-  return violations.text(colour);
+  return violations.text(screen.colour);
 }
 
 /// The parts of the table of a result that differ from kind to kind.
 struct ResultTable {
   std::string heading;
-  std::string before;   ///< lines before the designs
   std::string designs;  ///< empty where there is none
   std::string after;    ///< lines after what designs violate
 };
@@ -100,17 +106,23 @@ std::string result_table(const ResultTable& parts, const AnyResult& result, cons
 /// A line for each note.
 std::string notes_text(std::span<const std::string> notes);
 
+/// A line for each warning.
+std::string warnings_text(std::span<const std::string> warnings, bool colour);
+
 /// "0.5 s on 2 threads, 12 candidates screened", with the end of the line.
 std::string work_line(const problems::Work& work);
 
 template <class AnyResult>
 std::string result_table(const ResultTable& parts, const AnyResult& result, const Screen& screen) {
-  std::string text = parts.heading + '\n' + status_text(result, screen.colour) + parts.before;
+  std::string text = parts.heading + '\n' + status_text(result, screen.colour);
   if (!parts.designs.empty()) {
     text += parts.designs + left_out_line(result.designs.size()) + '\n';
   }
-  return text + violations_text(result, screen.colour) + parts.after + notes_text(result.notes) +
-         work_line(result.work);
+  text += violations_text(result, screen) + parts.after;
+  if constexpr (requires { result.warnings; }) {
+    text += warnings_text(result.warnings, screen.colour);
+  }
+  return text + notes_text(result.notes) + work_line(result.work);
 }
 
 }  // namespace cognate::app

@@ -4,28 +4,22 @@
 
 #include <string>
 
+#include "problems/linkage/keys.hpp"
+
 namespace cognate::app {
 namespace {
 
-constexpr Entry kSolveOptions[] = {
-    {"solver", "one of the solvers above (default \"auto\")"},
-    {"starts", "how many starts are refined (default: chosen by the problem)"},
-    {"designs",
-     "how many different designs to return, 1 to 100 (default 3); where the solutions are finitely "
-     "many: to 10000, by default all"},
-    {"objectives", {}},  // see objectives_meaning
-    {"loss",
-     "none (default), huber, soft-l1, cauchy, arctan, tukey: least squares of paths and functions "
-     "that gross errors in the target do not govern"},
-    {"loss_scale",
-     "with a loss: the error from which it differs, a length for paths, radians for functions"},
-    {"tolerance", "relative change of the error at which a refinement stops"},
-    {"atlas",
-     "paths, closed curves: the study file of an atlas, whose nearest curves a search begins with"},
-    {"certify",
-     "true: prove how near the best design is to the best possible; timed paths and functions by "
-     "least squares (at most 60 s, or what --time-limit leaves)"},
-    {"certify_gap", "the relative gap at which a certificate is complete (default 1e-3)"}};
+namespace keys = problems::reading;
+
+constexpr Entry kObjectives[] = {{"objectives", {}}};  // see objectives_meaning
+
+constexpr Entry kAtlas[] = {{"atlas",
+                             "paths, closed curves: the study file of an atlas, whose nearest "
+                             "curves a search begins with"}};
+
+constexpr auto kSolveOptions =
+    entries_of(keys::kSearchKeys, kObjectives, keys::kLossKeys, keys::kStoppingKeys, kAtlas,
+               keys::kCertificateKeys, keys::kRobustKeys);
 
 constexpr Metric kMotionMetrics[] = {
     {"class", "",
@@ -176,7 +170,7 @@ std::string objectives_meaning() {
 std::span<const Entry> solve_options() {
   static const std::string objectives = objectives_meaning();
   static const auto options = [] {
-    auto all = std::to_array(kSolveOptions);
+    auto all = kSolveOptions;
     std::ranges::find(all, "objectives", &Entry::name)->meaning = objectives;
     return all;
   }();

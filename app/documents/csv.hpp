@@ -18,7 +18,7 @@ struct CsvWords {
 
 /// A header line with the columns' names, then one line for each row; lines end in CR LF. A name
 /// that holds a comma, a quote or a line break is quoted. Numbers are the shortest that read back
-/// to the same double, with a decimal point whatever the locale; what is not a number is an empty
+/// to the same double, with a decimal point in any locale; what is not a number is an empty
 /// cell.
 ///
 /// `length`, the unit of lengths where it is known, stands in the names of columns that hold

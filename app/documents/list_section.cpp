@@ -25,7 +25,10 @@ std::string entries_text(std::span<const Entry> entries, std::string_view indent
 ordered_json entries_json(std::span<const Entry> entries) {
   ordered_json rows = ordered_json::array();
   for (const auto& entry : entries) {
-    rows.push_back({{"name", entry.name}, {"meaning", entry.meaning}});
+    ordered_json row = {{"name", entry.name}, {"meaning", entry.meaning}};
+    if (!entry.type.empty()) row["type"] = entry.type;
+    if (entry.values) row["values"] = entry.values();
+    rows.push_back(std::move(row));
   }
   return rows;
 }

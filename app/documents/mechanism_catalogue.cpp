@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "app/documents/tolerance_catalogue.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
@@ -101,7 +102,8 @@ constexpr KeyedEntry kAnalysisTables[] = {
     {"[[load]]", "a force or a torque on a body", kLoadTable},
     {"gravity", "[gx, gy] in length/s2 (default [0, 0]); a key, not a table", {}},
     {"[drive]", "how the crank, or the driving slider, moves", kDriveTable},
-    {"[output]", "what is computed; the rest is skipped", kOutputTable}};
+    {"[output]", "what is computed; the rest is skipped", kOutputTable},
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
 
 }  // namespace
 

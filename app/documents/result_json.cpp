@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_json.hpp"
 #include "app/documents/version.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/linkage/constraint_words.hpp"
 #include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::app {
@@ -130,9 +132,10 @@ ordered_json document_head(problems::Status status, std::uint64_t seed, ordered_
 }
 
 tl::expected<ordered_json, std::string> finished_document(ordered_json document,
-                                                          const std::vector<std::string>& notes,
+                                                          const Sentences& sentences,
                                                           const problems::Work& work) {
-  document["notes"] = notes;
+  document["warnings"] = sentences.warnings;
+  document["notes"] = sentences.notes;
   document["work"] = to_json(work);
   if (const auto where = find_non_finite(document)) {
     return tl::unexpected(fmt::format("the result has no finite number at {}", *where));
@@ -153,10 +156,16 @@ ordered_json design_json(const problems::Design& design, bool angular) {
   table["error"] = error_json(design.error, angular);
   table["metrics"] = metrics_json(design.metrics);
   table["constraints"] = ordered_json::array();
-  for (const auto& check : design.constraints) table["constraints"].push_back(to_json(check));
+  for (const auto& check : design.constraints) {
+    table["constraints"].push_back(to_json(check, angular));
+  }
+  table["warnings"] = design.warnings;
   table["origin"] = design.origin;
   if (design.cognate_of) table["cognate_of"] = *design.cognate_of;
   if (design.mirror_of) table["mirror_of"] = *design.mirror_of;
+  if (design.twin_of) table["twin_of"] = *design.twin_of;
+  if (!design.differs.empty()) table["differs"] = design.differs;
+  if (design.tolerance) table["tolerance"] = tolerance_json(*design.tolerance);
   return table;
 }
 
@@ -186,8 +195,12 @@ void add_finite_quantities(ordered_json& table, std::vector<problems::Quantity> 
   add_quantities(table, quantities);
 }
 
-ordered_json to_json(const problems::ConstraintCheck& check) {
+ordered_json to_json(const problems::ConstraintCheck& check, bool angular) {
+  const problems::ConstraintWords words = problems::words_of(check, angular);
   return {{"name", check.name},
+          {"label", words.label},
+          {"relation", words.relation},
+          {"unit", words.unit},
           {"value", std::visit(CheckedValue{}, check.value)},
           {"bound", std::visit(CheckedValue{}, check.bound)},
           {"satisfied", check.satisfied}};

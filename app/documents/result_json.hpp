@@ -15,11 +15,17 @@ namespace cognate::app {
 nlohmann::ordered_json document_head(problems::Status status, std::uint64_t seed,
                                      nlohmann::ordered_json problem);
 
-/// `document` with `notes` and `work`. The error says which number was NaN or infinite: no such
-/// document may be written.
-tl::expected<nlohmann::ordered_json, std::string> finished_document(
-    nlohmann::ordered_json document, const std::vector<std::string>& notes,
-    const problems::Work& work);
+/// What a result says in sentences.
+struct Sentences {
+  const std::vector<std::string>& notes;
+  std::vector<std::string> warnings;
+};
+
+/// `document` with `warnings`, `notes` and `work`. The error says which number was NaN or infinite:
+/// no such document may be written.
+tl::expected<nlohmann::ordered_json, std::string> finished_document(nlohmann::ordered_json document,
+                                                                    const Sentences& sentences,
+                                                                    const problems::Work& work);
 
 /// The `[mechanism]` table of a mechanism in the file's own terms. Of a chain it holds the tables
 /// `pivot`, `crank` or `slider`, `dyad` and `point` too.
@@ -42,8 +48,10 @@ void add_linkage_findings(nlohmann::ordered_json& document, const problems::Resu
 void add_finite_quantities(nlohmann::ordered_json& table,
                            std::vector<problems::Quantity> quantities);
 
-/// An entry of a design's `constraints`; infinite numbers, which JSON cannot hold, give null.
-nlohmann::ordered_json to_json(const problems::ConstraintCheck& check);
+/// An entry of a design's `constraints`, with its name in words, relation and unit
+/// (constraint_words.hpp; `angular`: of an output that turns); infinite numbers, which JSON cannot
+/// hold, give null.
+nlohmann::ordered_json to_json(const problems::ConstraintCheck& check, bool angular = false);
 
 /// The table `work` of a result.
 nlohmann::ordered_json to_json(const problems::Work& work);

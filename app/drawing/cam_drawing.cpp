@@ -30,9 +30,14 @@ bool add_curves(const CamProblem& problem, const cam::Cam& cam, const std::strin
   for (auto& [wall, distance] :
        parallel_curves(problem, cam, options.kind, options.cutter_radius)) {
     const cam::CamCurve curve{cam.system, cam.programme, distance};
+    const auto& dimensions = cam.system.follower.dimensions;
+    const double prime = dimensions.base_radius, roller = dimensions.roller_radius;
     CamOutline outline{name.empty() ? wall : name,
                        placed_polygon(curve, options.chord_tolerance, half_turn, problem.clockwise),
-                       std::max(0.0, cam.system.follower.dimensions.base_radius + distance)};
+                       std::max(0.0, prime + distance)};
+    outline.profile_radius =
+        options.kind == CamCurveKind::profile ? outline.base_radius : std::max(0.0, prime - roller);
+    outline.prime_radius = roller > 0 ? prime : 0;
     if (outline.points.size() >= kMostCamPoints) return false;
     outline.crosses_itself = crosses_itself(outline.points);
     drawing.curves.push_back(std::move(outline));
@@ -67,7 +72,7 @@ std::optional<CamDrawing> cam_drawing(const CamProblem& problem, const CamDesign
 double reach_of(const CamDrawing& drawing) {
   double reach = 0;
   for (const auto& curve : drawing.curves) {
-    reach = std::max(reach, curve.base_radius);
+    reach = std::max({reach, curve.base_radius, curve.prime_radius});
     for (const auto& point : curve.points) {
       reach = std::max({reach, std::abs(point.at.x), std::abs(point.at.y)});
     }

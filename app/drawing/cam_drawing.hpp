@@ -30,6 +30,8 @@ struct CamOutline {
   std::vector<cam::ProfilePoint> points;
   /// Of the circle about the cam's centre on which the curve lies at displacement 0.
   double base_radius = 0;
+  double profile_radius = 0;  ///< of the base circle, on which the cam's profile lies there
+  double prime_radius = 0;    ///< of the prime circle of a roller's pitch curve; 0 without roller
   bool crosses_itself = false;
 };
 

@@ -9,7 +9,7 @@
 
 namespace cognate::app {
 
-/// The part of a guide on which a block travels, in the axes of the body that bears it.
+/// The part of a guide on which a block travels, in the axes of the body that carries it.
 struct Rail {
   Vec2d from{};
   Vec2d to{};

@@ -1,4 +1,4 @@
-/// @file A drawing in layers, whatever the format it is written in.
+/// @file A drawing in layers, independent of the format it is written in.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
@@ -36,9 +37,17 @@ PlanOutline outline_of(const CamOutline& curve, const char* layer) {
   return outline;
 }
 
-/// Each curve a closed outline on the layer PROFILE, PITCH or CUTTER, the base circles on
-/// BASE_CIRCLE, and two crossing lines on CENTRE. It is called as `problem`, or "Cam" where that
-/// has no title.
+/// Adds a circle about the cam's centre unless it has no radius or is there already.
+void add_circle(const char* layer, double radius, Plan& plan) {
+  const bool known = std::ranges::any_of(plan.circles, [&](const PlanCircle& circle) {
+    return circle.layer == layer && circle.radius == radius;
+  });
+  if (radius > 0 && !known) plan.circles.push_back({layer, {}, radius});
+}
+
+/// Each curve a closed outline on the layer PROFILE, PITCH or CUTTER, the base circles of the
+/// profiles on BASE_CIRCLE, the prime circles of rollers on PRIME_CIRCLE, and two crossing lines on
+/// CENTRE. It is called as `problem`, or "Cam" where that has no title.
 Plan cam_plan(const CamDrawing& drawing, const problems::CamProblem& problem) {
   const char* layer = layer_of(drawing.kind);
   const double reach = reach_of(drawing);
@@ -51,9 +60,14 @@ Plan cam_plan(const CamDrawing& drawing, const problems::CamProblem& problem) {
       .high = {reach, reach},
       .layers = {
           {layer, colour}, {"BASE_CIRCLE", PlanColour::grey, true}, {"CENTRE", PlanColour::red}}};
+  if (std::ranges::any_of(drawing.curves,
+                          [](const auto& curve) { return curve.prime_radius > 0; })) {
+    plan.layers.push_back({"PRIME_CIRCLE", PlanColour::grey, true});
+  }
   for (const auto& curve : drawing.curves) {
     plan.outlines.push_back(outline_of(curve, layer));
-    if (curve.base_radius > 0) plan.circles.push_back({"BASE_CIRCLE", {}, curve.base_radius});
+    add_circle("BASE_CIRCLE", curve.profile_radius, plan);
+    add_circle("PRIME_CIRCLE", curve.prime_radius, plan);
   }
   const double arm = kCamCentreMark * reach;
   plan.outlines.push_back(plan_line("CENTRE", {-arm, 0}, {arm, 0}));

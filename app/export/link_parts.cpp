@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kThinWall = 0.1;  // of a hole
 
-/// A slider that bears nothing but its joint.
+/// A slider that carries nothing but its joint.
 bool is_mere_pin(const LinkShape& link) {
   return link.shape.block && link.shape.rails.empty() && link.places.size() <= 1;
 }

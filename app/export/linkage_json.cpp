@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/console/design_dimensions.hpp"
 #include "app/documents/json_values.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
 namespace {
@@ -96,7 +96,7 @@ ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
   ordered_json document = {{"type", problems::to_string(mechanism.type())},
                            {"dimensions", ordered_json::object()}};
   if (const auto unit = linkage.problem.length_unit) document["length_unit"] = to_string(*unit);
-  for (const auto& dimension : dimensions(mechanism)) {
+  for (const auto& dimension : main_dimensions(mechanism)) {
     document["dimensions"][dimension.name] = dimension.value;
   }
   for (const char* list : {"links", "joints", "paths"}) document[list] = ordered_json::array();

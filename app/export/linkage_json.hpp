@@ -14,7 +14,7 @@
 
 namespace cognate::app {
 
-/// What a document tells of parts.
+/// What a document says of parts.
 struct PartOptions {
   const LinkParts& made;
   const PartLayers& layers;

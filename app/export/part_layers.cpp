@@ -101,7 +101,8 @@ class LayerAssignment {
 
   bool gave_up() const { return trials_ >= kMostTrials; }
 
-  /// Each part in the lowest layer that is free of parts it meets, whatever the pins meet.
+  /// Each part in the lowest layer that is free of parts it meets, regardless of what the pins
+  /// meet.
   std::vector<int> stack_without_pins() {
     std::ranges::fill(layers_, -1);
     for (std::size_t i = 0; i < layers_.size(); ++i) {

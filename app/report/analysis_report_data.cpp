@@ -8,9 +8,9 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/report/column_vectors.hpp"
 #include "app/report/drawn_rows.hpp"
+#include "app/report/load_arrows.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
-#include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
 namespace {
@@ -40,8 +40,8 @@ ordered_json moved_drive(const AnalysisProblem& problem) {
 }
 
 /// The rows' drive coordinates, and each column's values in them.
-ordered_json table_json(const AnalysisProblem& problem, const AnalysisResult& result) {
-  const auto rows = drawn_rows(result.columns, kAnalysisRows, kAnalysisCells);
+ordered_json table_json(const AnalysisProblem& problem, const AnalysisResult& result,
+                        std::span<const std::size_t> rows) {
   const double unit = drive_unit(problem.mechanism);
   const double steps = std::max(1, problem.drive.steps);
   ordered_json drive = ordered_json::array(), columns = ordered_json::array();
@@ -99,32 +99,18 @@ ordered_json landmarks_json(const AnalysisProblem& problem, const AnalysisResult
   return list;
 }
 
-/// The keys of each type, [name, form], in the order in which the kernel of the page takes them.
-ordered_json mechanism_keys() {
-  ordered_json types = ordered_json::object();
-  problems::for_each_mechanism_type([&]<class Type>(std::type_identity<Type>) {
-    if constexpr (problems::SimpleType<Type>) {
-      auto& keys = types[std::string(problems::TypeTraits<Type>::kWord)];
-      for (const auto& key : problems::TypeTraits<Type>::kKeys) {
-        const auto form = std::visit([](const auto& holds) { return holds.kForm; }, key.holds);
-        keys.push_back({key.name, form});
-      }
-    }
-  });
-  return types;
-}
-
 }  // namespace
 
 ordered_json analysis_report_data(const AnalysisProblem& problem, const AnalysisResult& result) {
+  const auto rows = drawn_rows(result.columns, kAnalysisRows, kAnalysisCells);
   return {{"drive", moved_drive(problem)},
           {"mechanism", mechanism_json(problem)},
-          {"table", table_json(problem, result)},
+          {"table", table_json(problem, result, rows)},
           {"vectors", vectors_json(problem, result)},
           {"normals", normals_json(problem, result)},
+          {"loads", load_arrows(problem, result, rows)},
           {"landmarks", landmarks_json(problem, result)},
-          {"facts", quantities_json(result.quantities)},
-          {"mechanism_keys", mechanism_keys()}};
+          {"facts", quantities_json(result.quantities)}};
 }
 
 }  // namespace cognate::app

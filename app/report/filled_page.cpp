@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// How many characters of a member of the result that the page draws from elsewhere it bears.
+/// How many characters of a member of the result that the page draws from elsewhere it takes.
 constexpr std::size_t kLarge = 400'000;
 
 /// JSON that may stand in a script element: ASCII alone, so no U+2028, and every '<' escaped, so no

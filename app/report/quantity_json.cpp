@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/mechanism_json.hpp"
+#include "problems/linkage/constraint_words.hpp"
 
 namespace cognate::app {
 namespace {
@@ -26,7 +27,11 @@ struct BoundJson {
 ordered_json constraints_json(const std::vector<problems::ConstraintCheck>& checks) {
   ordered_json list = ordered_json::array();
   for (const auto& check : checks) {
+    const problems::ConstraintWords words = problems::words_of(check);
     list.push_back({{"name", check.name},
+                    {"label", words.label},
+                    {"relation", words.relation},
+                    {"unit", words.unit},
                     {"value", std::visit(BoundJson{}, check.value)},
                     {"bound", std::visit(BoundJson{}, check.bound)},
                     {"satisfied", check.satisfied}});

@@ -54,7 +54,7 @@ using nlohmann::ordered_json;
 using problems::Cell;
 using problems::Study;
 
-/// What a page bears that is to open at once.
+/// What a page holds that is to open at once.
 constexpr std::size_t kStudyRows = 5'000;
 constexpr std::size_t kStudyCells = 80'000;
 constexpr std::size_t kBaseText = 200'000;
@@ -253,8 +253,9 @@ ordered_json study_report_data(const Study& study, const StudyRows& rows) {
 }
 
 std::string study_report_html(const ordered_json& document, const problems::Study& study,
-                              const StudyRows& rows) {
+                              const StudyRows& rows, std::string_view database) {
   ordered_json data = study_report_data(study, rows);
+  if (!database.empty()) data["database"] = database;
   data["result"] = without_large_lists(document);
   return filled_page(study_page(), data, length_word(study.length_unit));
 }

@@ -29,8 +29,9 @@ std::vector<std::size_t> drawn_study_rows(const StudyRows& rows);
 /// A whole HTML page that opens from disk and loads nothing: `document` (the `cognate-study/1`
 /// summary), the columns of `rows`, and what it takes to write the file of each design and, where
 /// the base is a four-bar, to draw it. Of very many rows the best and an even selection of the
-/// others are kept. Text of the user's cannot become markup.
+/// others are kept. Text of the user's cannot become markup. `database`: the name of the file of
+/// rows, which commands on the page name; empty: beside the report, under its name.
 std::string study_report_html(const nlohmann::ordered_json& document, const problems::Study& study,
-                              const StudyRows& rows);
+                              const StudyRows& rows, std::string_view database = {});
 
 }  // namespace cognate::app

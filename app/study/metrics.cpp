@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/kinds.hpp"
 
 namespace cognate::app {
@@ -110,6 +111,7 @@ std::vector<MetricList> metric_lists() {
     const auto own = Kind<Problem>::metric_lists();
     all.insert(all.end(), own.begin(), own.end());
   });
+  all.push_back({"tolerance_metrics", "metric where a file has tolerances", kToleranceMetrics});
   all.push_back({"facts", "fact of a synthesis", quantities(), false});
   all.push_back({"study_metrics", "further metric of a study", study_extras()});
   return all;

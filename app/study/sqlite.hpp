@@ -40,7 +40,7 @@ class SqliteStatement {
   bool step();
   /// Runs a statement that gives no rows.
   void run();
-  /// Begins again, whatever has been read.
+  /// Begins again, regardless of what has been read.
   void reset();
 
   int columns() const;

@@ -10,7 +10,7 @@
 
 namespace cognate::problems {
 
-/// What of a file with masses or loads bears on the unit of its lengths.
+/// What in a file with masses or loads depends on the unit of its lengths.
 struct WeighedLengths {
   std::optional<LengthUnit> unit;
   Vec2d gravity{};

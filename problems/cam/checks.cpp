@@ -59,7 +59,7 @@ class Checks {
     }
   }
 
-  /// What is told only where it fails: the follower stays on its side of the cam's centre, and a
+  /// Reported only where it fails: the follower stays on its side of the cam's centre, and a
   /// roller clear of it.
   void add_assembly() {
     const auto& d = cam_.system.follower.dimensions;

@@ -91,8 +91,8 @@ struct CamProblem {
   std::vector<FreeMotionParameter> free_motion;
   CamLength lengths[kCamDimensions];
   cam::Operation operation;
-  bool has_operation = false;  ///< whether forces and torque can be told
-  bool has_contact = false;    ///< whether contact stress can be told
+  bool has_operation = false;  ///< whether forces and torque are known
+  bool has_contact = false;    ///< whether contact stress is known
   std::optional<ContactMaterials> materials;
   std::optional<double> preload;  ///< empty: the least that keeps contact
   CamConstraints constraints;

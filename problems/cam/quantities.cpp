@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "analysis/cam/profile.hpp"
 #include "problems/basics/degrees.hpp"
@@ -69,7 +70,16 @@ class Facts {
     if (follows) add_at("pressure_angle_deg_max_return_working", *follows, degrees(1));
   }
 
+  /// The prime circle, on which the pitch curve of a roller lies at displacement 0, and the base
+  /// circle, on which the profile does.
+  void add_circles(const std::string& cam, const cam::CamDimensions<double>& dimensions) {
+    const auto& [prime, roller] = std::tie(dimensions.base_radius, dimensions.roller_radius);
+    if (roller > 0) quantities_.push_back({cam + "prime_radius", prime});
+    quantities_.push_back({cam + "base_radius", prime - roller});
+  }
+
   void add_shape() {
+    add_circles("", cam_.system.follower.dimensions);
     const auto convex = extremes_.convex_radius(), concave = extremes_.concave_radius();
     if (convex) add_at("curvature_radius_min", *convex);
     if (concave) add_at("concave_radius_min", *concave);
@@ -88,7 +98,7 @@ class Facts {
     }
     if (!design_.second) return;
     const cam::Cam& second = *design_.second;
-    add("second_cam_base_radius", second.system.follower.dimensions.base_radius);
+    add_circles("second_cam_", second.system.follower.dimensions);
     const CamExtremes extremes(second);
     add_at("second_cam_pressure_angle_deg_max", extremes.pressure_angle(), degrees(1));
     const auto convex = extremes.convex_radius();

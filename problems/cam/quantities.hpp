@@ -11,7 +11,7 @@ namespace cognate::problems {
 
 /// What `extremes`, those of the design's own cam, say of the whole turn, as named in `cognate list
 /// --metrics`: pressure angles with where they are, least radii of curvature, undercut, the
-/// profile's radii, and where `problem` tells enough: face width, roller speed, forces, torque,
+/// profile's radii, and where `problem` says enough: face width, roller speed, forces, torque,
 /// stress, preload.
 std::vector<Quantity> cam_quantities(const CamProblem& problem, const CamDesign& design,
                                      const CamExtremes& extremes);

@@ -40,7 +40,7 @@ bool has_least_radius(const CamConstraints& c) {
   return is_positive(c.curvature_radius_min) || c.profile_radius_min.has_value();
 }
 
-// The force on a sliding face is what the motion demands, whatever the cam's size.
+// The force on a sliding face is what the motion demands, for any size of the cam.
 bool has_force_by_size(const CamProblem& problem) {
   return problem.follower != FollowerType::translating_flat;
 }

@@ -45,6 +45,7 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Raster> raster{};  ///< of one topology
   std::optional<Tolerances> tolerances{};
 };
@@ -64,7 +65,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel. The same problem and seed give the
-/// same designs whatever the number of threads.
+/// same designs for any number of threads.
 Result solve(const ChainPathProblem& problem, const Run& run);
 
 template <>

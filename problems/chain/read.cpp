@@ -7,6 +7,7 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/tolerance/read.hpp"
@@ -91,6 +92,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();
   }
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/linkage/keys.hpp"
 #include "problems/linkage/read_constraints.hpp"
 
 namespace cognate::problems::reading {
@@ -72,7 +73,8 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
 }
 
 void read_chain_solve(TableReader& table, Solve& solve) {
-  read_counts(table, kMostSearchedDesigns, solve);
+  solve.starts = table.integer("starts", kStartCount.min, kStartCount.max);
+  read_design_count(table, kMostSearchedDesigns, solve);
   for (const std::string_view key : {"solver", "tolerance", "loss", "loss_scale", "certify",
                                      "certify_gap", "objectives", "atlas"}) {
     if (!table.has(key)) continue;
@@ -85,7 +87,7 @@ void read_chain_solve(TableReader& table, Solve& solve) {
 void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types) {
   mechanism.choice_of("type", types);
-  document.know({"target", "mechanism", "bounds", "constraints", "solve", "raster", "pivot",
+  document.know({"target", "mechanism", "bounds", "constraints", "solve", "warnings", "pivot",
                  "crank", "dyad", "point", "raster", "tolerance"});
 }
 

@@ -1,4 +1,4 @@
-/// @file What a file says of a chain that is to be designed, whatever for: its structure, what is
+/// @file What a file says of a chain that is to be designed for any purpose: its structure, what is
 /// given and bounded, limits, and the search.
 #pragma once
 

@@ -6,13 +6,16 @@
 #include <iterator>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
 #include "problems/chain/verify.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
@@ -115,6 +118,23 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
       "exactly. More points say more of what is wanted between them.");
 }
 
+/// Of a design the traced point of its topology.
+void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) -> std::optional<ToleranceQuestion> {
+        const auto name =
+            find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
+        const auto topology =
+            std::ranges::find(problem.topologies, name.value_or(""), &Topology::name);
+        if (topology == problem.topologies.end()) return std::nullopt;
+        return error_at_targets(design.mechanism,
+                                topology->lines[static_cast<std::size_t>(topology->trace)].name,
+                                design.crank_angles, problem.points, !problem.crank_angles.empty());
+      },
+      result);
+}
+
 }  // namespace
 
 Result solve(const ChainPathProblem& given, const Run& run) {
@@ -135,11 +155,13 @@ Result solve(const ChainPathProblem& given, const Run& run) {
     result.status = status_of(result.designs, deadline);
   }
   note_unknowns(problem, chains, result);
+  add_warnings(extent_of(problem.points), problem.warnings, result);
   if (result.designs.empty()) {
     result.notes.push_back(
         "No chain was found that closes at every target point; wider bounds or more starts may "
         "help.");
   }
+  add_chain_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();
   return result;

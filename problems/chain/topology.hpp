@@ -28,7 +28,7 @@ struct TopologyLine {
 
 /// A chain whose dimensions are found where they are not given.
 struct Topology {
-  std::string name;  ///< as files write it: "watt-1"; "chain" for one that the file tells
+  std::string name;  ///< as files write it: "watt-1"; "chain" for one that the file describes
   std::vector<TopologyLine> lines;
   int trace = 0;  ///< the line of the point whose path counts
 };
@@ -39,7 +39,7 @@ struct TopologyWord {
   std::string_view meaning;
 };
 
-/// `mechanism.type` of a chain that the file tells point by point.
+/// `mechanism.type` of a chain that the file describes point by point.
 inline constexpr std::string_view kChainWord = "chain";
 
 /// The topologies that the word `mechanism.type` stands for: one, or several that are tried in

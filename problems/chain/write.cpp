@@ -2,6 +2,7 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_parts.hpp"
 #include "problems/chain/write_design.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
@@ -47,6 +48,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
+          .set("warnings", warnings_writer(problem.warnings))
           .append(raster_table(problem.raster))
           .append(tolerance_table(problem.tolerances, false))
           .take();

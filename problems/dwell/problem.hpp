@@ -42,6 +42,7 @@ struct DwellProblem {
   double swing_min = 0;         ///< of the output over the turn
   DwellConstraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
 };
 

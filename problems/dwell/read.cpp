@@ -8,6 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/dwell/problem.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -144,6 +145,7 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();
   }
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -39,7 +39,7 @@ auto& crank_of(Lines& lines) {
                             [](const TopologyLine& line) { return line.line.type; });
 }
 
-/// Whether nothing tells how large the mechanism is.
+/// Whether nothing fixes the size of the mechanism.
 bool has_any_size(const Topology& topology) {
   std::ptrdiff_t places = 0;
   for (const TopologyLine& line : topology.lines) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kWindowSamples = 721, kTurnSamples = 1441;
 constexpr int kGoldenSteps = 40;
-/// Crank angles told of a dwell, for which its mean square counts in the sum of squares.
+/// Crank angles reported of a dwell, for which its mean square counts in the sum of squares.
 constexpr int kEnds = 2;
 
 /// The output over a part of the turn, radians.

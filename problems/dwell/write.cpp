@@ -1,6 +1,7 @@
 /// A problem of dwells written down, and checked by reading what was written.
 #include "problems/chain/write_design.hpp"
 #include "problems/dwell/problem.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/tolerance/read.hpp"
 
@@ -41,6 +42,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
+          .set("warnings", warnings_writer(problem.warnings))
           .append(tolerance_table(problem.tolerances, true))
           .take();
   return all;

@@ -25,7 +25,7 @@ constexpr Derivative kDisplacement{"position", "_s", "length"};
 constexpr Derivative kSlideVelocity{"velocity", "_v_per_s", "length/s"};
 constexpr Derivative kSlideAcceleration{"acceleration", "_a_per_s2", "length/s2"};
 
-/// Appends columns to a table, and tells their places.
+/// Appends columns to a table, and returns their places.
 class Planner {
  public:
   Planner(const AnalysisProblem& problem, ColumnPlan& plan) : problem_(problem), plan_(plan) {}

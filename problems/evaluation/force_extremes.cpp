@@ -1,6 +1,7 @@
 #include "problems/evaluation/force_extremes.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -132,6 +133,13 @@ class PieceMap {
     return power_from_ == 2 ? piece_.from + length * t * t : piece_.to - length * (1 - t) * (1 - t);
   }
 
+  /// The derivative of `drive`.
+  double rate(double t) const {
+    const double length = piece_.to - piece_.from;
+    if (power_from_ == power_to_) return power_from_ == 1 ? length : 6 * length * t * (1 - t);
+    return 2 * length * (power_from_ == 2 ? t : 1 - t);
+  }
+
   /// How far from an end in t the distance along the drive is `distance` (which is small).
   double share(bool at_from, double distance) const {
     const double part = distance / (piece_.to - piece_.from);
@@ -232,6 +240,27 @@ class Collector {
   Extremes of_;
 };
 
+/// The root of the mean of f² over the drive's coordinate in all pieces, by adaptive quadrature;
+/// empty where there is no such number.
+template <class Function>
+std::optional<double> root_mean_square(const std::vector<SmoothPiece>& pieces, const Function& f) {
+  constexpr unsigned kMostHalvings = 8;
+  constexpr double kTolerance = 1e-10;
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 15>;
+  double sum = 0, length = 0;
+  for (const SmoothPiece& piece : pieces) {
+    const PieceMap map(piece);
+    const auto square = [&](double t) {
+      const double value = f(map.drive(t), piece);
+      return value * value * map.rate(t);
+    };
+    sum += Quadrature::integrate(square, 0., 1., kMostHalvings, kTolerance);
+    length += piece.to - piece.from;
+  }
+  const double mean = sum / length;
+  return std::isfinite(mean) ? std::optional(std::sqrt(mean)) : std::nullopt;
+}
+
 /// Places in order, each once.
 void tidy(ForceBound& bound, double scale) {
   constexpr double kSamePlace = 1e-9;
@@ -272,13 +301,18 @@ std::optional<ForceExtremes> force_extremes(const AnalysisProblem& problem,
   ForceExtremes all;
   if (problem.output.torque) {
     Collector drive(assembly_ranges, pieces, Collector::Extremes::of_both_signs);
+    const auto torque = [&](double place, const SmoothPiece& piece) {
+      return motion.drive(place, piece.loads);
+    };
     drive.collect(
-        [&](double place, const SmoothPiece& piece) { return motion.drive(place, piece.loads); },
-        [&](const SmoothPiece& piece) { return sizes(piece).drive; }, false);
+        torque, [&](const SmoothPiece& piece) { return sizes(piece).drive; }, false);
     all.least_drive = std::move(drive.least);
     all.greatest_drive = std::move(drive.greatest);
     tidy(all.least_drive, assembly_ranges.scale);
     tidy(all.greatest_drive, assembly_ranges.scale);
+    if (!all.least_drive.is_unbounded() && !all.greatest_drive.is_unbounded()) {
+      all.drive_rms = root_mean_square(pieces, torque);
+    }
   }
   for (std::size_t i = 0; problem.output.reactions && i < motion.joint_count(); ++i) {
     if (deadline.reached()) return std::nullopt;

@@ -1,4 +1,5 @@
-/// @file The extremes of driving torque and reactions over a motion, whatever its table shows.
+/// @file The extremes of driving torque and reactions over a motion, independent of the rows of its
+/// table.
 #pragma once
 
 #include <optional>
@@ -27,10 +28,11 @@ struct ForceBound {
   bool is_unbounded() const { return !unbounded_at.empty(); }
 };
 
-/// Least and greatest driving torque or force, and the greatest magnitude of each reaction (of a
-/// slide of its normal force) in the order of joints(mechanism).
+/// Least and greatest driving torque or force, its root mean square, and the greatest magnitude of
+/// each reaction (of a slide of its normal force) in the order of joints(mechanism).
 struct ForceExtremes {
   ForceBound least_drive, greatest_drive;
+  std::optional<double> drive_rms;  ///< over the drive's coordinate; empty where it is unbounded
   std::vector<ForceBound> reactions;
 };
 

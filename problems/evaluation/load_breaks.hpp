@@ -18,7 +18,7 @@ std::vector<Stroke> load_strokes(const AnalysisProblem& problem, const Deadline&
 
 /// The places of the drive over `assembly_ranges` at which a load with `rule` may begin or cease to
 /// act whichever way the drive moves: the ends of `between` (of a drive that turns in every turn of
-/// the course), where the body that bears it turns back, and where that enters or leaves the part
+/// the course), where the loaded body turns back, and where that enters or leaves the part
 /// of its stroke. Not ordered.
 std::vector<double> load_breaks(const Mechanism<double>& mechanism,
                                 const AssemblyRanges& assembly_ranges, const LoadRule& rule,

@@ -31,7 +31,7 @@ std::vector<double> magnitudes(const Sweep& sweep, const JointColumns& joint) {
   return values;
 }
 
-/// The column's name without what tells its component: "B_on_coupler".
+/// The column's name without its component: "B_on_coupler".
 std::string reaction_name(const Sweep& sweep, const JointColumns& joint) {
   const std::string& name = column(sweep, joint.first).name;
   return name.substr(0, name.rfind(joint.slides ? "_N" : "_Fx_N"));
@@ -69,11 +69,34 @@ class ForceQuantities {
     const ForceBound greatest = refined_ ? refined_->greatest_drive : ForceBound{};
     add(force.name + ".min", "", least, least_of(rows), -1);
     add(force.name + ".max", "", greatest, greatest_of(rows), 1);
+    add_magnitude(force.name, rows, least, greatest);
     note(fmt::format("the {} has no least value: it falls without bound near the dead point", name),
          least);
     note(fmt::format("the {} has no greatest value: it grows without bound near the dead point",
                      name),
          greatest);
+  }
+
+  /// The greatest of either sign and, where the motion was looked at between the rows, the root
+  /// mean square: what a motor is chosen by.
+  void add_magnitude(const std::string& name, const std::optional<Extremes>& rows,
+                     const ForceBound& least, const ForceBound& greatest) {
+    ForceBound most;
+    most.unbounded_at = least.unbounded_at;
+    most.unbounded_at.insert(most.unbounded_at.end(), greatest.unbounded_at.begin(),
+                             greatest.unbounded_at.end());
+    std::ranges::sort(most.unbounded_at);
+    OfRows extreme;
+    if (!most.is_unbounded()) {
+      extreme = better(greatest, greatest_of(rows), 1);
+      const OfRows low = better(least, least_of(rows), -1);
+      if (low && (!extreme || -low->value > extreme->value)) extreme = low;
+      if (extreme) extreme->value = std::abs(extreme->value);
+    }
+    add(name + ".abs_max", "", most, extreme, 1);
+    if (refined_ && refined_->drive_rms) {
+      summary_.quantities.push_back({name + ".rms", *refined_->drive_rms});
+    }
   }
 
   void add_reaction(const JointColumns& joint) {

@@ -33,7 +33,8 @@ struct ForceSummary {
   std::vector<std::string> notes;
 };
 
-/// Extremes of the driving torque and of each reaction, with the drive's value where they occur.
+/// Extremes of the driving torque, its greatest magnitude and its root mean square over the drive's
+/// coordinate, and the extremes of each reaction, with the drive's value where they occur.
 /// For a reaction of a turning joint the greatest magnitude, for a slide the greatest normal force
 /// of either sign. Those between and at rows (`refined`; empty: of the rows alone). An extreme that
 /// does not exist is left out: "…_unbounded_at_deg" is the first place near which the quantity goes

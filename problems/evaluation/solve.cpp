@@ -26,6 +26,7 @@
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/evaluation/sweep.hpp"
+#include "problems/evaluation/tolerance_figures.hpp"
 #include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 #include "problems/linkage/result.hpp"
@@ -334,6 +335,7 @@ AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
   result.status = status_of(rows, deadline, whole);
   add_forces(result, problem, rows, deadline);
   append(result.quantities, check_quantities(rows));
+  add_tolerances(problem, rows, run, deadline, result);
   result.work = work_of(problem, rows, run, deadline);
   result.columns = std::move(rows.plan.columns);
   std::erase_if(result.columns, [](const Column& column) {

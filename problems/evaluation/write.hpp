@@ -18,8 +18,8 @@ Table body_tables(const AnalysisProblem& problem, const Array& more_loads,
 void check_load(const AnalysisProblem& problem, const LoadRule& load,
                 std::vector<std::string>& faults);
 
-/// Adds to `faults` what `given` is not that `told`, made of the same description, is.
-void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& told,
+/// Adds to `faults` where `given` differs from `read`, made of the same description.
+void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& read,
                           std::vector<std::string>& faults);
 
 }  // namespace cognate::problems::reading

@@ -88,12 +88,12 @@ struct Digest {
   }
 };
 
-bool nearly_equal(const std::vector<double>& given, const std::vector<double>& told) {
+bool nearly_equal(const std::vector<double>& given, const std::vector<double>& read) {
   constexpr double kSame = 1e-9;
   double size = 1;
-  for (const double number : told) size = std::max(size, std::abs(number));
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    if (!(std::abs(given[i] - told[i]) <= kSame * size)) return false;
+  for (const double number : read) size = std::max(size, std::abs(number));
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (!(std::abs(given[i] - read[i]) <= kSame * size)) return false;
   }
   return true;
 }
@@ -152,14 +152,14 @@ void check_load(const AnalysisProblem& problem, const LoadRule& load,
       fmt::format("a load is on body {}; expected one from 1 to {}", load.at.body, count - 1));
 }
 
-void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& told,
+void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& read,
                           std::vector<std::string>& faults) {
-  const auto bodies = static_cast<int>(told.bodies.size());
-  const bool has_all = given.bodies.size() == told.bodies.size() &&
+  const auto bodies = static_cast<int>(read.bodies.size());
+  const bool has_all = given.bodies.size() == read.bodies.size() &&
                        std::ranges::all_of(given.points, [&](const NamedPoint& point) {
                          return point.at.body >= 0 && point.at.body < bodies;
                        });
-  const Digest has(given), wants(told);
+  const Digest has(given), wants(read);
   const bool same = has_all && has.structure == wants.structure &&
                     has.numbers.size() == wants.numbers.size() &&
                     nearly_equal(has.numbers, wants.numbers);

@@ -80,6 +80,7 @@ struct FunctionProblem {
   std::optional<Range> input_start_bounds, output_start_bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Raster> raster;  ///< least squares; which lengths take single values only
   std::optional<Tolerances> tolerances{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
@@ -98,7 +99,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const FunctionProblem& problem, const Run& run);
 

@@ -16,6 +16,7 @@
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/read_raster.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/tolerance/read.hpp"
 #include "problems/toml/table_reader.hpp"
@@ -344,6 +345,7 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
   problem.tolerances = read_tolerances(document, function_scope(problem));
   read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -13,7 +13,9 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion_within.hpp"
+#include "analysis/linkage/slider_crank.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
@@ -30,10 +32,13 @@
 #include "problems/function/target/jumps.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
@@ -228,6 +233,43 @@ void add_certificate(const FunctionProblem& problem, const Run& run, const Deadl
   result.certificate = certify(problem, function_samples(problem), best, run, deadline);
 }
 
+/// The error of the output at the samples, start angles being those of the design.
+std::optional<ToleranceQuestion> function_question(const FunctionProblem& problem,
+                                                   const Design& design) {
+  if (!design.metrics.input_start || !design.metrics.output_start) return std::nullopt;
+  const NamedMechanism& mechanism = design.mechanism;
+  const FourBar* linkage = mechanism.four_bar();
+  const auto* slider = std::get_if<SliderCrank>(&mechanism.description);
+  if (!linkage && !slider) return std::nullopt;
+  const double zero = linkage ? frame_angle(*linkage) : angle_of(slider->direction);
+  const FunctionSamples wanted = function_samples(problem);
+  std::vector<double> angles;
+  for (const auto& pair : wanted.samples) {
+    angles.push_back(zero + *design.metrics.input_start + pair.input);
+  }
+  auto [question, kept] = question_at(mechanism, angles);
+  ToleranceQuantity error{.name = "error",
+                          .response = travel_response(mechanism.mechanism, mechanism.output),
+                          .judged = true};
+  ChangedMechanism<double> nominal({mechanism.mechanism, {}});
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    nominal.move_to(question.stations[s]);
+    const Vec2d value = nominal.value(error.response);
+    const double output = *design.metrics.output_start + wanted.samples[kept[s]].output;
+    error.offset.push_back(linkage ? std::remainder(angle_of(value) - zero - output, kTurn)
+                                   : value.x - output);
+  }
+  question.quantities.push_back(std::move(error));
+  add_transmissions(mechanism, question);
+  return std::move(question);
+}
+
+void add_function_tolerances(const FunctionProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) { return function_question(problem, design); }, result);
+}
+
 }  // namespace
 
 Result solve(const FunctionProblem& given, const Run& run) {
@@ -239,13 +281,13 @@ Result solve(const FunctionProblem& given, const Run& run) {
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
     return solve_by_search(one, own, deadline);
   };
-  const auto solve_any = [&] {
+  const auto solve_as_asked = [&] {
     if (exact) return solve_exactly(problem, deadline);
     if (problem.raster) return solve_on_raster(problem, run, deadline);
     if (problem.solve.robust) return solve_robustly(problem, run, deadline);
     return solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
   };
-  Result result = solve_any();
+  Result result = solve_as_asked();
   if (!exact && !problem.raster && !problem.solve.robust) {
     Run silent = run;
     silent.progress = nullptr;
@@ -255,8 +297,11 @@ Result solve(const FunctionProblem& given, const Run& run) {
     add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   }
+  if (!exact) merge_long_links(result);
   note_motions(problem, function_samples(problem), result);
-  note_oddities(std::nullopt, result, kDeadTransmission);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
+  add_function_tolerances(problem, run, result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   result.work.skipped = skipped_evaluations(problem.constraints);
   if (exact) result.work.skipped.insert(result.work.skipped.begin(), {"search", "gradients"});

@@ -7,6 +7,7 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
@@ -133,6 +134,7 @@ reading::Written KindTraits<FunctionProblem>::written(const FunctionProblem& pro
           .set("constraints", constraints_writer(problem.constraints))
           .append(operation_tables(problem.constraints, problem.solve, all.faults))
           .set("solve", solve_writer(problem.solve).set_name("best_by", problem.best_by))
+          .set("warnings", warnings_writer(problem.warnings))
           .append(raster_table(problem.raster))
           .append(tolerance_table(problem.tolerances, problem.type == MechanismType::four_bar))
           .take();

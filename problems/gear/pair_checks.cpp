@@ -32,8 +32,10 @@ ConstraintCheck check_of(const GearLimit& limit) {
       kCheckTolerance * std::max({std::abs(limit.value), std::abs(limit.bound), limit.scale});
   const double missing = limit.at_least ? limit.bound - limit.value : limit.value - limit.bound;
   ConstraintCheck check{limit.name, limit.value, limit.bound, missing <= slack};
+  check.relation = limit.at_least ? BoundSide::least : BoundSide::most;
   const bool of_teeth = std::string_view(limit.name).starts_with("teeth.");
   if (of_teeth) {
+    check.relation.reset();
     check.value = in_words(static_cast<gear::ToothFault>(static_cast<int>(limit.value)));
     check.bound = in_words(gear::ToothFault::none);
   }

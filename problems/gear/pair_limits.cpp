@@ -85,7 +85,7 @@ void GearLimits::add_backlash() {
   const bool is_tied =
       problem_.centre_distance && !(problem_.profile_shift[0] && problem_.profile_shift[1]);
   if (!is_tied) return;
-  // Shifts within their bounds may not reach the centre distance; told only then.
+  // Shifts within their bounds may not reach the centre distance; reported only then.
   const char* name = "mechanism.backlash";
   const double wanted = problem_.backlash.value_or(0);
   const double more = mesh_->backlash - wanted;
@@ -145,7 +145,7 @@ void GearLimits::add_gear(std::size_t index) {
              gear::least_profile_shift(own.rack, own.teeth) / normal);
   }
   if (c.no_interference) {
-    at_most(names.interference, mesh_->gears[index].interference, 0, module,
+    at_most(names.interference, mesh_->gears[index].interference / module, 0, 1,
             GearLimitKind::running);
   }
   at_least(names.clearance, mesh_->gears[index].tip_clearance / module,

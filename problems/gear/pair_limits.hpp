@@ -29,7 +29,7 @@ bool can_mesh(const gear::SpurPair& pair);
 /// farther apart than the base circles reach.
 std::optional<gear::PairGeometry> mesh_of(const gear::SpurPair& pair);
 
-/// What a demand is of, which tells how much it counts.
+/// What a demand is of, which decides how much it counts.
 enum class GearLimitKind {
   wish,     ///< without it the pair runs
   running,  ///< without it the pair cannot run, and is no answer to wishes

@@ -12,7 +12,7 @@ namespace {
 
 /// Violations up to here are rounding, well below the tolerance of the checks.
 constexpr double kFeasible = 1e-13;
-/// An objective that is no more to be told from an infinite one.
+/// An objective that counts as infinite.
 constexpr double kWorst = 1e12;
 
 struct Effort {

@@ -80,7 +80,7 @@ struct GearPairProblem {
   double face_width = 0;
   double shaft_angle = kRightAngle;  ///< bevel
   gear::WormPair worm;               ///< worm: all that there is
-  std::optional<double> friction;    ///< worm: then efficiency and self-locking are told
+  std::optional<double> friction;    ///< worm: then efficiency and self-locking are reported
   GearObjective objective = GearObjective::balanced_sliding;
   GearConstraints constraints;
   Solve solve;

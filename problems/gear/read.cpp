@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kHelixKey = "helix_deg";
 constexpr int kMostPoints = 10000;
 
-// Bevel gears and worms are told by the pair that they are one of.
+// Bevel gears and worms are described by their pair.
 Gearing read_gearing(TableReader& mechanism) {
   const auto gearing = mechanism.choice<Gearing>("gearing").value_or(Gearing::spur);
   if (gearing == Gearing::spur || gearing == Gearing::helical) return gearing;

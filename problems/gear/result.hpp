@@ -13,7 +13,7 @@ namespace cognate::problems {
 
 /// A gear: its quantities, and a table of its flank.
 struct GearResult {
-  Status status = Status::no_solution;  ///< `infeasible`: an impossible gear, told by the notes
+  Status status = Status::no_solution;  ///< `infeasible`: an impossible gear, with notes
   std::vector<Quantity> metrics;
   std::vector<Column> columns;  ///< radius, x, y, thickness… is_involute: one row for each point
   Work work;

@@ -91,7 +91,7 @@ class Solver {
     return none;
   }
 
-  /// Searches all of `found_` until the deadline, but at least so many as are told; what is not
+  /// Searches all of `found_` until the deadline, but at least `solve.designs`; what is not
   /// searched stays as it is. How many were.
   std::size_t search(SearchDepth depth) {
     const int least = deadline_.interrupted() ? 1 : problem_.solve.designs;

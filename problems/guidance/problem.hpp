@@ -51,6 +51,7 @@ struct MotionProblem {
   std::array<std::optional<Box>, 2> moving_bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
   bool designs_given = false;  ///< whether the file limits how many designs are returned
 };
@@ -80,7 +81,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const MotionProblem& problem, const Run& run);
 

@@ -9,6 +9,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
@@ -357,6 +358,7 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
 
   problem.tolerances = read_tolerances(document, four_bars ? four_bar_scope() : ToleranceScope{});
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -13,9 +13,12 @@
 #include "problems/guidance/least_squares.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "synthesis/exact/motion/burmester_curves.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 #include "synthesis/exact/motion/two_poses.hpp"
@@ -295,7 +298,15 @@ Result solve(const MotionProblem& given, const Run& run) {
   Result result = exact ? solve_exactly(problem, run) : solve_by_least_squares(problem, run);
   std::vector<Vec2d> origins;
   for (const Pose& pose : problem.poses) origins.push_back(pose.at);
-  note_oddities(extent_of(origins), result);
+  if (!exact) merge_long_links(result);
+  mark_twins(result.designs);
+  add_warnings(extent_of(origins), problem.warnings, result);
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        return error_at_targets(design.mechanism, "P", design.crank_angles, origins, true);
+      },
+      result);
   note_units(problem.constraints.operation, problem.length_unit, result);
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/tolerance/read.hpp"
 
@@ -41,14 +42,14 @@ TableWriter written_mechanism(const MotionProblem& problem) {
 
 /// Whether the poses are those that the segments tell; angles may be whole turns apart.
 bool are_poses_of_segments(const std::vector<synthesis::Pose>& poses,
-                           const std::vector<synthesis::Pose>& told) {
+                           const std::vector<synthesis::Pose>& read) {
   constexpr double kSame = 1e-9;
-  if (poses.size() != told.size()) return false;
+  if (poses.size() != read.size()) return false;
   double size = 0;
-  for (const auto& [at, angle] : told) size = std::max(size, norm(at));
+  for (const auto& [at, angle] : read) size = std::max(size, norm(at));
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const double turned = std::remainder(poses[i].angle - told[i].angle, kTurn);
-    const bool same = norm(poses[i].at - told[i].at) <= kSame * size && std::abs(turned) <= kSame;
+    const double turned = std::remainder(poses[i].angle - read[i].angle, kTurn);
+    const bool same = norm(poses[i].at - read[i].at) <= kSame * size && std::abs(turned) <= kSame;
     if (!same) return false;
   }
   return true;
@@ -70,6 +71,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
                      .set("constraints", constraints_writer(problem.constraints))
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve))
+                     .set("warnings", warnings_writer(problem.warnings))
                      .append(tolerance_table(problem.tolerances, false))
                      .take();
   return all;

@@ -14,15 +14,11 @@ Vec2d half_of(const Vec2d& crank) {
   return {std::copysign(std::sqrt(0.5 * (1 + x)), crank.y), std::sqrt(0.5 * (1 - x))};
 }
 
-double crank_angle(const Vec2d& half) {
+}  // namespace
+
+double angle_of_half(const Vec2d& half) {
   return 2 * std::atan2(half.y, half.x);
 }
-
-/// Half directions at which the rocker turns back: crank and coupler lie along a line from A to C,
-/// on top of or behind each other. Not numbers where there are none.
-struct TurningPoints {
-  Vec2d outer, inner;
-};
 
 TurningPoints turning_points(const Lengths<double>& l, double assembly) {
   const auto towards_c = [&](double distance) {
@@ -32,8 +28,6 @@ TurningPoints turning_points(const Lengths<double>& l, double assembly) {
   };
   return {half_of(towards_c(l.coupler + l.crank)), half_of(-towards_c(l.coupler - l.crank))};
 }
-
-}  // namespace
 
 /// The rocker turns counter-clockwise from the outer to the inner turning point as the crank does,
 /// in the open assembly; else the other way. It does not turn there, so that what a load would have
@@ -49,7 +43,7 @@ CycleWork::Stroke CycleWork::stroke_of(const WorkingLoad& load, const CycleTable
     return {0, 0, unknown, unknown};
   }
   const auto work = [&](const auto& of, const auto& at) { return work_of(load, of, at); };
-  return {crank_angle(from), crank_angle(to), table.value(work, from), table.value(work, to)};
+  return {angle_of_half(from), angle_of_half(to), table.value(work, from), table.value(work, to)};
 }
 
 CycleWork::CycleWork(const Operation& operation, const CycleTable& table) : operation_(operation) {

@@ -23,6 +23,18 @@
 
 namespace cognate::problems {
 
+/// Directions of half the crank's angle from the frame, in [0, π], at which the rocker turns back:
+/// crank and coupler lie along a line from A to C, on top of or behind each other. Not numbers
+/// where there are none.
+struct TurningPoints {
+  Vec2d outer, inner;
+};
+
+TurningPoints turning_points(const Lengths<double>& links, double assembly);
+
+/// The crank's angle, in [0, 2π], whose half has the direction `half`.
+double angle_of_half(const Vec2d& half);
+
 /// What drive, loads and weights have done by the time the crank has come to an angle from that of
 /// the frame, as a function of (LinkagePose<T>, CycleState<T>), up to a constant. The state must
 /// have the links' angles.

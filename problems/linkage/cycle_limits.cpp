@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "problems/linkage/cycle_energy.hpp"
+#include "problems/linkage/mean_torque.hpp"
 #include "problems/linkage/sector_extremes.hpp"
 
 namespace cognate::problems {
@@ -219,6 +220,22 @@ void add_ripple(const RowSource& from, double most, Rows& rows) {
   rows.add_pairs(0, DimensionJet(1.), least(-1), least(1));
 }
 
+void add_peak_torque(const RowSource& from, double most, Rows& rows) {
+  for (const double share : {-1 / most, 1 / most}) {
+    rows.add_shares(from.table.least(Torque{from.operation, share}, rows.with_slopes()));
+  }
+}
+
+void add_rms_torque(const RowSource& from, double most, Rows& rows) {
+  const DimensionJet share = root(mean_square_torque(from.operation, from.table)) / most;
+  if (std::isnan(share.a)) return rows.add_unknown(1);
+  LimitSlopes slopes{};
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    slopes.at(i) = share.v[static_cast<Eigen::Index>(i)];
+  }
+  rows.add_share(share.a, 1, slopes);
+}
+
 void add_power(const RowSource& from, double most, Rows& rows) {
   const double share = from.operation.speed / most;
   rows.add_shares(from.table.least(Torque{from.operation, -share}, rows.with_slopes()));
@@ -268,6 +285,8 @@ constexpr std::array kLimitRows{
     LimitRows{CycleQuantity::peak_speed, kSectors, CycleAngles::none, add_speed},
     LimitRows{CycleQuantity::peak_acceleration, kSectors, CycleAngles::none, add_acceleration},
     LimitRows{CycleQuantity::torque_ripple, kPairs, CycleAngles::none, add_ripple},
+    LimitRows{CycleQuantity::peak_torque, 2 * kSectors, CycleAngles::none, add_peak_torque},
+    LimitRows{CycleQuantity::rms_torque, 1, CycleAngles::none, add_rms_torque},
     LimitRows{CycleQuantity::motor_power, kSectors, CycleAngles::none, add_power},
     LimitRows{CycleQuantity::speed_fluctuation, kPairs, CycleAngles::all, add_fluctuation},
     LimitRows{CycleQuantity::flywheel_inertia, kPairs, CycleAngles::all, add_flywheel}};

@@ -69,6 +69,14 @@ double torque_ripple(const FourBar& linkage, CycleOutput, const Operation& opera
   return most - least;
 }
 
+double peak_torque(const FourBar& linkage, CycleOutput, const Operation& operation) {
+  LinkageDynamics dynamics(linkage, operation);
+  return -scan_of(linkage).least([&](double angle) {
+    const double torque = torque_at(dynamics, angle);
+    return std::isnan(torque) ? -kInfinity : -std::abs(torque);
+  });
+}
+
 double motor_power(const FourBar& linkage, CycleOutput, const Operation& operation) {
   LinkageDynamics dynamics(linkage, operation);
   const double least = scan_of(linkage).least(
@@ -86,6 +94,8 @@ double steady(const FourBar& linkage, CycleOutput, const Operation& operation) {
 constexpr std::array kMetrics{peak_speed,
                               peak_acceleration,
                               torque_ripple,
+                              peak_torque,
+                              steady<rms_torque>,
                               steady<speed_fluctuation>,
                               steady<flywheel_inertia>,
                               motor_power};

@@ -30,6 +30,10 @@ double cycle_metric(CycleQuantity quantity, const FourBar& linkage, CycleOutput 
 /// it has come round. Infinite where the linkage does not close or weighs nothing at some angle.
 double speed_fluctuation(const FourBar& linkage, const Operation& operation);
 
+/// The root of the mean of T² over the crank's turn at the operation's speed. Infinite where the
+/// linkage does not close.
+double rms_torque(const FourBar& linkage, const Operation& operation);
+
 /// The least inertia of a flywheel on the crank with which that is at most the operation's
 /// `fluctuation`, instead of its own flywheel; 0 where none is needed.
 double flywheel_inertia(const FourBar& linkage, const Operation& operation);

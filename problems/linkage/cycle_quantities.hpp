@@ -20,6 +20,8 @@ enum class CycleQuantity {
   peak_speed,
   peak_acceleration,
   torque_ripple,
+  peak_torque,
+  rms_torque,
   speed_fluctuation,
   flywheel_inertia,
   motor_power
@@ -93,6 +95,29 @@ inline constexpr std::array kCycleQuantities{
                      .unit = "N m",
                      .meaning = "maximum minus minimum driving torque, where requested",
                      .limit_meaning = "maximum minus minimum driving torque over the full turn, "
+                                      "with [[link]], [[load]], gravity",
+                     .level = MotionLevel::forces,
+                     .length_power = 2,
+                     .by_forces = true},
+    CycleDeclaration{.id = CycleQuantity::peak_torque,
+                     .limit_key = "peak_torque_max",
+                     .words = "the greatest driving torque",
+                     .heading = "peak torque",
+                     .unit = "N m",
+                     .meaning = "maximum magnitude of the driving torque, where requested",
+                     .limit_meaning = "maximum magnitude of the driving torque over the full turn, "
+                                      "with [[link]], [[load]], gravity",
+                     .level = MotionLevel::forces,
+                     .length_power = 2,
+                     .by_forces = true},
+    CycleDeclaration{.id = CycleQuantity::rms_torque,
+                     .limit_key = "rms_torque_max",
+                     .words = "the root mean square of the driving torque",
+                     .heading = "rms torque",
+                     .unit = "N m",
+                     .meaning = "root mean square of the driving torque over the turn, where "
+                                "requested",
+                     .limit_meaning = "root mean square of the driving torque over the full turn, "
                                       "with [[link]], [[load]], gravity",
                      .level = MotionLevel::forces,
                      .length_power = 2,

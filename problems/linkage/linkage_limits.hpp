@@ -1,4 +1,4 @@
-/// @file What a file gives, bounds and demands of a linkage, whatever it is for. Angles are in
+/// @file What a file gives, bounds and demands of a linkage of any kind of problem. Angles are in
 /// radians, lengths in the file's unit.
 #pragma once
 
@@ -10,6 +10,7 @@
 
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/basics/range.hpp"
 #include "problems/linkage/cycle_quantities.hpp"
@@ -124,6 +125,15 @@ struct Solve {
   double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
   /// With tolerances: the share of what is made whose error is to be least.
   std::optional<double> robust{};
+};
+
+/// `[warnings]`: from where on designs that meet every constraint are warned of; see warnings.hpp.
+struct WarningLimits {
+  double transmission_angle = 30 * kDegree;  ///< below which its acute value, in radians
+  double link_over_target = 10;              ///< longest link over the target's diameter
+  double pivot_over_target = 10;             ///< distance of a fixed pivot over it
+  double link_ratio = 20;                    ///< longest over shortest link
+  double condition = 1e4;                    ///< of the equations of an exact synthesis
 };
 
 template <>

@@ -1,4 +1,4 @@
-/// @file How a four-bar that is yet to be designed is driven, what it weighs and what it bears.
+/// @file Operating conditions assumed in synthesis: drive speed, masses, loads, gravity.
 #pragma once
 
 #include <array>

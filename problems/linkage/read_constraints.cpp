@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/linkage/keys.hpp"
 #include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/read_linkage.hpp"
 
@@ -22,29 +24,25 @@ std::string in_words(const LengthLimits& limits) {
   return text;
 }
 
-void read_class(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
-  constraints.required_class = table.choice<RequiredClass>("class");
+void check_class(TableReader& table, const LengthLimits& limits, const Constraints& constraints) {
   if (!constraints.required_class || class_is_possible(limits, *constraints.required_class)) return;
   table.fault("class", fmt::format("is \"{}\", which the lengths exclude ({}); widen [bounds] or "
                                    "give fewer lengths",
                                    to_string(*constraints.required_class), in_words(limits)));
 }
 
-void read_transmission_angle(TableReader& table, Constraints& constraints) {
-  constexpr std::string_view kKey = "transmission_angle_deg";
-  const auto range = table.range(kKey, kTransmissionAngle);
-  if (!range) return;
-  if (range->min == range->max) {
-    table.fault(kKey, fmt::format("allows only {} degrees, and no linkage keeps one transmission "
-                                  "angle; expected [min, max] with min < max",
-                                  range->min));
-    return;
-  }
-  constraints.transmission_angle = Range{radians(range->min), radians(range->max)};
+void check_transmission_angle(TableReader& table, Constraints& constraints) {
+  const auto range = constraints.transmission_angle;
+  if (!range || range->min != range->max) return;
+  constraints.transmission_angle.reset();
+  table.fault("transmission_angle_deg",
+              fmt::format("allows only {} degrees, and no linkage keeps one transmission "
+                          "angle; expected [min, max] with min < max",
+                          degrees(range->min)));
 }
 
-void read_link_ratio(TableReader& table, const LengthLimits& limits, Constraints& constraints) {
-  constraints.link_ratio_max = table.number("link_ratio_max", kRatio);
+void check_link_ratio(TableReader& table, const LengthLimits& limits,
+                      const Constraints& constraints) {
   if (!constraints.link_ratio_max) return;
   const double longest = std::ranges::max(limits, {}, &Range::min).min;
   const double shortest = std::ranges::min(limits, {}, &Range::max).max;
@@ -57,11 +55,10 @@ void read_link_ratio(TableReader& table, const LengthLimits& limits, Constraints
 }
 
 // The limits of a crank-rocker's stroke are what a time ratio is about.
-void read_time_ratio(TableReader& table, Constraints& constraints) {
-  constexpr std::string_view kKey = "time_ratio";
-  constraints.time_ratio = table.range(kKey, kRatio);
+void check_time_ratio(TableReader& table, const Constraints& constraints) {
   if (constraints.time_ratio && constraints.required_class != RequiredClass::crank_rocker) {
-    table.fault(kKey, "is that of a crank-rocker; expected class = \"crank-rocker\" as well");
+    table.fault("time_ratio",
+                "is that of a crank-rocker; expected class = \"crank-rocker\" as well");
   }
 }
 
@@ -95,13 +92,12 @@ void check_solver(TableReader& table, synthesis::Solver solver, const Constraint
 
 void read_link_constraints(TableReader& table, const LengthLimits& limits,
                            Constraints& constraints) {
-  read_class(table, limits, constraints);
-  read_transmission_angle(table, constraints);
-  read_link_ratio(table, limits, constraints);
-  read_time_ratio(table, constraints);
-  constraints.no_branch_defect = table.boolean("no_branch_defect").value_or(true);
-  constraints.no_order_defect = table.boolean("no_order_defect").value_or(true);
-  constraints.no_circuit_defect = table.boolean("no_circuit_defect").value_or(true);
+  read_keys(table, kMobilityKeys, constraints);
+  check_class(table, limits, constraints);
+  check_transmission_angle(table, constraints);
+  check_link_ratio(table, limits, constraints);
+  check_time_ratio(table, constraints);
+  read_keys(table, kDefectKeys, constraints);
 }
 
 void read_pivot_region(TableReader& table, const Given& given, Constraints& constraints) {
@@ -118,21 +114,16 @@ void read_pivot_region(TableReader& table, const Given& given, Constraints& cons
   }
 }
 
-constexpr NumberRule kRobustShare{[](double x) { return x >= 0.5 && x <= 0.9999; },
-                                  "a share of what is made from 0.5 to 0.9999"};
-
-void read_counts(TableReader& table, int most_designs, Solve& solve) {
-  constexpr int kMostStarts = 1'000'000;
-  solve.starts = table.integer("starts", 1, kMostStarts);
+void read_design_count(TableReader& table, int most_designs, Solve& solve) {
   solve.designs = table.integer("designs", 1, most_designs).value_or(solve.designs);
 }
 
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs) {
   Solve solve;
-  solve.solver = table.choice<synthesis::Solver>("solver").value_or(solve.solver);
-  read_counts(table, most_designs, solve);
-  solve.tolerance = table.number("tolerance", kTolerance);
+  read_keys(table, kSearchKeys, solve);
+  read_design_count(table, most_designs, solve);
+  read_keys(table, kStoppingKeys, solve);
   check_solver(table, solve.solver, constraints, minimax);
   return solve;
 }
@@ -150,9 +141,7 @@ void check_unknown_count(TableReader& table, synthesis::Solver solver, int count
 
 void read_loss(TableReader& table, std::string_view other, Solve& solve) {
   constexpr std::string_view kLoss = "loss", kScale = "loss_scale";
-  solve.loss = table.choice<synthesis::Loss>(kLoss).value_or(solve.loss);
-  const auto scale = table.number(kScale, kErrorScale);
-  solve.loss_scale = scale.value_or(solve.loss_scale);
+  read_keys(table, kLossKeys, solve);
   for (const std::string_view key : {kLoss, kScale}) {
     if (other.empty() || !table.has(key)) continue;
     table.fault(key, fmt::format("is given with {}, but a loss belongs to least squares; remove "
@@ -168,15 +157,14 @@ void read_loss(TableReader& table, std::string_view other, Solve& solve) {
                             "for functions",
                             to_string(solve.loss)));
   }
-  if (!robust && scale && !table.has(kLoss)) {
+  if (!robust && table.has(kScale) && !table.has(kLoss)) {
     table.fault(kScale, "is given without a loss; add loss = \"huber\" or another, or remove it");
   }
 }
 
 void read_certificate(TableReader& table, std::string_view refusal, Solve& solve) {
-  solve.certify = table.boolean("certify").value_or(false);
-  const auto gap = table.number("certify_gap", kTolerance);
-  if (gap && !solve.certify) {
+  read_keys(table, kCertificateKeys, solve);
+  if (table.has("certify_gap") && !solve.certify) {
     table.fault("certify_gap", "is given without certify; add certify = true or remove it");
   }
   if (solve.certify && !refusal.empty()) table.fault("certify", std::string(refusal));
@@ -185,13 +173,11 @@ void read_certificate(TableReader& table, std::string_view refusal, Solve& solve
                 "is true with a loss, but only sums of squares can be certified; leave "
                 "one of them out");
   }
-  solve.certify_gap = gap.value_or(solve.certify_gap);
 }
 
 void read_robust(TableReader& table, std::string_view refusal, Solve& solve) {
-  constexpr std::string_view kKey = "robust";
-  solve.robust = table.number(kKey, kRobustShare);
-  if (table.has(kKey) && !refusal.empty()) table.fault(kKey, std::string(refusal));
+  read_keys(table, kRobustKeys, solve);
+  if (table.has("robust") && !refusal.empty()) table.fault("robust", std::string(refusal));
 }
 
 }  // namespace cognate::problems::reading

@@ -24,8 +24,8 @@ inline constexpr int kMostSearchedDesigns = 100;
 Solve read_solve(TableReader& table, const Constraints& constraints, bool minimax,
                  int most_designs = kMostSearchedDesigns);
 
-/// `solve.starts` and `solve.designs`, of these at most `most_designs`, into `solve`.
-void read_counts(TableReader& table, int most_designs, Solve& solve);
+/// `solve.designs`, at most `most_designs`, into `solve`.
+void read_design_count(TableReader& table, int most_designs, Solve& solve);
 
 /// Whether `solver` can have so many unknowns, the crank angle of each point or pose among them.
 void check_unknown_count(TableReader& table, synthesis::Solver solver, int count);

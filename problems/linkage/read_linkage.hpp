@@ -44,7 +44,7 @@ void read_length_bounds(TableReader& bounds, Bounds& limits);
 /// The limits of the pivots, the frame's direction and the coupler point.
 void read_place_bounds(TableReader& bounds, Bounds& limits);
 
-/// Faults whatever `[mechanism]` gives twice and differently, or outside its bounds.
+/// Faults everything that `[mechanism]` gives twice and differently, or outside its bounds.
 void check_given(TableReader& mechanism, const Given& given, const Bounds& limits);
 
 /// Within which limits each link lies, by `[mechanism]` (pivots given both fix the frame) and

@@ -68,6 +68,9 @@ struct TargetError {
   double max = 0;
 };
 
+/// Which side of a number is allowed.
+enum class BoundSide { least, most };
+
 /// One constraint of the file, checked on the finished design by the analysis kernel.
 struct ConstraintCheck {
   std::string name;  ///< the key of the file, with its unit; "bounds.crank" for bounds
@@ -76,6 +79,8 @@ struct ConstraintCheck {
   bool satisfied = true;
   /// By how much it is missed, relative to the linkage, where the bound itself has no size.
   std::optional<double> missing{};
+  /// Whether a number as bound is the least or the most, where the name does not say it.
+  std::optional<BoundSide> relation{};
 };
 
 /// See analysis/linkage/defects.hpp.
@@ -113,6 +118,11 @@ struct Design {
   /// Where the target came, if it may be moved; `error` is in the target's own unit all the same.
   std::optional<CurvePlacement> placement;
   std::optional<int> mirror_of;  ///< index of the design of which this is the mirror image
+  std::optional<int> twin_of{};  ///< index of the design that has the same links; see twins.hpp
+  /// In what a mirror image or a twin differs: "assembly", "direction", "pivots", "coupler point".
+  std::vector<std::string> differs{};
+  /// Sentences on what meets the constraints and would hardly be built; see warnings.hpp.
+  std::vector<std::string> warnings{};
   std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
 };
 
@@ -168,6 +178,7 @@ struct Result {
   std::optional<Certificate> certificate;  ///< where the file asks for one and a design is feasible
   Work work;
   std::vector<std::string> notes;  ///< sentences for the user: degeneracies, why nothing was found
+  std::vector<std::string> warnings{};  ///< those of the designs, with their numbers
 };
 
 /// How a run is steered from outside.

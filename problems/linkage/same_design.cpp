@@ -16,7 +16,7 @@ double size_of(const FourBar& linkage) {
   return std::max({links.crank, links.coupler, links.rocker, links.frame, point});
 }
 
-/// As `same_design`, whatever the assemblies.
+/// As `same_design`, for any assemblies.
 bool same_dimensions(const FourBar& a, const FourBar& b, double tolerance) {
   if (a.coupler_point.has_value() != b.coupler_point.has_value()) return false;
   const double allowed = tolerance * std::max(size_of(a), size_of(b));

@@ -8,6 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/cycle_quantities.hpp"
 #include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/keys.hpp"
 #include "problems/linkage/linkage_keys.hpp"
 
 namespace cognate::problems::reading {
@@ -107,11 +108,7 @@ TableWriter bounds_writer(const Bounds& bounds) {
 
 TableWriter constraints_writer(const Constraints& constraints) {
   TableWriter table;
-  table.set_name("class", constraints.required_class)
-      .set_deg("transmission_angle_deg", constraints.transmission_angle)
-      .set("link_ratio_max", constraints.link_ratio_max)
-      .set("time_ratio", constraints.time_ratio)
-      .set("pivot_region", constraints.pivot_region);
+  write_keys(constraints, kMobilityKeys, table).set("pivot_region", constraints.pivot_region);
   Array clearances;
   for (const Clearance& clearance : constraints.clearances) {
     TableWriter row;
@@ -127,9 +124,7 @@ TableWriter constraints_writer(const Constraints& constraints) {
     const auto& [of, most] = *constraints.error;
     table.set(to_string(of), shown_error(of, most));
   }
-  return table.set("no_branch_defect", constraints.no_branch_defect)
-      .set("no_order_defect", constraints.no_order_defect)
-      .set("no_circuit_defect", constraints.no_circuit_defect);
+  return write_keys(constraints, kDefectKeys, table);
 }
 
 TableWriter solve_writer(const Solve& solve) {
@@ -142,13 +137,10 @@ TableWriter solve_writer(const Solve& solve) {
     objectives.push_back(node(to_string(objective)));
   }
   if (!objectives.empty()) table.set("objectives", objectives);
-  if (solve.loss != synthesis::Loss::none) {
-    table.set_name("loss", solve.loss).set("loss_scale", solve.loss_scale);
-  }
-  table.set("tolerance", solve.tolerance);
-  table.set("robust", solve.robust);
-  if (solve.certify) table.set("certify", true).set("certify_gap", solve.certify_gap);
-  return table;
+  if (solve.loss != synthesis::Loss::none) write_keys(solve, kLossKeys, table);
+  write_keys(solve, kStoppingKeys, table);
+  write_keys(solve, kRobustKeys, table);
+  return solve.certify ? write_keys(solve, kCertificateKeys, table) : table;
 }
 
 Table operation_tables(const Constraints& constraints, const Solve& solve,

@@ -1,4 +1,4 @@
-/// @file How far the body that bears a load has travelled, for expressions that name it.
+/// @file How far a loaded body has travelled, for expressions that name it.
 #pragma once
 
 #include <span>

@@ -8,31 +8,19 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/machine/problem.hpp"
+#include "problems/machine/keys.hpp"
 #include "problems/machine/read_function.hpp"
 #include "problems/machine/read_motor.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 #include "problems/mechanism/part_names.hpp"
-#include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_links.hpp"
 #include "problems/mechanism/read_whole_mechanism.hpp"
 #include "problems/toml/nearest.hpp"
-#include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kTasks = "tasks";
-
-constexpr NumberRule kTime{is_positive_quantity, "a time from 1e-30 to 1e30 seconds"};
-constexpr NumberRule kTurns{[](double x) { return x >= 1e-6 && x <= 1e6; },
-                            "a number of turns from 1e-6 to 1e6"};
-constexpr NumberRule kSpeed{[](double x) { return x >= 0 && is_quantity(x); },
-                            "a speed in rad/s, 0 or from 1e-30 to 1e30,"};
-constexpr NumberRule kRelative{[](double x) { return x >= 1e-13 && x <= 1e-3; },
-                               "a relative tolerance from 1e-13 to 1e-3"};
-constexpr int kFewestSteps = 12;
-constexpr int kMostSteps = 100'000;
 
 std::optional<MachineTask> task_named(std::string_view word) {
   for (const auto& [name, task] : names<MachineTask>()) {
@@ -77,13 +65,7 @@ bool asks_for(const MachineRunRequest& run, MachineTask task) {
 MachineRunRequest read_run(TableReader& table) {
   MachineRunRequest run;
   run.tasks = read_tasks(table);
-  run.start_phi = radians(table.number("start_deg", kAngle).value_or(0));
-  run.start_speed = table.turning_speed("start_speed", kSpeed).value_or(0);
-  run.time_max = table.number("time_max", kTime);
-  run.turns_max = table.number("turns_max", kTurns);
-  run.speed_end = table.turning_speed("speed_end", kSpeed);
-  run.steps = table.integer("steps", kFewestSteps, kMostSteps).value_or(run.steps);
-  run.tolerance = table.number("tolerance", kRelative).value_or(run.tolerance);
+  read_keys(table, kRunKeys, run);
   table.finish();
   return run;
 }
@@ -111,10 +93,6 @@ constexpr std::string_view kTorque = "torque";
 constexpr std::string_view kFluctuation = "fluctuation";
 constexpr std::string_view kFlywheel = "flywheel";
 constexpr std::string_view kBrake = "brake";
-
-constexpr NumberRule kPositiveTorque{is_positive_quantity, "a torque from 1e-30 to 1e30"};
-constexpr NumberRule kUnevenness{[](double x) { return x >= 1e-6 && x <= 1; },
-                                 "(greatest - least speed)/mean from 1e-6 to 1"};
 
 void fault_sliding_drive(TableReader& mechanism) {
   mechanism.fault(
@@ -168,8 +146,7 @@ void read_equivalent(TableReader& document, MachineProblem& problem) {
 
 void read_flywheel(TableReader& document, MachineProblem& problem) {
   TableReader table = document.table(kFlywheel);
-  problem.flywheel = table.number(kInertia, kMass).value_or(0);
-  problem.fluctuation = table.number(kFluctuation, kUnevenness);
+  read_keys(table, kFlywheelKeys, problem);
   if (table.has(kInertia) && table.has(kFluctuation)) {
     table.fault(
         kFluctuation,
@@ -191,7 +168,7 @@ void read_flywheel(TableReader& document, MachineProblem& problem) {
 void read_brake(TableReader& document, MachineProblem& problem) {
   TableReader table = document.table(kBrake);
   if (!table.has(kTorque)) table.fault(kTorque, "is missing; expected the brake's torque");
-  problem.brake = table.number(kTorque, kPositiveTorque);
+  read_keys(table, kBrakeKeys, problem);
   if (!asks_for(problem.run, MachineTask::stop)) {
     table.fault(kTorque,
                 "is of a stop, which run.tasks leaves out; expected \"stop\" among the tasks");

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "problems/machine/keys.hpp"
 #include "problems/machine/read_function.hpp"
-#include "problems/mechanism/quantity_rules.hpp"
 #include "problems/toml/interpolation.hpp"
 
 namespace cognate::problems::reading {
@@ -15,12 +15,6 @@ namespace {
 constexpr std::string_view kTorqueKey = "torque";
 constexpr std::string_view kLine = "line";
 constexpr std::string_view kTable = "table";
-
-constexpr NumberRule kPositive{is_positive_quantity, "a number from 1e-30 to 1e30"};
-constexpr NumberRule kGears{[](double x) { return x >= 1e-6 && x <= 1e6; },
-                            "motor speed over drive speed, from 1e-6 to 1e6,"};
-constexpr NumberRule kEfficiency{[](double x) { return x >= 1e-6 && x <= 1; },
-                                 "a fraction above 0, up to 1,"};
 
 bool has_exactly_one(TableReader& motor) {
   std::string_view first;
@@ -44,17 +38,13 @@ bool has_exactly_one(TableReader& motor) {
 
 void read_line(TableReader& motor, Motor& read) {
   TableReader line = motor.table(kLine);
-  MotorLine given;
-  constexpr std::string_view kStallTorque = "stall_torque";
-  if (!line.has(kStallTorque)) {
-    line.fault(kStallTorque, "is missing; expected the torque at standstill");
+  MotorLine given{1, 1};
+  for (const auto& key : kLineKeys) {
+    const bool is_given =
+        key.form == KeyForm::speed ? line.has_speed(key.name) : line.has(key.name);
+    if (!is_given) line.fault(key.name, fmt::format("is missing; expected {}", key.meaning));
   }
-  given.stall_torque = line.number(kStallTorque, kPositive).value_or(1);
-  constexpr std::string_view kNoLoadSpeed = "no_load_speed";
-  if (!line.has_speed(kNoLoadSpeed)) {
-    line.fault(kNoLoadSpeed, "is missing; expected the speed at which it gives no torque");
-  }
-  given.no_load_speed = line.turning_speed(kNoLoadSpeed, kPositive).value_or(1);
+  read_keys(line, kLineKeys, given);
   line.finish();
   read.line = given;
   read.torque.of_speed = true;
@@ -109,9 +99,7 @@ Motor read_motor(TableReader& table) {
     if (table.has(kTable)) read_speed_table(table, motor);
     if (table.has(kTorqueKey)) read_torque(table, motor);
   }
-  motor.ratio = table.number("ratio", kGears).value_or(1);
-  motor.efficiency = table.number("efficiency", kEfficiency).value_or(1);
-  motor.inertia = table.number("inertia", kMass).value_or(0);
+  read_keys(table, kMotorKeys, motor);
   table.finish();
   return motor;
 }

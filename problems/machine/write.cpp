@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "problems/linkage/write_linkage.hpp"
-#include "problems/machine/problem.hpp"
+#include "problems/machine/keys.hpp"
 #include "problems/mechanism/write_mechanism.hpp"
 
 namespace cognate::problems {
@@ -68,9 +68,8 @@ TableWriter motor_writer(const Motor& motor, std::vector<std::string>& faults) {
   TableWriter table;
   const MachineFunction& torque = motor.torque;
   if (motor.line) {
-    table.add("line", node(TableWriter{}
-                               .set("stall_torque", motor.line->stall_torque)
-                               .set("no_load_speed", motor.line->no_load_speed)));
+    TableWriter line;
+    table.set("line", write_keys(*motor.line, kLineKeys, line));
     if (!torque.value) {
       faults.emplace_back("motor.torque has no function; expected that of the line");
     }
@@ -78,23 +77,14 @@ TableWriter motor_writer(const Motor& motor, std::vector<std::string>& faults) {
     write_function(torque, is_table(torque) ? "table" : "torque", "motor.torque", table, faults);
     write_interpolation(torque, table);
   }
-  return table.set("ratio", motor.ratio)
-      .set("efficiency", motor.efficiency)
-      .set("inertia", motor.inertia);
+  return write_keys(motor, kMotorKeys, table);
 }
 
 TableWriter run_writer(const MachineRunRequest& run) {
   TableWriter table;
   Array tasks;
   for (const MachineTask task : run.tasks) tasks.push_back(node(to_string(task)));
-  return table.set("tasks", tasks)
-      .set_deg("start_deg", run.start_phi)
-      .set("start_speed", run.start_speed)
-      .set("time_max", run.time_max)
-      .set("turns_max", run.turns_max)
-      .set("speed_end", run.speed_end)
-      .set("steps", run.steps)
-      .set("tolerance", run.tolerance);
+  return write_keys(run, kRunKeys, table.set("tasks", tasks));
 }
 
 /// The loads that are functions.
@@ -135,7 +125,8 @@ reading::Written KindTraits<MachineProblem>::written(const MachineProblem& probl
   flywheel.set("fluctuation", problem.fluctuation);
   if (problem.flywheel != 0) flywheel.set("inertia", problem.flywheel);
   if (!flywheel.empty()) document.set("flywheel", flywheel);
-  if (problem.brake) document.set("brake", TableWriter{}.set("torque", *problem.brake));
+  TableWriter brake;
+  if (problem.brake) document.set("brake", write_keys(problem, kBrakeKeys, brake));
   all.document = document.set("run", run_writer(problem.run)).take();
   return all;
 }

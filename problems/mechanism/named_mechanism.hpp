@@ -31,7 +31,7 @@ struct NamedMechanism {
   const FourBar* four_bar() const { return std::get_if<FourBar>(&description); }
 };
 
-/// The mechanism that `description` tells, any but a chain, named by `mechanism_types.hpp`.
+/// The mechanism of `description`, any but a chain, named by `mechanism_types.hpp`.
 NamedMechanism named(const MechanismDescription& description);
 
 /// Adds a point of the body called `body`, at `at` in that body's axes, under `name`.

@@ -9,7 +9,7 @@
 
 namespace cognate::problems {
 
-/// A body as users know it. `slider`: it slides on a guide, and a single pin tells all of it.
+/// A body as users know it. `slider`: it slides on a guide, and a single pin determines its motion.
 struct Body {
   std::string name;
   bool slider = false;

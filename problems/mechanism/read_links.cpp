@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostTables = 2000;
 
-// The axes that `name` or `between` tells.
+// The axes given by `name` or `between`.
 std::optional<Axes> read_link_axes(TableReader& link, const PartNames& names) {
   constexpr std::string_view kName = "name";
   constexpr std::string_view kBetween = "between";

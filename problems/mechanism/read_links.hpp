@@ -1,4 +1,4 @@
-/// @file `[[link]]`, `[[load]]` and `gravity`: what a mechanism weighs and bears.
+/// @file `[[link]]`, `[[load]]` and `gravity`: masses and loads of a mechanism.
 #pragma once
 
 #include <optional>

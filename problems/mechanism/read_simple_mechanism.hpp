@@ -7,7 +7,7 @@
 
 namespace cognate::problems::reading {
 
-/// What `[mechanism]` tells of a mechanism.
+/// What `[mechanism]` says of a mechanism.
 struct ReadMechanism {
   MechanismDescription description;
   Mechanism<double> mechanism;

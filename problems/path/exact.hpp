@@ -37,7 +37,7 @@ void tell_status(const synthesis::ExactPathSolutions& solutions, Result& result)
 
 /// Tells of more points on one line or circle than the path of a four-bar has there, a tricircular
 /// curve of order six: six. Only degenerate linkages meet them all. False where there are no more;
-/// four on a line or five on a circle are told of all the same.
+/// four on a line or five on a circle are reported all the same.
 bool tell_points_on_a_circle(std::span<const Vec2d> points, Result& result);
 
 /// Tells of three poses or more without a turn between them, which only parallelograms and sliders

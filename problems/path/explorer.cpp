@@ -249,7 +249,7 @@ class Explorer {
     for (std::size_t k = 0; k < lost.size(); ++k) some[lost[k]] = std::move(again[k]);
   }
 
-  /// `part`: of the round, between which progress is told. Points between timed ones are placed
+  /// `part`: of the round, between which progress is reported. Points between timed ones are placed
   /// in order after half of the first fits alone: it leads some away from minima within reach.
   void fit(std::span<PathFound> some, synthesis::Shares part, bool deepening) {
     const auto others = std::stable_partition(

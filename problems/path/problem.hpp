@@ -73,6 +73,7 @@ struct PathProblem {
   Bounds bounds;
   Constraints constraints;
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Raster> raster;  ///< least squares; which dimensions take single values only
   std::optional<Tolerances> tolerances{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
@@ -95,7 +96,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const PathProblem& problem, const Run& run);
 

@@ -15,6 +15,7 @@
 #include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/read_raster.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/path/read_curve.hpp"
@@ -377,6 +378,7 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
   problem.tolerances = read_tolerances(document, four_bar_scope());
   read_robust(solve, robust_refusal(problem), problem.solve);
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -13,11 +13,14 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/path/certificate.hpp"
 #include "problems/path/crank_sense.hpp"
 #include "problems/path/curve_following.hpp"
@@ -320,6 +323,22 @@ void add_certificate(const PathProblem& problem, const Run& run, const Deadline&
   result.certificate = certify(problem, best, run, deadline);
 }
 
+/// A point whose crank angle is free may be met a little before or after. Where only some are
+/// prescribed, all keep the angles of the nominal design.
+void add_path_tolerances(const PathProblem& problem, const Run& run, Result& result) {
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) {
+        std::vector<Vec2d> targets;
+        for (const Vec2d& point : problem.points) {
+          targets.push_back(design.placement.value_or(CurvePlacement{}).point(point));
+        }
+        return error_at_targets(design.mechanism, "P", design.crank_angles, targets,
+                                problem.timing != Timing::free);
+      },
+      result);
+}
+
 }  // namespace
 
 Result solve(const PathProblem& given, const Run& run) {
@@ -328,12 +347,15 @@ Result solve(const PathProblem& given, const Run& run) {
   const PathProblem problem = in_joules(*valid);
   if (problem.method == PathMethod::exact) {
     Result exact = solve_exactly(problem, run);
-    note_oddities(extent_of(problem.points), exact);
+    mark_twins(exact.designs);
+    add_warnings(extent_of(problem.points), problem.warnings, exact);
+    add_path_tolerances(problem, run, exact);
     return exact;
   }
   const Deadline deadline(run);
   const auto finish = [&](Result& result) {
-    note_oddities(extent_of(problem.points), result);
+    mark_twins(result.designs);
+    add_warnings(extent_of(problem.points), problem.warnings, result);
     note_units(problem.constraints.operation, problem.length_unit, result);
     if (problem.curve) {
       result.quantities.push_back({"target_length", problem.curve->curve.length()});
@@ -357,6 +379,8 @@ Result solve(const PathProblem& given, const Run& run) {
       problem, deadline,
       [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
+  merge_long_links(result);
+  add_path_tolerances(problem, run, result);
   finish(result);
   return result;
 }

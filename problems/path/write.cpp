@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/raster/read.hpp"
@@ -124,6 +125,7 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
                      .set("constraints", constraints)
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve)
+                     .set("warnings", warnings_writer(problem.warnings))
                      .append(raster_table(problem.raster))
                      .append(tolerance_table(problem.tolerances, false))
                      .take();

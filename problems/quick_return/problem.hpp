@@ -39,6 +39,7 @@ struct QuickReturnProblem {
   Constraints constraints;                               ///< four-bar only
   std::optional<double> pressure_angle_max;              ///< slider-crank, shaper
   Solve solve;
+  WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
 };
 
@@ -56,7 +57,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const QuickReturnProblem& problem, const Run& run);
 

@@ -8,6 +8,7 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/quick_return/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -191,6 +192,7 @@ QuickReturnProblem KindTraits<QuickReturnProblem>::read(reading::TableReader& do
   if (!tables.solve.has("designs")) problem.solve.designs = kMostDesigns;
   problem.tolerances = read_tolerances(document, quick_return_scope(problem.type));
   tables.finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/quick_return/designs.hpp"
 
 namespace cognate::problems {
@@ -216,7 +218,14 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No linkage of the family keeps to every constraint; the designs come nearest.");
   }
-  note_oddities(std::nullopt, result);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [](const Design& design) {
+        return output_over_motion(design.mechanism, design.crank_angles);
+      },
+      result);
   result.work.skipped = {"search", "gradients", "velocities", "accelerations", "forces"};
   result.work.threads = 1;
   result.work.seconds = deadline.spent();

@@ -1,4 +1,5 @@
 /// A quick-return problem written down, and checked by reading what was written.
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/quick_return/problem.hpp"
 #include "problems/tolerance/read.hpp"
@@ -24,7 +25,9 @@ reading::Written KindTraits<QuickReturnProblem>::written(const QuickReturnProble
   document.set("target", TableWriter{}.set("time_ratio", problem.time_ratio))
       .set("mechanism", mechanism);
   if (four_bar) document.set("bounds", bounds_writer(problem.bounds));
-  document.set("constraints", constraints).set("solve", solve_writer(problem.solve));
+  document.set("constraints", constraints)
+      .set("solve", solve_writer(problem.solve))
+      .set("warnings", warnings_writer(problem.warnings));
   const bool turns =
       problem.type == QuickReturnType::four_bar || problem.type == QuickReturnType::guide_bar;
   document.append(tolerance_table(problem.tolerances, turns));

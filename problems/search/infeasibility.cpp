@@ -46,8 +46,8 @@ Range widened(const Range& range, const Range& most, double share) {
   return {moved(range.min, most.min, share), moved(range.max, most.max, share)};
 }
 
-/// `value` rounded up to a thousandth or so of `width`, or down where `sense` is −1: what is told
-/// is no tighter than what was tried.
+/// `value` rounded up to a thousandth or so of `width`, or down where `sense` is −1: what is
+/// reported is no tighter than what was tried.
 double rounded(double value, double width, int sense) {
   if (!std::isfinite(value) || !std::isfinite(width) || !(width > 0)) return value;
   const double step = std::pow(10, std::floor(std::log10(width)) - 3);
@@ -161,7 +161,7 @@ Relaxation of_clearance(std::size_t index) {
           [index](const Limits& limits) {
             const Clearance& clearance = limits.constraints.clearances.at(index);
             if (clearance.inside) return "inside " + text(clearance.box);
-            // Rounded as others are it would grow: it is told in full.
+            // Rounded as others are it would grow: it is given in full.
             const auto& [min, max] = clearance.box;
             return fmt::format("outside [[{}, {}], [{}, {}]]", min.x, min.y, max.x, max.y);
           }};

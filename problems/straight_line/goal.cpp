@@ -8,17 +8,21 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/oddities.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/normalised.hpp"
 #include "problems/straight_line/search.hpp"
 #include "problems/straight_line/solutions.hpp"
+#include "synthesis/search/pareto_front.hpp"
 
 namespace cognate::problems {
 namespace {
+
+using synthesis::FrontDesign;
 
 struct SegmentFront {
   std::vector<SegmentDesign>
@@ -33,112 +37,79 @@ constexpr SegmentEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
 constexpr double kBentFront = 0.02;
 constexpr double kFeasible = 1e-7;
-constexpr double kDescended = 0.6;  // share of the work, for progress, when all points are there
 
-/// Points of the front by falling bound on the size.
-class Front {
+/// The designs of a front behind their numbers.
+class FrontDesigns {
  public:
-  Front(const StraightLineProblem& problem, const Run& run, const Deadline& deadline, Work& work)
+  FrontDesigns(const StraightLineProblem& problem, const Run& run, const Deadline& deadline,
+               Work& work)
       : problem_(problem), run_(run), deadline_(deadline), work_(work) {
     problem_.solve.designs = 1;
+    run_.progress = {};
   }
 
-  void descend() {
-    double bound = size_limit(problem_);
-    for (int i = 0; i < kMostPoints && !deadline_.reached(); ++i, bound *= kRatio) {
-      const SegmentEffort& effort = i % 2 == 0 ? kFresh : kOnward;
-      auto best = solve(bound, neighbours(points_.size()), effort);
-      if (!best || best->objective > kBentFront) break;
-      points_.push_back({bound, *best});
-      if (run_.progress) run_.progress(kDescended * (i + 1) / kMostPoints, best->objective);
-    }
+  std::vector<FrontDesign> solve(std::optional<double> bound, const std::vector<std::size_t>& known,
+                                 std::optional<std::uint64_t> seed) {
+    problem_.segment.size_over_length_max = bound;
+    if (seed) run_.seed = *seed;
+    std::vector<LinkageSegment> begun;
+    for (const std::size_t one : known) begun.push_back(all_[one].segment);
+    auto found =
+        search_segments(problem_, begun, seed ? kFresh : kOnward, run_, deadline_, work_).found;
+    if (found.empty() || found.front().violation > kFeasible) return {};
+    all_.push_back(std::move(found.front()));
+    const SegmentDesign& best = all_.back();
+    return {{all_.size() - 1, size_over_length(best.segment), best.objective}};
   }
 
-  /// Each again from the points beside it; what keeps to a bound keeps to every looser one.
-  void settle() {
-    for (std::size_t i = points_.size(); i-- > 0;) {
-      if (deadline_.reached()) return;
-      if (run_.progress) {
-        const double done = 1 - double(i + 1) / double(points_.size());
-        run_.progress(kDescended + (1 - kDescended) * done, points_[i].found.objective);
-      }
-      auto best = solve(points_[i].bound, neighbours(i), kOnward);
-      if (best && best->objective < points_[i].found.objective) points_[i].found = *best;
-    }
-  }
-
-  SegmentFront take(int designs) && {
-    SegmentFront front;
-    front.table.name = "straight-line front";
-    front.table.columns = {{"size_over_length", {}},
-                           {"deviation_relative", {}},
-                           {"log10_deviation_relative", {}},
-                           {"straight_length_over_size", {}},
-                           {"crank_range_deg", {}}};
-    std::erase_if(points_, [&](const Point& p) { return is_dominated(p); });
-    const auto count = static_cast<double>(points_.size());
-    const double step = std::max(1.0, count / designs);
-    double next = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const SegmentDesign& found = points_[i].found;
-      const double size = largest_dimension(found.segment) / found.segment.length;
-      const double values[] = {size, found.objective, std::log10(std::max(found.objective, 1e-16)),
-                               1 / size, degrees(2 * found.segment.reach)};
-      for (std::size_t k = 0; k < 5; ++k) front.table.columns[k].values.push_back(values[k]);
-      if (double(i) + 0.5 < next) continue;
-      front.points.push_back(found);
-      next += step;
-    }
-    return front;
-  }
+  const SegmentDesign& operator[](const FrontDesign& design) const { return all_[design.number]; }
 
  private:
-  struct Point {
-    double bound;
-    SegmentDesign found;
-  };
-
-  std::vector<LinkageSegment> neighbours(std::size_t i) const {
-    std::vector<LinkageSegment> known;
-    for (const std::size_t k : {i - 1, i, i + 1}) {
-      if (k < points_.size()) known.push_back(points_[k].found.segment);
-    }
-    return known;
-  }
-
-  std::optional<SegmentDesign> solve(double bound, const std::vector<LinkageSegment>& known,
-                                     const SegmentEffort& effort) {
-    StraightLineProblem bounded = problem_;
-    bounded.segment.size_over_length_max = bound;
-    Run quiet = run_;
-    quiet.progress = {};
-    auto found = search_segments(bounded, known, effort, quiet, deadline_, work_).found;
-    if (found.empty() || found.front().violation > kFeasible) return std::nullopt;
-    return found.front();
-  }
-
-  bool is_dominated(const Point& point) const {
-    return std::ranges::any_of(points_, [&](const Point& other) {
-      return other.bound < point.bound && other.found.objective <= point.found.objective;
-    });
-  }
-
   StraightLineProblem problem_;
-  const Run& run_;
+  Run run_;
   const Deadline& deadline_;
   Work& work_;
-  std::vector<Point> points_;
+  std::vector<SegmentDesign> all_;
 };
 
-/// The method of the ε-constraint: the largest dimension over the length is bounded and δ/L
-/// minimised, for bounds in equal ratios down from `size_limit` until segments
-/// are no longer straight; then each again from its neighbours. In the search's unit.
+SegmentFront table_of(const std::vector<synthesis::FrontPoint>& points, const FrontDesigns& designs,
+                      int wanted) {
+  SegmentFront front;
+  front.table.name = "straight-line front";
+  front.table.columns = {{"size_over_length", {}},
+                         {"deviation_relative", {}},
+                         {"log10_deviation_relative", {}},
+                         {"straight_length_over_size", {}},
+                         {"crank_range_deg", {}}};
+  const double step = std::max(1.0, static_cast<double>(points.size()) / wanted);
+  double next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SegmentDesign& found = designs[points[i].design()];
+    const double size = points[i].design().value;
+    const double values[] = {size, found.objective, std::log10(std::max(found.objective, 1e-16)),
+                             1 / size, degrees(2 * found.segment.reach)};
+    for (std::size_t k = 0; k < 5; ++k) front.table.columns[k].values.push_back(values[k]);
+    if (double(i) + 0.5 < next) continue;
+    front.points.push_back(found);
+    next += step;
+  }
+  return front;
+}
+
+/// The largest dimension over the length is bounded and δ/L minimised, for bounds in equal ratios
+/// down from `size_limit` until segments are no longer straight. In the search's unit.
 SegmentFront segment_front(const StraightLineProblem& problem, const Run& run,
                            const Deadline& deadline, Work& work) {
-  Front front(problem, run, deadline, work);
-  front.descend();
-  front.settle();
-  return std::move(front).take(problem.solve.designs);
+  FrontDesigns designs(problem, run, deadline, work);
+  const synthesis::FrontProblem along{
+      {.level = [](double size) { return -std::log(size); },
+       .value_at = [](double level) { return std::exp(-level); }},
+      0,
+      [&](std::optional<double> bound, const std::vector<std::size_t>& known,
+          std::optional<std::uint64_t> seed) { return designs.solve(bound, known, seed); }};
+  synthesis::FrontSearch search(along, {run.seed, deadline, run.progress});
+  search.step(-std::log(size_limit(problem)), -std::log(kRatio), kMostPoints, kBentFront);
+  return table_of(search.points(), designs, problem.solve.designs);
 }
 
 /// The unit of the search, in which segment and linkage are of the order of 1.
@@ -271,7 +242,8 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   if (!front && result.designs.size() > wanted) result.designs.resize(wanted);
   mark_cognates(result.designs);
   add_notes(problem, result);
-  note_oddities(std::nullopt, result);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
   result.status = status_of(result, deadline);
   result.work.skipped = {"accelerations", "forces"};
   result.work.threads = thread_count(run.threads);

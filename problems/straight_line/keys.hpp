@@ -19,25 +19,29 @@ inline constexpr NumberRule kCrankRange{[](double x) { return x >= 1 && x <= 360
 
 /// `[target]` of a search.
 inline constexpr Key<StraightLineGoal> kGoalKeys[] = {
-    {"target.length",
-     "of the straight segment: deviation is minimised; with neither a Pareto front is searched",
-     &StraightLineGoal::length, kLinkLength},
-    {"target.deviation",
-     "maximum distance from the line: length is maximised; both: size minimised",
-     &StraightLineGoal::deviation, kLinkLength},
-    {"target.deviation_relative", "or: that over the length", &StraightLineGoal::deviation_relative,
-     kRelativeDeviation},
-    {"target.direction_deg", "of the line, either way along it", &StraightLineGoal::direction,
-     kAngle}};
+    key<&StraightLineGoal::length>(
+        "target.length",
+        "of the straight segment: deviation is minimised; with neither a Pareto front is searched",
+        kLinkLength),
+    key<&StraightLineGoal::deviation>(
+        "target.deviation",
+        "maximum distance from the line: length is maximised; both: size minimised", kLinkLength),
+    key<&StraightLineGoal::deviation_relative>("target.deviation_relative",
+                                               "or: that over the length", kRelativeDeviation),
+    key<&StraightLineGoal::direction>("target.direction_deg", "of the line, either way along it",
+                                      kAngle)};
 
 /// `[constraints]` of a search besides those of linkages.
 inline constexpr Key<SegmentConstraints> kSegmentKeys[] = {
-    {"constraints.crank_range_deg", "search: [min, max] of the crank's turn over the segment",
-     &SegmentConstraints::crank_range, kCrankRange},
-    {"constraints.size_over_length_max",
-     "search: maximum dimension of a link, coupler point included, over the length (default 2)",
-     &SegmentConstraints::size_over_length_max, kSizeOverLength},
-    {"constraints.speed_variation_max", "search: (max - min)/mean of the speed along the line",
-     &SegmentConstraints::speed_variation_max, kVariation}};
+    key<&SegmentConstraints::crank_range>("constraints.crank_range_deg",
+                                          "search: [min, max] of the crank's turn over the segment",
+                                          kCrankRange),
+    key<&SegmentConstraints::size_over_length_max>(
+        "constraints.size_over_length_max",
+        "search: maximum dimension of a link, coupler point included, over the length (default 2)",
+        kSizeOverLength),
+    key<&SegmentConstraints::speed_variation_max>(
+        "constraints.speed_variation_max", "search: (max - min)/mean of the speed along the line",
+        kVariation)};
 
 }  // namespace cognate::problems::reading

@@ -73,6 +73,7 @@ struct StraightLineProblem {
   CrankSides sides = CrankSides::same;  ///< of parallel cranks
   Constraints constraints;
   Solve solve;  ///< `designs` is 100 where the file says nothing
+  WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
 };
 
@@ -90,7 +91,7 @@ struct Result;
 struct Run;
 
 /// Designs for `problem`, each checked by the analysis kernel; see linkage/result.hpp. The same
-/// problem and seed give the same designs whatever the number of threads. An invalid problem gives
+/// problem and seed give the same designs for any number of threads. An invalid problem gives
 /// no design, its faults as notes and Status::invalid.
 Result solve(const StraightLineProblem& problem, const Run& run);
 

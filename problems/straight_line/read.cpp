@@ -7,6 +7,7 @@
 
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/problem.hpp"
@@ -167,7 +168,11 @@ StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& 
   using namespace reading;
   StraightLineProblem problem;
   TableReader target = document.table("target");
-  if (!read_method(target)) return read_straight_line_search(document);
+  if (!read_method(target)) {
+    problem = read_straight_line_search(document);
+    problem.warnings = read_warnings(document);
+    return problem;
+  }
   TableReader mechanism = document.table("mechanism");
   TableReader constraints = document.table("constraints");
   TableReader solve = document.table("solve");
@@ -187,6 +192,7 @@ StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& 
 
   problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
   for (TableReader* table : {&target, &mechanism, &constraints, &solve}) table->finish();
+  problem.warnings = read_warnings(document);
   return problem;
 }
 

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
-#include "analysis/numbers/zeros.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/peaks.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
 
@@ -51,58 +49,6 @@ StraightLineProblem at_size(const StraightLineProblem& problem, double length, d
   if (!relaxed.goal->length) relaxed.goal->length = length;
   relaxed.segment.size_over_length_max = std::min(size, size_limit(problem));
   return relaxed;
-}
-
-double size_over_length(const LinkageSegment& segment) {
-  return largest_dimension(segment) / segment.length;
-}
-
-double difference(double a, double b) {
-  return std::abs(std::remainder(a - b, kTurn));
-}
-
-/// Adds the places between nodes where `value` is greater by `more` than at any node.
-template <class Value>
-void add_peaks(const Value& value, const std::vector<double>& nodes, double more,
-               std::vector<double>& peaks) {
-  double most = value(nodes.front());
-  for (const double node : nodes) most = std::max(most, value(node));
-  constexpr int kCells = 400;
-  const std::vector<double> places = crowded(-1, 1, kCells);
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-    const double here = value(places[i]);
-    if (here < value(places[i - 1]) || here <= value(places[i + 1])) continue;
-    const auto depth = [&](double place) { return -value(place); };
-    constexpr int kSteps = 40;
-    const double peak = golden_section(depth, places[i - 1], places[i + 1], kSteps).middle();
-    if (value(peak) > most + more + 1e-9 * std::abs(most)) peaks.push_back(peak);
-  }
-}
-
-/// The places between nodes where the curve is farther from the line than at any of them, or,
-/// where the change of speed is limited, faster or slower by more than a little of that.
-std::vector<double> peaks_beyond(const LinkageSegment& segment, const std::vector<double>& nodes,
-                                 const std::optional<double>& variation) {
-  const CouplerMotion<double> motion(segment.type, segment.dimensions, sign(segment.assembly));
-  const Vec2d along = unit_vector(segment.line);
-  const auto at = [&](double node) { return motion.at(segment.centre + node * segment.reach); };
-  const auto height = [&](double node) {
-    const auto point = at(node);
-    return point.closes ? std::abs(cross(along, point.at) - segment.height) : 0.0;
-  };
-  std::vector<double> peaks;
-  add_peaks(height, nodes, 0, peaks);
-  if (!variation) return peaks;
-  constexpr double kLittle = 3e-4;
-  const double unit = 2 * segment.reach / segment.length;
-  for (const double sense : {1.0, -1.0}) {
-    const auto speed = [&](double node) {
-      const auto point = at(node);
-      return point.closes ? sense * unit * dot(along, point.rate) : sense;
-    };
-    add_peaks(speed, nodes, kLittle * *variation, peaks);
-  }
-  return peaks;
 }
 
 /// Starts are ranked by their promise, what is made of them by the objective.
@@ -375,25 +321,6 @@ void Search::finish(std::size_t reserve) {
 }
 
 }  // namespace
-
-bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance) {
-  if (a.type != b.type) return false;
-  const double size = tolerance * std::max(largest_dimension(a), largest_dimension(b));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double own = a.dimensions.links[i], other = b.dimensions.links[i];
-    const bool offset = a.type == MechanismType::slider_crank && i == 2;
-    const bool mirrored = offset && a.assembly == b.assembly;
-    if (std::abs(own - other) > size && !(mirrored && std::abs(own + other) <= size)) return false;
-  }
-  const Vec2d own = a.dimensions.point, other = b.dimensions.point;
-  const bool mirror = a.type == MechanismType::four_bar
-                          ? a.assembly != b.assembly
-                          : difference(a.centre, -b.centre) < difference(a.centre, b.centre);
-  if (norm(own - (mirror ? conj(other) : other)) > size) return false;
-  const double centre = mirror ? -b.centre : b.centre;
-  return difference(a.centre, centre) <= 30 * tolerance &&
-         std::abs(a.reach - b.reach) <= 30 * tolerance;
-}
 
 SegmentSearchResult search_segments(const StraightLineProblem& problem,
                                     const std::vector<LinkageSegment>& known,

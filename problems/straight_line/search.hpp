@@ -43,8 +43,4 @@ SegmentSearchResult search_segments(const StraightLineProblem& problem,
 /// Limits met to this count as met while searching.
 inline constexpr double kSegmentFeasibility = 1e-8;
 
-/// Whether two segments are of one linkage, or of its mirror image in the frame, to `tolerance` in
-/// lengths over the longest and in angles.
-bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance);
-
 }  // namespace cognate::problems

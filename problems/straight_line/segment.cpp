@@ -27,6 +27,10 @@ void divide(std::optional<Box>& box, double unit) {
   box = Box{{box->min.x / unit, box->min.y / unit}, {box->max.x / unit, box->max.y / unit}};
 }
 
+double difference(double a, double b) {
+  return std::abs(std::remainder(a - b, kTurn));
+}
+
 }  // namespace
 
 double largest_dimension(const LinkageSegment& segment) {
@@ -92,6 +96,25 @@ bool has_scale(const StraightLineProblem& problem) {
          (given.pivot_a && given.pivot_d) || bounds.crank || bounds.coupler || bounds.rocker ||
          bounds.frame || bounds.coupler_point || bounds.pivot_a || bounds.pivot_d ||
          problem.slider_offset.value_or(0) != 0 || problem.constraints.pivot_region;
+}
+
+bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance) {
+  if (a.type != b.type) return false;
+  const double size = tolerance * std::max(largest_dimension(a), largest_dimension(b));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double own = a.dimensions.links[i], other = b.dimensions.links[i];
+    const bool offset = a.type == MechanismType::slider_crank && i == 2;
+    const bool mirrored = offset && a.assembly == b.assembly;
+    if (std::abs(own - other) > size && !(mirrored && std::abs(own + other) <= size)) return false;
+  }
+  const Vec2d own = a.dimensions.point, other = b.dimensions.point;
+  const bool mirror = a.type == MechanismType::four_bar
+                          ? a.assembly != b.assembly
+                          : difference(a.centre, -b.centre) < difference(a.centre, b.centre);
+  if (norm(own - (mirror ? conj(other) : other)) > size) return false;
+  const double centre = mirror ? -b.centre : b.centre;
+  return difference(a.centre, centre) <= 30 * tolerance &&
+         std::abs(a.reach - b.reach) <= 30 * tolerance;
 }
 
 }  // namespace cognate::problems

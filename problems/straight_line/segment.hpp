@@ -32,6 +32,15 @@ struct LinkageSegment {
 /// links, BP and CP.
 double largest_dimension(const LinkageSegment& segment);
 
+/// That over the length of the segment.
+inline double size_over_length(const LinkageSegment& segment) {
+  return largest_dimension(segment) / segment.length;
+}
+
+/// Whether two segments are of one linkage, or of its mirror image in the frame, to `tolerance` in
+/// lengths over the longest and in angles.
+bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance);
+
 /// The same figure `factor` times as large.
 LinkageSegment enlarged(LinkageSegment segment, double factor);
 

@@ -14,9 +14,11 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/quantity_key.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
-#include "problems/linkage/oddities.hpp"
+#include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
 #include "problems/straight_line/problem.hpp"
 #include "problems/straight_line/solutions.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
@@ -181,13 +183,52 @@ Status status_of(const Result& result, const Deadline& deadline, bool ended_earl
   return all_satisfied(result.designs.front().constraints) ? Status::solved : Status::infeasible;
 }
 
+/// The distance of the coupler point from the best line of its straight segment, which stays where
+/// the nominal design has it. Of exact designs the segment straight to 1 %.
+std::optional<ToleranceQuestion> line_question(const Design& design) {
+  constexpr int kSteps = 90;
+  const auto angle = [&](const std::string& key) {
+    const auto searched = find_quantity(design.metrics.quantities, AngleKey{key});
+    return searched ? searched
+                    : find_quantity(design.metrics.quantities, AngleKey{key + "_at_0_01"});
+  };
+  const auto from = angle("crank_from_deg"), to = angle("crank_to_deg"),
+             direction = angle("direction_deg");
+  if (!from || !to || !direction) return std::nullopt;
+  std::vector<double> angles;
+  for (int i = 0; i <= kSteps; ++i) angles.push_back(*from + (*to - *from) * i / kSteps);
+  auto [question, kept] = question_at(design.mechanism, angles);
+  const auto point = point_response(design.mechanism, "P");
+  if (!point || kept.empty()) return std::nullopt;
+  ToleranceQuantity error{.name = "error", .response = *point, .judged = true};
+  const Vec2d normal{-std::sin(*direction), std::cos(*direction)};
+  for (const Vec2d& place : path_frame(design.mechanism, question, *point).place) {
+    error.normal.push_back(normal);
+    error.offset.push_back(dot(place, normal));
+  }
+  const auto [least, greatest] = std::ranges::minmax(error.offset);
+  const double middle = 0.5 * (least + greatest);
+  for (double& offset : error.offset) offset -= middle;
+  question.quantities.push_back(std::move(error));
+  add_transmissions(design.mechanism, question);
+  return std::move(question);
+}
+
+void add_line_tolerances(const StraightLineProblem& problem, const Run& run, Result& result) {
+  add_tolerances(problem.tolerances, problem.length_unit, run, line_question, result);
+}
+
 }  // namespace
 
 Result solve(const StraightLineProblem& given, const Run& run) {
   const auto valid = KindTraits<StraightLineProblem>::checked(given);
   if (!valid) return refused<Result>(valid.error());
   const StraightLineProblem& problem = *valid;
-  if (problem.goal) return search_straight_lines(problem, run);
+  if (problem.goal) {
+    Result searched = search_straight_lines(problem, run);
+    add_line_tolerances(problem, run, searched);
+    return searched;
+  }
   const Deadline deadline(run);
   Result result;
   StraightLineSolutions found = find_solutions(problem);
@@ -202,7 +243,9 @@ Result solve(const StraightLineProblem& given, const Run& run) {
   result.quantities.push_back({"solutions", double(found.all.size())});
   const auto wanted = static_cast<std::size_t>(problem.solve.designs);
   if (result.designs.size() > wanted) result.designs.resize(wanted);
-  note_oddities(std::nullopt, result);
+  mark_twins(result.designs);
+  add_warnings(std::nullopt, problem.warnings, result);
+  add_line_tolerances(problem, run, result);
   if (found.position) {
     Locus locus = inflection_locus(*found.position);
     if (!locus.branches.empty()) result.loci.push_back(std::move(locus));

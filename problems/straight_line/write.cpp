@@ -1,4 +1,5 @@
 /// A straight-line problem written down, and checked by reading what was written.
+#include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/tolerance/read.hpp"
@@ -69,6 +70,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
         .set("constraints", constraints)
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
+  document.set("warnings", warnings_writer(problem.warnings));
   document.append(tolerance_table(problem.tolerances, false));
   return {document.take(), {}};
 }

@@ -187,7 +187,7 @@ void FourBarScreen::screen_time_ratio(const FourBarDesigns& designs,
     const double cos_inner = (common + inner * inner) / (2 * l4 * inner);
     const double sin_outer = std::sqrt(std::max(1 - cos_outer * cos_outer, 0.0));
     const double sin_inner = std::sqrt(std::max(1 - cos_inner * cos_inner, 0.0));
-    // `inner` has the sign that tells whether the crank is turned on by half a turn there.
+    // `inner` has the sign that decides whether the crank is turned on by half a turn there.
     const double advance = -cos_outer * cos_inner - sin_outer * sin_inner;
     const bool inside = advance >= bounds.least && advance <= bounds.greatest;
     const bool is_sure = LengthColumns::are_common(least, most) && most <= 1e3 * least &&

@@ -14,7 +14,7 @@ struct MetricName {
 
 struct MetricNames {
   std::vector<MetricName> names;
-  /// What is followed by names or indices that only a design tells, "mechanism.dyad": every
+  /// What is followed by names or indices known only of a design, "mechanism.dyad": every
   /// "mechanism.dyad[0].lengths[1]" may be requested, and may be a word or a number.
   std::vector<std::string> openings;
 };

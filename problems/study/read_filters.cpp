@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/toml/expression.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -55,11 +57,14 @@ class FilterReader {
 
   std::optional<StudyFilter> read_value(const Node& node, const std::string& name, NameKind kind) {
     const auto* array = std::get_if<Array>(&node.value);
-    const bool words = array && std::ranges::any_of(*array, [](const Node& entry) {
-                         return std::holds_alternative<std::string>(entry.value);
-                       });
-    const bool word = words || std::holds_alternative<std::string>(node.value) ||
-                      std::holds_alternative<bool>(node.value);
+    const bool single =
+        std::holds_alternative<std::string>(node.value) || std::holds_alternative<bool>(node.value);
+    // Strings in the limits of a number are expressions.
+    const bool words =
+        kind != NameKind::number && array && std::ranges::any_of(*array, [](const Node& entry) {
+          return std::holds_alternative<std::string>(entry.value);
+        });
+    const bool word = single || words;
     if (word && kind == NameKind::number) {
       return wrong(node, fmt::format("{} is a number; {}", in_quotes(name), kNumberForm));
     }
@@ -118,9 +123,10 @@ class FilterReader {
       limit = *number;
     } else if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
       limit = static_cast<double>(*integer);
+    } else if (const auto* text = std::get_if<std::string>(&node.value)) {
+      limit = evaluate_expression(*text).value_or(std::numeric_limits<double>::quiet_NaN());
     } else {
-      wrong(node, not_limits(name));
-      return false;
+      limit = std::numeric_limits<double>::quiet_NaN();
     }
     if (!std::isnan(limit)) return true;
     wrong(node, not_limits(name));

@@ -125,7 +125,7 @@ Study read_study(const Table& document, const std::filesystem::path& folder,
                  const MetricCatalogue& metrics, FaultList& faults) {
   Study study;
   TableReader file(document, faults);
-  if (!read_kind(file)) return study;  // what else is amiss depends on what it is meant to be
+  if (!read_kind(file)) return study;  // further faults depend on the kind
   study.title = file.text("title").value_or("");
   const auto base = read_base(file, folder, metrics, study);
   read_variables(file, base ? &*base : nullptr, study);

@@ -38,7 +38,7 @@ class Demands {
 
   /// The nominal error at a station, and of a point its direction.
   Vec2d nominal(std::size_t s) const {
-    if (quantity_.response.type != ResponseType::point) {
+    if (!quantity_.is_distance()) {
       return {quantity_.offset.empty() ? 0 : std::abs(quantity_.offset[s]), 0};
     }
     return quantity_.target.empty() ? Vec2d{} : table_.value(s, judged_) - quantity_.target[s];
@@ -83,7 +83,7 @@ class Demands {
     const auto rates = table_.rates(s, judged_);
     const Vec2d base = nominal(s);
     Vec2d along{1, 0};
-    if (quantity_.response.type == ResponseType::point) {
+    if (quantity_.is_distance()) {
       std::vector<Vec2d> arms{base};
       for (std::size_t i = 0; i < t.size(); ++i) arms.push_back(t[i] * rates[i]);
       const Vec2d corner = synthesis::farthest_corner_place(std::move(arms));

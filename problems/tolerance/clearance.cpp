@@ -25,6 +25,9 @@ std::vector<Load> unit_loads(const NamedMechanism& mechanism, const Response& re
                .force = guide.direction * response.slide.direction,
                .torque = 0}};
     }
+    case ResponseType::along:
+      return {
+          {.at = mechanism.points[response.index].at, .force = response.direction, .torque = 0}};
     case ResponseType::point: {
       const Attached<double>& at = mechanism.points[response.index].at;
       return {{.at = at, .force = {1, 0}, .torque = 0}, {.at = at, .force = {0, 1}, .torque = 0}};
@@ -98,8 +101,8 @@ void add_clearances(const NamedMechanism& mechanism, const Tolerances& tolerance
                     const ToleranceQuestion& question, std::size_t judged,
                     ToleranceResult& result) {
   if (tolerances.clearances.empty()) return;
-  const Response& response = question.quantities[judged].response;
-  if (response.type == ResponseType::transmission) return;
+  const ToleranceQuantity& quantity = question.quantities[judged];
+  if (quantity.response.type == ResponseType::transmission) return;
   const std::vector<std::string> names = joint_names(mechanism);
   std::vector<std::vector<std::size_t>> joints;
   for (const auto& [joint, radial] : tolerances.clearances) {
@@ -109,7 +112,7 @@ void add_clearances(const NamedMechanism& mechanism, const Tolerances& tolerance
   UnitReactions reactions(mechanism);
   double most = 0;
   for (std::size_t s = 0; s < question.stations.size(); ++s) {
-    const std::size_t loads = reactions.find(response, question.stations[s]);
+    const std::size_t loads = reactions.find(quantity.scalar(s), question.stations[s]);
     if (loads == 0) continue;
     double sum = 0;
     for (std::size_t p = 0; p < joints.size(); ++p) {

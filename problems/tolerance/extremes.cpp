@@ -42,7 +42,7 @@ void set_scalars(const AffineMechanism& mechanism, const ToleranceQuestion& ques
   double most = -1;
   for (std::size_t s = 0; s < question.stations.size(); ++s) {
     PositionFigures& at = figures.positions[s];
-    const auto worst = synthesis::worst_case(mechanism, question.quantities[q].response,
+    const auto worst = synthesis::worst_case(mechanism, question.quantities[q].scalar(s),
                                              question.stations[s], box);
     at.low = worst ? worst->low : kNoNumber;
     at.high = worst ? worst->high : kNoNumber;

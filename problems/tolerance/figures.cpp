@@ -81,6 +81,13 @@ class FigureMaker {
 
   void differentiate() {
     table_.emplace(sensitivities(toleranced_.mechanism, responses_, question_.stations));
+    for (std::size_t q = 0; q < responses_.size(); ++q) {
+      const auto& normal = question_.quantities[q].normal;
+      for (std::size_t s = 0; s < normal.size(); ++s) {
+        table_->value(s, q) = {dot(table_->value(s, q), normal[s]), 0};
+        for (Vec2d& rate : table_->rates(s, q)) rate = {dot(rate, normal[s]), 0};
+      }
+    }
   }
 
   ToleranceFigures figures(std::size_t q) const {
@@ -88,7 +95,7 @@ class FigureMaker {
     ToleranceFigures result;
     result.name = quantity.name;
     result.angle = is_angular(quantity.response.type);
-    result.is_point = quantity.response.type == ResponseType::point;
+    result.is_point = quantity.is_distance();
     result.judged = quantity.judged;
     for (std::size_t s = 0; s < question_.stations.size(); ++s) {
       result.positions.push_back(position(q, s));
@@ -123,7 +130,7 @@ class FigureMaker {
     double high = 0, low = 0, squares = 0;
     std::vector<Vec2d> arms;
     Vec2d base{};
-    if (quantity.response.type == ResponseType::point && !quantity.target.empty()) {
+    if (quantity.is_distance() && !quantity.target.empty()) {
       base = table_->value(s, q) - quantity.target[s];
     }
     at.nominal = norm(base);
@@ -138,7 +145,7 @@ class FigureMaker {
     }
     at.rss = std::sqrt(squares);
     at.low = at.high = std::numeric_limits<double>::quiet_NaN();
-    if (quantity.response.type == ResponseType::point) {
+    if (quantity.is_distance()) {
       arms.push_back(base);
       at.linear = synthesis::farthest_corner(std::move(arms));
     } else {
@@ -231,6 +238,14 @@ std::optional<std::size_t> judged_of(const ToleranceQuestion& question) {
 }
 
 }  // namespace
+
+Response ToleranceQuantity::scalar(std::size_t station) const {
+  if (normal.empty()) return response;
+  Response along = response;
+  along.type = ResponseType::along;
+  along.direction = normal[station];
+  return along;
+}
 
 void add_stations(const Mechanism<double>& mechanism, const AssemblyRanges& ranges,
                   std::span<const double> drives, std::vector<double>& kept,

@@ -25,6 +25,14 @@ struct ToleranceQuantity {
   bool judged = false;         ///< the error that yield, quantiles and allocation are about
   std::vector<double> offset;  ///< its nominal error at each station, radians or length; empty: 0
   std::vector<Vec2d> target;   ///< of a point, at each station; empty: its nominal place
+  /// Of a point of which only the deviation along these unit vectors counts, one for each station:
+  /// where it is free along a curve, the curve's normals. `offset` is then its nominal error.
+  std::vector<Vec2d> normal;
+
+  /// Whether the error is a distance of a point, else a number of either sign.
+  bool is_distance() const { return response.type == ResponseType::point && normal.empty(); }
+  /// The scalar response at a station.
+  Response scalar(std::size_t station) const;
 };
 
 /// What is asked of a design.

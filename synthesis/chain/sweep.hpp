@@ -3,7 +3,7 @@
 /// pack, a dual number or one of extended precision.
 ///
 /// The derivative is taken backwards, from the last line to the first: the two closure equations of
-/// a dyad, M dx = c, need one solution of the transposed system Mᵀλ = f whatever the number of
+/// a dyad, M dx = c, need one solution of the transposed system Mᵀλ = f for any number of
 /// parameters (implicit function theorem; Griewank & Walther 2008, "Evaluating Derivatives", §3.2).
 /// det M = u × v = a b sin μ: it is infinite at dead points, and only there.
 #pragma once

@@ -194,6 +194,16 @@ void FrontSearch::look_before_first() {
   if (point && !is_as_good(points_.front(), *point)) insert(*std::move(point));
 }
 
+void FrontSearch::step(double first, double step, int count, double most) {
+  for (int i = 0; i < count; ++i) {
+    const double level = first + i * step;
+    auto point = solved(level, beside(level), i % 2 == 0);
+    if (!point || point->error > most) break;
+    insert(*std::move(point));
+  }
+  settle();
+}
+
 void FrontSearch::fill(int count) {
   for (int i = 0; i < 2 * count && !run_.deadline.reached(); ++i) {
     look_before_first();

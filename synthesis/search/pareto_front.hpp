@@ -80,7 +80,7 @@ class FrontSearch {
   /// `problem` must outlive the search.
   FrontSearch(const FrontProblem& problem, const FrontRun& run);
 
-  /// Adds the design of least error whatever its level; there is no point if there is none.
+  /// Adds the design of least error of any level; there is no point if there is none.
   void begin();
 
   /// Adds the point of the greatest level whose error is at most `most`, and returns it: a search
@@ -92,6 +92,12 @@ class FrontSearch {
 
   /// Whether beyond the point last gone to something was found, of too great an error.
   bool ended_by_error() const { return ended_by_error_; }
+
+  /// Adds points whose levels lie in equal steps from `first` on, at most `count`, every second one
+  /// searched afresh, until nothing is found or the error exceeds `most`; then each is found again
+  /// from those beside it. Where errors fall by powers of ten an even row of levels shows more of a
+  /// front than `fill` does.
+  void step(double first, double step, int count, double most);
 
   /// Adds points between those that are known, in the widest gaps first, until `count` of them
   /// can lie evenly along the front; then leaves so many.

@@ -126,6 +126,11 @@ class CamTable(unittest.TestCase):
         self.assertGreater(greatest, told * (1 - 1e-6))
         least = min(row["curvature_radius"] for row in rows if row.get("curvature_radius", -1) > 0)
         self.assertAlmostEqual(least, metrics["curvature_radius_min"], delta=1e-6)
+        # At rest at displacement 0 the normal leads to the cam's centre.
+        for curve, circle in (("centre", "prime_radius"), ("profile", "base_radius")):
+            radius = math.hypot(rows[0][curve + "_x"], rows[0][curve + "_y"])
+            self.assertAlmostEqual(radius, metrics[circle], delta=1e-15)
+        self.assertEqual(metrics["prime_radius"], 0.06)
 
     def test_both_walls_of_a_groove_keep_to_the_limit(self):
         """A load that presses the outer wall counts as one that presses the inner does."""

@@ -6,9 +6,11 @@ Run as: chain_test.py PROGRAM LIBRARY, the built program and the folder of libra
 """
 
 import cmath
+import contextlib
 import json
 import math
 import pathlib
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -286,6 +288,31 @@ class Files(unittest.TestCase):
         for file in made:
             if file.suffix == ".toml":
                 self.run_program("analyze", file, "--quiet")
+
+    def test_a_study_takes_the_transmission_of_each_joint(self):
+        base = LIBRARY / "chain" / "timed-arc.toml"
+        self.run_program("solve", base, "--quiet")
+        result = json.loads((self.folder / "timed-arc.result.json").read_text())
+        metrics = result["designs"][0]["metrics"]
+        names = [name for name in metrics if name.startswith("transmission_") and name.endswith("_min_deg")]
+        self.assertGreater(len(names), 1)
+        self.assertAlmostEqual(min(metrics[name] for name in names),
+                               metrics["transmission_angle_deg"]["acute_min"], 9)
+        study = self.folder / "joints.toml"
+        study.write_text(f"base = {json.dumps(str(base))}\n[[vary]]\n"
+                         f'key = "constraints.transmission_angle_deg[0]"\nvalues = [35]\n'
+                         f"[output]\nmetrics = {json.dumps(names)}\n")
+        self.run_program("sweep", study, "--quiet")
+        with contextlib.closing(sqlite3.connect(self.folder / "joints.study.db")) as database:
+            columns = ", ".join(f'"{name}"' for name in names)
+            (row,) = database.execute(f"SELECT {columns} FROM runs").fetchall()
+        for value in row:  # the limit holds for every joint
+            self.assertGreaterEqual(value, 35 - 1e-6)
+            self.assertLessEqual(value, 90)
+        study.write_text(study.read_text().replace(names[0], "transmission_Q_min_deg"))
+        refused = subprocess.run([PROGRAM, "sweep", study], capture_output=True, text=True, timeout=60)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("transmission_Q_min_deg", refused.stderr)
 
 
 if __name__ == "__main__":

@@ -170,6 +170,19 @@ class CommandLine(unittest.TestCase):
         self.assertFalse(document["valid"])
         self.assertEqual([fault["line"] for fault in document["faults"]], [4, 6])
 
+    def test_faults_of_results_are_a_document_too(self):
+        damaged = self.folder / "damaged.result.json"
+        damaged.write_text('{"format": "cognate-result/1"')
+        for file in (damaged, self.folder / "missing.result.json"):
+            for command in (["export", file, "--format", "dxf"], ["analyze", file, "--design", "1"]):
+                with self.subTest(command):
+                    done = run(*command, "--json")
+                    self.assertEqual(done.returncode, 2)
+                    document = json.loads(done.stdout)
+                    self.assertEqual((document["file"], document["valid"]), (str(file), False))
+                    message = document["faults"][0]["message"]
+                    self.assertIn(f"{file}: {message}", done.stderr)
+
     def test_control_characters_of_a_file_stay_out_of_messages(self):
         file = self.folder / "escape.toml"
         file.write_text('kind = "path-\\u001b[31mgeneration"\n')

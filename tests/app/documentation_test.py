@@ -4,9 +4,11 @@ knows stands on its page, every file is sound and does what it says, the guide's
 Run as: documentation_test.py PROGRAM ROOT [CLASS...], the built program and the repository's root.
 """
 
+import contextlib
 import json
 import pathlib
 import re
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -198,6 +200,10 @@ class Examples(unittest.TestCase):
                     done = run(self.folder, *words.split()[1:])
                     self.assertEqual(done.returncode, int(wanted[1]) if wanted else 0, done.stderr)
         self.assertGreaterEqual(commands, 10)
+        # A front by the torque's magnitude is a choice, not a pair of ends.
+        with contextlib.closing(sqlite3.connect(self.folder / "sizes.study.db")) as database:
+            front = database.execute("SELECT * FROM best").fetchall()
+            self.assertGreater(len(front), 2)
         for left in ["walk.report.html", "arm.csv", "feed.dxf", "walk-2.parts.dxf", "sizes.273.toml"]:
             self.assertTrue((self.folder / left).exists(), left)
 

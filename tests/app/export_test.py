@@ -325,10 +325,10 @@ class ExportTest(unittest.TestCase):
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_dxf_holds_the_points_of_the_table(self):
         result = self.solve(roller_problem())
-        for options, layer, base in [
-            ([], "PROFILE", 31),
-            (["--curve", "pitch"], "PITCH", 40),
-            (["--curve", "cutter", "--cutter-radius", "5"], "CUTTER", 36),
+        for options, layer in [
+            ([], "PROFILE"),
+            (["--curve", "pitch"], "PITCH"),
+            (["--curve", "cutter", "--cutter-radius", "5"], "CUTTER"),
         ]:
             points = self.points(result, *options)
             self.export(result, "dxf", *options)
@@ -348,8 +348,8 @@ class ExportTest(unittest.TestCase):
             self.assertTrue(line.closed)
             self.assertEqual(line.dxf.layer, layer)
             self.assertEqual([(x, y) for x, y, *_ in line.get_points()], points)
-            (circle,) = space.query("CIRCLE")
-            self.assertEqual((circle.dxf.layer, circle.dxf.radius), ("BASE_CIRCLE", base))
+            circles = {c.dxf.layer: c.dxf.radius for c in space.query("CIRCLE")}
+            self.assertEqual(circles, {"BASE_CIRCLE": 31, "PRIME_CIRCLE": 40})
             self.assertEqual({mark.dxf.layer for mark in space.query("LINE")}, {"CENTRE"})
             self.assertLessEqual(
                 {entity.dxf.layer for entity in space}, {e.dxf.name for e in drawing.layers}

@@ -130,6 +130,8 @@ points = [[<0.20>, <0.20>], [<0.20>, <0.25>], [<0.20>, <0.30>], [<0.20>, <0.35>]
 [constraints]
 class = "crank-rocker"
 torque_ripple_max = 30
+peak_torque_max = 30
+rms_torque_max = 30
 motor_power_max = 500
 flywheel_inertia_max = 90
 [drive]
@@ -363,6 +365,10 @@ force = [0, -2]
 """
         torque = self.answer("analyze", analysed)["designs"][0]["metrics"]["torque_N_m"]
         self.assert_alike(metrics["torque_ripple"], torque["max"] - torque["min"], "ripple", accuracy=1e-9)
+        self.assert_alike(metrics["peak_torque"], torque["abs_max"], "peak", accuracy=1e-9)
+        self.assertEqual(torque["abs_max"], max(torque["max"], -torque["min"]))
+        # The search's linkage and the general mechanism are integrated by different programs.
+        self.assert_alike(metrics["rms_torque"], torque["rms"], "rms", accuracy=1e-9)
         # What the drive gives is counted, not what it takes back.
         self.assertLess(torque["max"], 1)
         self.assert_alike(metrics["motor_power"], 5 * torque["max"], "power", accuracy=1e-9)

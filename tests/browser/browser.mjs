@@ -8,9 +8,9 @@ import path from "node:path";
 const base = process.env.BROWSER_PACKAGES ?? path.dirname(new URL(import.meta.url).pathname);
 const { chromium } = createRequire(path.join(base, "package.json"))("playwright-core");
 
-export const SIZES = { desktop: { width: 1440, height: 1000 }, phone: { width: 390, height: 844 } };
+export const SIZES = { desktop: { width: 1440, height: 1000 }, phone: { width: 390, height: 844 }, laptop: { width: 1280, height: 720 } };
 
-// Layout does not depend on colours: two of the four pairs show all of either.
+// Of the sizes a desktop and a phone show every layout. Layout does not depend on colours: two of the four pairs show all of either.
 export const LOOKS = [{ size: "desktop", scheme: "light" }, { size: "phone", scheme: "dark" }];
 
 export function launch() {

@@ -38,24 +38,29 @@ async function drag(page, joint, by) {
   await page.mouse.up();
 }
 
-// The result of `cognate analyze` on the text of a file.
-function analysed(text) {
+// The result of the program on the text of a file.
+function answered(text, command = "analyze") {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-edit-"));
   try {
     const file = path.join(folder, "edited.toml");
     fs.writeFileSync(file, text);
     execFileSync(process.env.COGNATE, ["check", file], { stdio: "pipe" });
-    return JSON.parse(execFileSync(process.env.COGNATE, ["analyze", "--json", "--out", folder, file], { maxBuffer: 1 << 28 }));
+    return JSON.parse(execFileSync(process.env.COGNATE, [command, "--json", "--out", folder, file], { maxBuffer: 1 << 28 }));
   } finally {
     fs.rmSync(folder, { recursive: true });
   }
 }
 
-// Copies the linkage, has the program analyse it, and compares what both say.
+// Copies the design with its targets, has the program solve it again, and compares what both say.
 async function copied(page) {
   await page.locator('[data-edit="copy"]').click();
-  const { designs: [design] } = analysed(await page.locator("#edit-toml").inputValue());
+  const { problem, designs: [design] } = answered(await page.locator("#edit-toml").inputValue(), "solve");
+  const { problem: before } = await result(page);
+  assert.deepEqual([problem.kind, problem.target, problem.bounds, problem.constraints], [before.kind, before.target, before.bounds, before.constraints]);
   assert.equal(await value(page, "class"), design.metrics.class);
+  for (const [row, key] of [["error.sum", "sum_of_squares"], ["error.rms", "rms"], ["error.max", "max"]]) {
+    near(await value(page, row), design.error[key], 1e-7 * (1 + design.error[key]), row);
+  }
   for (const [row, key] of [["least", "min"], ["greatest", "max"]]) {
     near((await value(page, row)) * 180 / Math.PI, design.metrics.transmission_angle_deg[key], 1e-8, `${row} transmission angle`);
   }
@@ -80,13 +85,18 @@ for (const name of ["ellipse", "log10-refined", "three-angle-pairs"]) {
 
 test("a dragged linkage, copied as TOML, is to the program what it is to the page", () => visit("ellipse", async (page) => {
   await edit(page);
-  for (const [joint, by] of [["P", [20, -15]], ["B", [3, 2]], ["D", [-6, 5]], ["C", [4, -3]], ["A", [2, 3]]]) await drag(page, joint, by);
-  assert.ok(await value(page, "error.max") > 1);
+  for (const [joint, by] of [["P", [8, -6]], ["B", [3, 2]], ["D", [-6, 5]], ["C", [4, -3]], ["A", [2, 3]]]) await drag(page, joint, by);
+  assert.ok(await value(page, "error.max") > 0.3);
   const { mechanism, metrics } = await copied(page);
   const [a, d] = mechanism.fixed_pivots;
   for (const [key, number] of Object.entries({ crank: mechanism.crank, coupler: mechanism.coupler, rocker: mechanism.rocker, a_x: a[0], a_y: a[1], d_x: d[0], d_y: d[1],
     point_u: mechanism.coupler_point[0], point_v: mechanism.coupler_point[1] })) near(Number(await field(page, key).inputValue()), number, 0, key);
   near(await value(page, "time_ratio"), metrics.time_ratio, 1e-9, "time ratio");
+  // The cards follow; what cannot says so.
+  assert.match(await page.locator("#qualities-list").textContent(), new RegExp(`Time ratio${metrics.time_ratio.toPrecision(4)}`));
+  assert.ok(await page.locator("#work.of-original").isVisible());
+  await page.locator(".edit-toggle").click();
+  assert.equal(await page.locator(".of-original").count(), 0);
 }));
 
 test("so is one that is used over a part of its turn", () => visit("log10-refined", async (page) => {
@@ -139,9 +149,11 @@ test("the start angles of a function generator are dimensions too", () => visit(
 }));
 
 test("what is no four-bar is not edited", () => visit("exact-motion", async (page) => {
-  assert.ok(await page.locator(".edit-toggle").isVisible());
+  const toggle = page.locator(".edit-toggle", { hasText: "Edit" });
+  assert.ok(await toggle.isEnabled());
   await page.locator("#design-1").check();
-  assert.ok(await page.locator(".edit-toggle").isHidden());
+  assert.ok(await toggle.isDisabled());
+  assert.match(await toggle.getAttribute("title"), /Only four-bars/);
 }));
 
 // The facts of the page's data, which are the program's, beside those of the kernel.
@@ -156,6 +168,8 @@ async function hasFacts(page, facts, column) {
   }
 }
 
+const flat = (table, above) => Object.entries(table).flatMap(([key, part]) => (part !== null && typeof part === "object" && !Array.isArray(part) ? flat(part, `${above}${key}.`) : [{ name: above + key, value: part }]));
+
 for (const [name, joint] of [["library-slider-crank-offset", "C"], ["library-coupler-curve", "P"], ["library-guide-bar-rotating", "B"], ["library-oscillating-block", "D"], ["library-four-bar-forces", "B"],
   ["library-scotch-yoke", "A"]]) {
   test(`${name}: facts unchanged and changed are the program's`, () => visit(name, async (page) => {
@@ -164,8 +178,7 @@ for (const [name, joint] of [["library-slider-crank-offset", "C"], ["library-cou
     await drag(page, joint, [6, 5]);
     assert.ok(await page.locator("#edit-values tr.changed, [data-edit=undo]:enabled").count() > 0);
     await page.locator('[data-edit="copy"]').click();
-    const { designs: [{ metrics }] } = analysed(await page.locator("#edit-toml").inputValue());
-    const flat = (table, above) => Object.entries(table).flatMap(([key, part]) => (part !== null && typeof part === "object" && !Array.isArray(part) ? flat(part, `${above}${key}.`) : [{ name: above + key, value: part }]));
+    const { designs: [{ metrics }] } = answered(await page.locator("#edit-toml").inputValue());
     await hasFacts(page, flat(metrics, ""), "now");
   }));
 }
@@ -175,7 +188,7 @@ test("an analysed mechanism that cannot be assembled is refused, and comes back 
   const link = () => page.locator('[data-body="2"] path').first().getAttribute("d");
   const shown = await link();
   await type(page, "coupler", 1e-3);
-  assert.match(await page.locator(".edit-status").textContent(), /cannot be assembled/);
+  assert.match(await page.locator(".edit-status").textContent(), /assembled/);
   assert.equal(await link(), shown);
   await type(page, "coupler", 500);
   assert.notEqual(await link(), shown);
@@ -184,7 +197,46 @@ test("an analysed mechanism that cannot be assembled is refused, and comes back 
   assert.equal(await page.locator("#edit, .edit-layer").count(), 0);
 }));
 
-test("chains are not edited, and their pages bear no kernel", () => visit("library-shaper", async (page) => {
-  assert.equal(await page.locator(".edit-toggle").count(), 0);
+// Of the table of values: each column's extremes, and where the drive stands each value.
+const columnsShown = (page) => page.locator("#values-rows tr").evaluateAll((rows) => rows.map((row) => [row.cells[0].textContent, row.cells[2].textContent, row.cells[3].textContent, row.cells[4].textContent]));
+const plain = (text) => { const [digits, power] = text.replaceAll("−", "-").split("×10"); return Number(digits) * 10 ** Number([...(power ?? "0")].map((c) => { const at = "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c); return at < 0 ? "-" : at; }).join("")); };
+
+// Loads, masses and dimensions changed: the page's facts, key positions, table, plots' summaries and notes against the program.
+for (const [name, joint, fields] of [["library-four-bar-forces", "C", { "load.0.torque": -140, "link.1.mass": 4.5, crank: 0.42, "drive.speed": 12 }], ["library-shaper", "D", { "load.0.force.0": 4000, "crank.length": 0.13, "dyad.1.lengths.0": 0.17 }]]) {
+  test(`${name}: every figure of an edited analysis is the program's`, () => visit(name, async (page) => {
+    await edit(page);
+    await page.locator(".edit details").evaluateAll((all) => all.forEach((part) => { part.open = true; }));
+    for (const [key, number] of Object.entries(fields)) await type(page, key, number);
+    await drag(page, joint, [4, 3]);
+    assert.equal(await page.locator("main.dragging").count(), 0);
+    await page.locator('[data-edit="copy"]').click();
+    const answer = answered(await page.locator("#edit-toml").inputValue());
+    await hasFacts(page, flat(answer.designs[0].metrics, ""), "now");
+    assert.equal((await page.locator("#edit-values tr").count()), flat(answer.designs[0].metrics, "").length);
+    await page.locator("#all-parts").click();
+    await page.locator("#drive").evaluate((input) => { input.value = 120; input.dispatchEvent(new Event("input")); });
+    const shown = await columnsShown(page);
+    const { columns, landmarks } = answer.analysis;
+    assert.equal(shown.length, columns.length - 1);
+    const row = 120;
+    for (const [column, now, least, greatest] of shown) {
+      const { values } = columns.find((one) => one.name === column);
+      const size = Math.max(...values.map(Math.abs));
+      near(plain(now), values[row], 2e-6 * size, `${column} now`);
+      near(plain(least), Math.min(...values), 1e-5 * size, `minimum of ${column}`);
+      near(plain(greatest), Math.max(...values), 1e-5 * size, `maximum of ${column}`);
+    }
+    assert.equal(await page.locator("#landmarks-rows tr").count(), landmarks.length);
+    const places = await page.locator("#landmarks-rows tr").evaluateAll((rows) => rows.map((row) => Number(row.cells[2].textContent.replace("°", "").replace("−", "-"))));
+    places.forEach((place, i) => near(Math.sin(((place - landmarks[i].drive) * Math.PI) / 360), 0, 1e-4, `key position ${i}`));
+    const notes = await page.locator("#notes-list li:not(.warning)").allTextContents();
+    assert.deepEqual(notes, answer.notes);
+    assert.ok(await page.locator("#work.of-original").isVisible());
+  }));
+}
+
+test("what is too large to be edited says so, and its page bears no kernel", () => visit("analysis-hundred-links", async (page) => {
+  assert.ok(await page.locator(".edit-toggle").isDisabled());
+  assert.match(await page.locator(".edit-toggle").getAttribute("title"), /too large/);
   assert.match(await page.locator("#kernel").textContent(), /^$/);
 }));

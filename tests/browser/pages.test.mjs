@@ -1,7 +1,7 @@
 // What all report pages have in common: how the picture is looked at, what it shows besides, one
 // cursor, tables, keys, paper, contrast, size.
 import assert from "node:assert/strict";
-import { statSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { distance, launch, visit as visitReport, withoutPlots } from "./browser.mjs";
@@ -56,6 +56,97 @@ for (const name of KINDS) {
     assert.equal(await page.locator("[inert]").count(), 0);
   }));
 }
+
+for (const name of [...KINDS, "machine-press"]) {
+  test(`${name}: what plays the motion is in the first screen of a laptop`, () => visit(name, async (page) => {
+    const [picture, play, slider] = [await page.locator("#picture").boundingBox(), await page.locator("#play").boundingBox(), await page.locator("#crank, #drive").boundingBox()];
+    assert.ok(picture.height >= 250, `a picture of ${picture.height} pixels`);
+    for (const part of [play, slider]) assert.ok(part.y + part.height <= 720, `down to ${part.y + part.height}`);
+  }, { ...still, size: "laptop" }));
+}
+
+// Lines that a text takes, by the places of its characters.
+for (const name of ["exact-motion", "library-four-bar-forces", "cam-translating-roller"]) {
+  test(`${name}: on a phone no number is broken across lines`, () => visit(name, async (page) => {
+    for (const fold of await page.locator(".more summary").all()) await fold.click();
+    const [count, broken] = await page.evaluate(() => {
+      const numbers = /[−-]?\d[\d,]*(?:\.\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?/g;
+      const walker = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+      const found = [];
+      let all = 0;
+      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        if (!node.parentElement.closest("dd, td, .notes, .summary") || node.parentElement.closest("pre, code")) continue;
+        for (const match of node.data.matchAll(numbers)) {
+          const range = document.createRange();
+          range.setStart(node, match.index);
+          range.setEnd(node, match.index + match[0].length);
+          const tops = new Set([...range.getClientRects()].map((rect) => Math.round(rect.top)));
+          all += tops.size > 0;
+          if (tops.size > 1) found.push(match[0]);
+        }
+      }
+      return [all, found];
+    });
+    assert.ok(count > 20, `${count} numbers`);
+    assert.deepEqual(broken, []);
+  }, { ...still, size: "phone" }));
+}
+
+test("the picture is saved as SVG that needs no style sheet, and in motion", () => visit("ellipse", async (page) => {
+  const [picture] = await Promise.all([page.waitForEvent("download"), page.locator("[data-save=picture]").click()]);
+  const text = readFileSync(await picture.path(), "utf8");
+  assert.match(text, /^<svg xmlns="http:\/\/www.w3.org\/2000\/svg" viewBox/);
+  assert.doesNotMatch(text, /class=|style=|var\(|NaN/);
+  assert.ok(text.match(/<path /g).length > 10);
+  const ink = await page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(source)}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    canvas.drawImage(image, 0, 0);
+    const { data } = canvas.getImageData(0, 0, image.width, image.height);
+    return new Set(Array.from({ length: data.length / 4 }, (_, i) => `${data[4 * i]} ${data[4 * i + 1]} ${data[4 * i + 2]}`)).size;
+  }, text);
+  assert.ok(ink > 20, `${ink} colours`);
+  const [film] = await Promise.all([page.waitForEvent("download", { timeout: 120000 }), page.locator("[data-save=film]").click()]);
+  const bytes = readFileSync(await film.path());
+  assert.ok(bytes.length > 20000, `${bytes.length} bytes`);
+  // EBML, the container of WebM.
+  assert.equal(bytes.subarray(0, 4).toString("hex"), "1a45dfa3");
+}));
+
+test("a click on a body traces a point of it, and its coordinates are told", () => visit("library-crank-rocker", async (page) => {
+  await turnTo(page, 50);
+  const at = await page.locator('[data-body="3"] path').first().evaluate((path) => {
+    const p = path.getPointAtLength(0.1);
+    const box = path.getBBox();
+    const q = path.ownerSVGElement.createSVGPoint();
+    Object.assign(q, { x: box.x + box.width / 2, y: box.y + box.height / 2 });
+    const s = q.matrixTransform(path.getScreenCTM());
+    return [s.x, s.y, p.x];
+  });
+  await page.mouse.click(at[0], at[1]);
+  assert.match(await page.locator("#ghosts").textContent(), /Point of the rocker at u .* v /);
+  const length = await page.locator(".traced-path").evaluate((path) => path.getTotalLength());
+  assert.ok(length > 100, `${length} pixels`);
+  const [x, y] = await circleAt(page, ".traced-point");
+  const picture = await page.locator("#picture").boundingBox();
+  assert.ok(distance([picture.x + x, picture.y + y], at) < 1.5);
+  await page.locator("#ghosts .link").click();
+  assert.equal(await page.locator(".traced-path:visible").count(), 0);
+}));
+
+test("a pinned design stays in the picture, its values beside those of another", () => visit("ellipse", async (page) => {
+  const crank = () => page.locator("#dimensions-list dt", { hasText: "Crank" }).locator("+ dd");
+  const first = await crank().textContent();
+  await page.locator("#pin").click();
+  await page.locator("#design-1").check();
+  assert.ok(await page.locator(".pinned-line").evaluate((line) => line.getTotalLength() > 100));
+  assert.equal(await crank().textContent(), `${first}8.2`);
+  await page.locator("#pin").click();
+  assert.equal(await crank().textContent(), "8.2");
+  assert.equal(await page.locator(".pinned-line:visible").count(), 0);
+}));
 
 test("the wheel with Ctrl keeps what it points at, a drag moves the picture", () => visit("ellipse", async (page) => {
   const target = () => box(page, "#picture circle.target");

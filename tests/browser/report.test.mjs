@@ -116,7 +116,7 @@ test("the table switches by click and by key", () => visit("ellipse", still, asy
 test("constraints show what is missed", () => visit("ellipse", still, async (page) => {
   const row = page.locator("#checks tr.missed");
   assert.equal(await row.count(), 1);
-  assert.match((await row.textContent()).replace(/\s+/g, " "), /transmission_angle_deg142\.\d+45 to 135✗ no/);
+  assert.match((await row.textContent()).replace(/\s+/g, " "), /^Transmission.angle.*142\.\d+°?45 … 135°?✗ no/);
 }));
 
 test("a hundred designs scroll within their table", () => visit("hundred", still, async (page) => {

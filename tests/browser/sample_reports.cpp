@@ -17,6 +17,7 @@
 #include "tests/browser/sample_designs.hpp"
 #include "tests/browser/sample_gears.hpp"
 #include "tests/browser/sample_studies.hpp"
+#include "tests/support/folders.hpp"
 
 namespace {
 
@@ -198,7 +199,7 @@ int main(int argc, char** argv) {
     write(folder / ("study-" + sample.name + ".html"), sample);
   }
   std::ofstream(folder / "poses.json") << sample_poses();
-  const std::filesystem::path library = COGNATE_LIBRARY_DIR;
+  const std::filesystem::path library = cognate::kLibraryFolder;
   for (const auto& file : std::filesystem::directory_iterator(library / "analysis")) {
     const auto problem = read_task<AnalysisProblem>(file.path());
     if (!problem) return 1;

@@ -96,8 +96,8 @@ test("a range of a column filters the page", () => visit("grid", still, async (p
   const expected = size.filter((v) => v <= 300).length;
   assert.ok(expected > 10 && expected < size.length);
   assert.equal(await shownCount(page), expected);
-  await page.locator("#rows th button", { hasText: "size" }).click();
-  await page.locator("#rows th button", { hasText: "size" }).click();
+  await page.locator("#rows th button", { hasText: "Size" }).click();
+  await page.locator("#rows th button", { hasText: "Size" }).click();
   assert.equal(await page.locator("#rows-rows tr").first().locator("td").last().textContent(), String(Math.max(...size.filter((v) => v <= 300))));
   await page.locator("#clear").click();
   assert.equal(await shownCount(page), size.length);
@@ -129,6 +129,15 @@ test("a brush on an axis filters, with two brushes what passes both", plotted, (
   await settled(page);
   assert.equal(await shownCount(page), 5000);
   assert.equal(await page.locator(".brush .selection:visible").count(), 0);
+}));
+
+test("columns are named in words, and the best rows come first", () => visit("grid", { ...still, locale: "zh-CN" }, async (page) => {
+  const heads = await page.locator("#rows th").allTextContents();
+  for (const word of ["连杆", "摇杆", "曲柄"]) assert.ok(heads.includes(word), `${heads}`);
+  const data = await dataOf(page);
+  const stars = await page.locator("#rows-rows tr").evaluateAll((rows) => rows.map((row) => row.textContent.includes("★")));
+  assert.ok(data.best.length > 0);
+  assert.deepEqual(stars, stars.map((_, i) => i < data.best.length));
 }));
 
 test("words filter too", () => visit("sobol", still, async (page) => {
@@ -179,7 +188,7 @@ test("the linkage moves by itself", () => visit("sobol", {}, async (page) => {
 
 // Between the nodes of a grid the level lines of a sum of two columns are straight.
 test("the map of a grid shows its levels, and the other columns are held", plotted, () => visit("grid", still, async (page) => {
-  await page.locator("#contour [data-choice=z]").selectOption({ label: "size" });
+  await page.locator("#contour [data-choice=z]").selectOption({ label: "Size" });
   const before = await inkOf(page, "#contour-plane canvas");
   assert.ok(before > 20000);
   assert.equal(await page.locator("#methods button").count(), 3);
@@ -237,7 +246,7 @@ test("arrow keys step through the points, zoom keeps the row", plotted, () => vi
 test("a point that is pointed at tells its values", plotted, () => visit("grid", still, async (page) => {
   const at = await page.locator("#scatter-plane .chosen").evaluate((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]);
   await page.locator("#scatter-plane svg").hover({ position: { x: at[0], y: at[1] } });
-  assert.match(await page.locator("#scatter-plane .tip").textContent(), /Design .*size: /);
+  assert.match(await page.locator("#scatter-plane .tip").textContent(), /Design .*Size: /);
 }));
 
 test("the rows that pass are saved as CSV", () => visit("grid", still, async (page) => {

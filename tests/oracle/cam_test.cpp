@@ -13,8 +13,9 @@
 #include "problems/cam/extremes.hpp"
 #include "problems/cam/result.hpp"
 #include "tests/support/cam_problems.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::cam_test {
 namespace {
 
 using cam::MotionLaw;
@@ -22,7 +23,7 @@ using problems::CamDimension;
 using problems::CamProblem;
 
 toml::table data() {
-  return toml::parse_file(COGNATE_ORACLE_DIR "/cams.toml");
+  return toml::parse_file(std::string(kOracleFolder) + "/cams.toml");
 }
 
 std::vector<double> column(const toml::table& table, const char* key) {
@@ -283,4 +284,4 @@ TEST(CamOracle, LimitsOfRiseAndReturnHoldOnBothSides) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_test

@@ -14,7 +14,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::classical_straight_lines_test {
 namespace {
 
 Result solve_text(const std::string& text, int threads = 0) {
@@ -205,4 +205,4 @@ TEST(StraightLineSearch, GoalsAgree) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::classical_straight_lines_test

@@ -14,8 +14,9 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::exact_function_test {
 namespace {
 
 FunctionProblem parsed(const std::string& text) {
@@ -25,7 +26,7 @@ FunctionProblem parsed(const std::string& text) {
 }
 
 FunctionProblem from_library(const char* name) {
-  const auto problem = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
+  const auto problem = read_task(std::filesystem::path(kLibraryFolder) / "function" / name);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }
@@ -466,4 +467,4 @@ TEST(ExactFunction, JumpWithinTheDomainIsNoted) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::exact_function_test

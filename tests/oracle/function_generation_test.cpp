@@ -13,8 +13,9 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_generation_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -26,7 +27,7 @@ FunctionProblem parsed(std::string_view text) {
 }
 
 FunctionProblem from_library(const char* name) {
-  const auto problem = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "function" / name);
+  const auto problem = read_task(std::filesystem::path(kLibraryFolder) / "function" / name);
   if (!problem) throw std::invalid_argument(problem.error().front().message);
   return std::get<FunctionProblem>(*problem);
 }
@@ -367,4 +368,4 @@ TEST(RefinedFunction, MinimaxOfATableIsTheSameForEverySeed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_generation_test

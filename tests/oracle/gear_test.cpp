@@ -6,8 +6,9 @@
 #include "analysis/gear/spur_pair.hpp"
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::gear_test {
 namespace {
 
 using gear::SpurGear;
@@ -17,7 +18,7 @@ using gear::SpurPair;
 class Example {
  public:
   explicit Example(const char* name)
-      : table_(*toml::parse_file(COGNATE_ORACLE_DIR "/gears.toml")[name].as_table()) {}
+      : table_(*toml::parse_file(std::string(kOracleFolder) + "/gears.toml")[name].as_table()) {}
 
   double operator[](const char* key) const { return *table_[key].value<double>(); }
 
@@ -156,4 +157,4 @@ TEST(GearOracle, UndercutGear) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_test

@@ -22,7 +22,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MOST_SHOWN = 12
-COMMANDS = {"analysis": "analyze", "study": "check"}
+COMMANDS = {"analysis": "analyze", "gear": "analyze", "machine": "analyze", "study": "check"}
 
 
 def built(revision, folder):

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "analysis/numbers/constants.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate {
 namespace {
@@ -236,7 +237,7 @@ Model shaper(const Example& example) {
 }  // namespace
 
 std::vector<Example> read_examples() {
-  const toml::table file = toml::parse_file(COGNATE_LI_XU_FILE);
+  const toml::table file = toml::parse_file(std::string(kOracleFolder) + "/li_xu.toml");
   std::vector<Example> examples;
   for (const auto& node : *file["example"].as_array()) {
     const toml::table& entry = *node.as_table();
@@ -258,7 +259,7 @@ std::vector<Example> read_examples() {
 }
 
 std::vector<TypeExample> read_types() {
-  const toml::table file = toml::parse_file(COGNATE_LI_XU_FILE);
+  const toml::table file = toml::parse_file(std::string(kOracleFolder) + "/li_xu.toml");
   std::vector<TypeExample> types;
   for (const auto& node : *file["type"].as_array()) {
     const toml::table& entry = *node.as_table();

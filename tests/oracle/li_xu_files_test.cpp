@@ -11,8 +11,9 @@
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "tests/oracle/li_xu.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate {
+namespace cognate::li_xu_files_test {
 namespace {
 
 struct File {
@@ -36,7 +37,7 @@ Example find_example(const File& file) {
 
 problems::AnalysisProblem read_file(const std::string& name) {
   auto problem = problems::read_task<problems::AnalysisProblem>(
-      std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis" / name);
+      std::filesystem::path(kLibraryFolder) / "analysis" / name);
   EXPECT_TRUE(problem.has_value()) << name;
   problem->output.torque = problem->output.reactions = true;
   return *problem;
@@ -97,4 +98,4 @@ TEST(LiXuFiles, EveryRowOfForces) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::li_xu_files_test

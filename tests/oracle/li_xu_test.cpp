@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
 
-namespace cognate {
+namespace cognate::li_xu_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -139,4 +139,4 @@ TEST(LiXu, Types) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::li_xu_test

@@ -11,7 +11,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::limited_functions_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -75,4 +75,4 @@ TEST(LimitedFunctions, OfTripleRockersAreLimitedOverTheirOwnMotion) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::limited_functions_test

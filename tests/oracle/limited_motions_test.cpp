@@ -17,7 +17,7 @@
 #include "problems/read.hpp"
 #include "synthesis/optimise/solver.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::limited_motions_test {
 namespace {
 
 using synthesis::Pose;
@@ -156,4 +156,4 @@ TEST(PartedStations, GiveEachPoseItsOwnAngleWhereThatIsBetter) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::limited_motions_test

@@ -11,12 +11,13 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_generation_test {
 namespace {
 
 Result solved(const std::string& name) {
-  const auto file = std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion" / (name + ".toml");
+  const auto file = std::filesystem::path(kLibraryFolder) / "motion" / (name + ".toml");
   const auto problem = read_task(file);
   if (!problem) {
     ADD_FAILURE() << file << ": " << problem.error().front().message;
@@ -197,7 +198,7 @@ TEST(MotionOracleTest, OscillatingBlockThroughTheGivenPivot) {
 // reaches them.
 TEST(MotionOracleTest, LibraryIsSolved) {
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion")) {
+       std::filesystem::directory_iterator(std::filesystem::path(kLibraryFolder) / "motion")) {
     const Result result = solved(entry.path().stem().string());
     EXPECT_EQ(result.status, Status::solved) << entry.path();
     if (entry.path().stem() == "eleven-poses") continue;  // records_test.cpp has its error
@@ -209,4 +210,4 @@ TEST(MotionOracleTest, LibraryIsSolved) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_generation_test

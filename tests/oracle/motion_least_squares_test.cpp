@@ -15,8 +15,9 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 #include "synthesis/fit/dyad_fit.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_least_squares_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -63,7 +64,7 @@ double textbook_error(const MotionProblem& problem, const Design& design) {
 
 MotionProblem eleven_poses() {
   const auto problem =
-      read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "motion/eleven-poses.toml");
+      read_task(std::filesystem::path(kLibraryFolder) / "motion/eleven-poses.toml");
   return std::get<MotionProblem>(problem.value());
 }
 
@@ -347,4 +348,4 @@ TEST(MotionLeastSquares, APlantedSliderCrankComesBack) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_least_squares_test

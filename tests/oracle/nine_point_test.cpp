@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::nine_point_test {
 namespace {
 
 struct Published {
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Published, NinePointOracle, testing::ValuesIn(kPublishe
                          });
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::nine_point_test

@@ -11,12 +11,13 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::noisy_paths_test {
 namespace {
 
 PathProblem problem_of(const char* name) {
-  const auto problem = read_task(std::filesystem::path(COGNATE_ORACLE_DIR) / "noisy_paths" / name);
+  const auto problem = read_task(std::filesystem::path(kOracleFolder) / "noisy_paths" / name);
   return std::get<PathProblem>(*problem);
 }
 
@@ -114,4 +115,4 @@ TEST(NoisyPaths, EverySeedFindsTheBestOfATripleRockerWithLimits) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::noisy_paths_test

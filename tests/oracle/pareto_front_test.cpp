@@ -12,7 +12,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::pareto_front_test {
 namespace {
 
 Result solved(const std::string& text, const Run& run = {}) {
@@ -436,4 +436,4 @@ TEST(ParetoFrontTest, AMotionHasNoWorseTransmissionThanThePlantedLinkage) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::pareto_front_test

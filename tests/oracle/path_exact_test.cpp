@@ -18,13 +18,14 @@
 #include "problems/path/exact.hpp"
 #include "problems/path/exact_designs.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_exact_test {
 namespace {
 
 PathProblem library(const std::string& name) {
-  const std::string folder = COGNATE_LIBRARY_DIR;
+  const std::string folder = kLibraryFolder;
   const auto read = read_task(folder + "/path/" + name + ".toml");
   return std::get<PathProblem>(read.value());
 }
@@ -438,4 +439,4 @@ TEST(ExactPaths, NameWhatCoincides) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_exact_test

@@ -10,7 +10,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::planted_limits_test {
 namespace {
 
 /// Noise of one percent of the size: neighbouring poses are out of order at the planted linkage.
@@ -103,4 +103,4 @@ TEST(PlantedLimits, ATimedPathReachesTheMinimumWithinAllLimits) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::planted_limits_test

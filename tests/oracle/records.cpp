@@ -8,11 +8,12 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate {
 namespace {
 
-const std::filesystem::path library = COGNATE_LIBRARY_DIR;
+const std::filesystem::path library = kLibraryFolder;
 
 PublishedError published_error(const toml::table& entry) {
   PublishedError published;
@@ -60,7 +61,7 @@ double squared_size(const problems::PathProblem& problem) {
 }  // namespace
 
 std::vector<Record> read_records() {
-  const toml::table file = toml::parse_file(COGNATE_RECORDS_FILE);
+  const toml::table file = toml::parse_file(std::string(kOracleFolder) + "/records.toml");
   std::vector<Record> records;
   for (const auto& node : *file["record"].as_array()) {
     const toml::table& entry = *node.as_table();

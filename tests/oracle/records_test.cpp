@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/result.hpp"
 
-namespace cognate {
+namespace cognate::records_test {
 namespace {
 
 using problems::Design;
@@ -185,4 +185,4 @@ INSTANTIATE_TEST_SUITE_P(Published, Records,
                          [](const auto& info) { return test_name(read_records()[info.param]); });
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::records_test

@@ -10,15 +10,16 @@
 #include "analysis/machine/run.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/machines.hpp"
 
-namespace cognate::machine {
+namespace cognate::machine::running_machine_test {
 namespace {
 
 using test::PeriodicTable;
 
 const toml::table& data() {
-  static const toml::table table = toml::parse_file(COGNATE_ORACLE_DIR "/machines.toml");
+  static const toml::table table = toml::parse_file(std::string(kOracleFolder) + "/machines.toml");
   return table;
 }
 
@@ -229,4 +230,4 @@ TEST(ShaperExample, NeedsTheFlywheelThatGivesItsFluctuation) {
 }
 
 }  // namespace
-}  // namespace cognate::machine
+}  // namespace cognate::machine::running_machine_test

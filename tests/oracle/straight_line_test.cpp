@@ -15,7 +15,7 @@
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::straight_line_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -275,4 +275,4 @@ TEST(Hoeken, TableIsReproduced) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::straight_line_test

@@ -14,11 +14,12 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::analysis_library_test {
 namespace {
 
-const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "analysis";
+const std::filesystem::path kLibrary = std::filesystem::path(kLibraryFolder) / "analysis";
 
 AnalysisProblem read_or_fail(const std::filesystem::path& file) {
   auto problem = read_task<AnalysisProblem>(file);
@@ -159,4 +160,4 @@ TEST(AnalysisLibraryTest, ClaimsOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::analysis_library_test

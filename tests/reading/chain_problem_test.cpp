@@ -7,8 +7,9 @@
 #include "problems/read.hpp"
 #include "problems/toml/table_writer.hpp"
 #include "tests/reading/fault_cases.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::chain_problem_test {
 namespace {
 
 /// A file with `more` after a closed target of four points; the first line of it is line 4.
@@ -91,7 +92,8 @@ TEST(ChainProblem, FourBarsStayOfTheirOwnKind) {
 }
 
 TEST(ChainProblem, WhatIsWrittenIsRead) {
-  for (const auto& entry : std::filesystem::directory_iterator(COGNATE_LIBRARY_DIR "/chain")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(kLibraryFolder) + "/chain")) {
     const auto problem = read_task<ChainPathProblem>(entry.path());
     ASSERT_TRUE(problem) << entry.path();
     const auto back = reading::read_back(*problem);
@@ -175,4 +177,4 @@ const FaultCase kFaults[] = {
 INSTANTIATE_TEST_SUITE_P(Files, ChainFaults, testing::ValuesIn(kFaults), name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::chain_problem_test

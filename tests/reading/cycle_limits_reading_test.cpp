@@ -8,7 +8,7 @@
 
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::cycle_limits_reading_test {
 namespace {
 
 const std::string kPath =
@@ -245,4 +245,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::cycle_limits_reading_test

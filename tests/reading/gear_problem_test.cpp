@@ -8,7 +8,7 @@
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::gear_problem_test {
 namespace {
 
 // `lines` are keys of [mechanism] from line 3 on.
@@ -214,4 +214,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::gear_problem_test

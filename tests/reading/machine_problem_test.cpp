@@ -9,7 +9,7 @@
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::machine_problem_test {
 namespace {
 
 const std::string kCrank =
@@ -316,4 +316,4 @@ const FaultCase kFaults[] = {
 INSTANTIATE_TEST_SUITE_P(Machines, MachineFault, testing::ValuesIn(kFaults), name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::machine_problem_test

@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_problem_test {
 namespace {
 
 // The first of `lines` is line 3.
@@ -182,4 +182,4 @@ TEST_P(MotionFaults, AreFound) {
 INSTANTIATE_TEST_SUITE_P(MotionProblemTest, MotionFaults, testing::ValuesIn(kCases), name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_problem_test

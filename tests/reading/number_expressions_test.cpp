@@ -11,7 +11,7 @@
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::number_expressions_test {
 namespace {
 
 std::string rocker(const std::string& crank, const std::string& drive) {
@@ -73,4 +73,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return name_of_case(info); });
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::number_expressions_test

@@ -8,7 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::objectives_test {
 namespace {
 
 /// Lines of [constraints] begin at 5, [solve] comes last.
@@ -133,4 +133,4 @@ TEST_P(ObjectivesFaultsTest, EachAtItsPlace) {
 INSTANTIATE_TEST_SUITE_P(All, ObjectivesFaultsTest, testing::ValuesIn(kCases), name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::objectives_test

@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_curve_test {
 namespace {
 
 std::string with_target(const std::string& lines) {
@@ -223,4 +223,4 @@ TEST_F(Drawings, DeepNestingIsWalkedWithoutHarm) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_curve_test

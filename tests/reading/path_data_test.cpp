@@ -11,7 +11,7 @@
 #include "problems/path/curve/outline.hpp"
 #include "problems/path/curve/svg_path_data.hpp"
 
-namespace cognate::problems::reading {
+namespace cognate::problems::reading::path_data_test {
 namespace {
 
 double length_of(const std::string& path_data) {
@@ -190,4 +190,4 @@ TEST(PathData, AnEndThatMeetsItsBeginningClosesIt) {
 }
 
 }  // namespace
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems::reading::path_data_test

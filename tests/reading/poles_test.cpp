@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/target/jumps.hpp"
 
-namespace cognate::problems::reading {
+namespace cognate::problems::reading::poles_test {
 namespace {
 
 constexpr int kIntervals = 1000;
@@ -105,4 +105,4 @@ TEST(Jumps, AreNotWhatContinuousFunctionsHave) {
 }
 
 }  // namespace
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems::reading::poles_test

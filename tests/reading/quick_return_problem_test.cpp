@@ -12,8 +12,9 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::quick_return_problem_test {
 namespace {
 
 // A file with `lines` in [mechanism]: the first of them is line 5.
@@ -37,7 +38,7 @@ double followed_time_ratio(const NamedMechanism& mechanism) {
 
 TEST(QuickReturnProblem, EveryFileOfTheLibraryIsSolvedAndMovesAsItShould) {
   int files = 0;
-  const std::filesystem::path folder(COGNATE_LIBRARY_DIR "/quick-return");
+  const std::filesystem::path folder(std::string(kLibraryFolder) + "/quick-return");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto problem = std::get<QuickReturnProblem>(*read_task(entry.path()));
     const Result result = solve(problem, {});
@@ -229,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(QuickReturnProblem, QuickReturnFaults, testing::ValuesI
                          name_of_case);
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::quick_return_problem_test

@@ -7,7 +7,7 @@
 
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_analysis_faults_test {
 namespace {
 
 // A four-bar with `lines` after its dimensions: the first of them is line 8.
@@ -318,4 +318,4 @@ TEST(ReadAnalysisFaults, AFileOfAnotherKindSaysWhichIsExpected) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_analysis_faults_test

@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_analysis_test {
 namespace {
 
 AnalysisProblem read(const std::string& text) {
@@ -336,4 +336,4 @@ dyad = [{type = "RRR", joins = ["B", "D"], lengths = [2.5, 2.5], new = "C"},
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_analysis_test

@@ -9,7 +9,7 @@
 
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_files_test {
 namespace {
 
 class ReadFilesTest : public testing::Test {
@@ -119,4 +119,4 @@ TEST(ReadDeepTextTest, TooManyPointsAreOneFault) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_files_test

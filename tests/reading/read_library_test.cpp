@@ -9,11 +9,12 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_library_test {
 namespace {
 
-const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
+const std::filesystem::path kLibrary = kLibraryFolder;
 
 Task read_or_fail(const std::filesystem::path& file) {
   const auto problem = read_task(file);
@@ -259,4 +260,4 @@ TEST(ReadFunctionTest, ExactPairsStartAtTheFrame) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_library_test

@@ -15,13 +15,14 @@
 #include "tests/fuzz/sound_analysis.hpp"
 #include "tests/fuzz/sound_cam.hpp"
 #include "tests/fuzz/sound_machine.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::read_mutations_test {
 namespace {
 
 std::vector<std::string> library() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(COGNATE_LIBRARY_DIR)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibraryFolder)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
   std::ranges::sort(files);  // the order of a directory is not the same everywhere
@@ -116,4 +117,4 @@ TEST(ReadMutationsTest, EveryPrefixGivesAProblemOrFaults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::read_mutations_test

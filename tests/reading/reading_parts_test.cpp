@@ -18,7 +18,7 @@
 #include "problems/toml/nearest.hpp"
 #include "problems/toml/text_check.hpp"
 
-namespace cognate::problems::reading {
+namespace cognate::problems::reading::reading_parts_test {
 namespace {
 
 double value(const std::string& text, double x) {
@@ -224,4 +224,4 @@ TEST(TextCheckTest, KnowsDeepKeysFromNumbersAndStrings) {
 }
 
 }  // namespace
-}  // namespace cognate::problems::reading
+}  // namespace cognate::problems::reading::reading_parts_test

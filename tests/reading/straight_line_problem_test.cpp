@@ -14,11 +14,12 @@
 #include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::straight_line_problem_test {
 namespace {
 
-const std::filesystem::path kLibrary = std::filesystem::path(COGNATE_LIBRARY_DIR) / "straight-line";
+const std::filesystem::path kLibrary = std::filesystem::path(kLibraryFolder) / "straight-line";
 
 Result solve_file(const std::string& name) {
   const auto problem = read_task(kLibrary / (name + ".toml"));
@@ -286,4 +287,4 @@ TEST(StraightLine, ReaderOfSearchesRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::straight_line_problem_test

@@ -10,11 +10,12 @@
 
 #include "problems/study/key_path.hpp"
 #include "problems/study/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_file_test {
 namespace {
 
-const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
+const std::filesystem::path kLibrary = kLibraryFolder;
 
 /// Metrics made up for the test: two numbers, a word, and lists of what only a design tells.
 MetricNames names(const Task&) {
@@ -100,6 +101,16 @@ TEST(StudyFile, ADottedKeyFiltersAsOneInQuotationMarks) {
   ASSERT_EQ(read.filters.size(), 1U);
   EXPECT_EQ(read.filters[0].name, "angle_deg.min");
   EXPECT_EQ(read.filters[0].min, 3);
+}
+
+TEST(StudyFile, LimitsOfAFilterAreExpressionsToo) {
+  const Study read = study(kHead + kVary + kOutput +
+                           "[filter]\nangle_deg.min = [\"180/4\", \"sqrt(4)*45\"]\n"
+                           "time_ratio = { max = \"1 + 1/4\" }\n");
+  ASSERT_EQ(read.filters.size(), 2U);
+  EXPECT_EQ(read.filters[0].min, 45);
+  EXPECT_EQ(read.filters[0].max, 90);
+  EXPECT_EQ(read.filters[1].max, 1.25);
 }
 
 TEST(StudyFile, TheStepsOfALogarithmicRangeHaveOneRatio) {
@@ -239,6 +250,7 @@ const std::vector<Wrong> kWrong = {
     {"FilterInverted", with("[filter]\ntime_ratio = [2, 1]\n"), 9, 14, "lets nothing pass"},
     {"FilterOfInfinity", with("[filter]\ntime_ratio = [inf, inf]\n"), 9, 14, "lets nothing pass"},
     {"FilterNotANumber", with("[filter]\ntime_ratio = [nan, 1]\n"), 9, 15, "no limits"},
+    {"FilterOfNoExpression", with("[filter]\ntime_ratio = [\"1 +\", 2]\n"), 9, 15, "no limits"},
     {"FilterOfThree", with("[filter]\ntime_ratio = [1, 2, 3]\n"), 9, 14, "no limits"},
     {"FilterOfNothing", with("[filter]\ntime_ratio = {}\n"), 9, 14, "no limits"},
     {"FilterUnknownOfNothing", with("[filter]\nnone = {}\n"), 9, 1, "neither a metric"},
@@ -324,4 +336,4 @@ TEST(StudyFile, EveryMutationGivesAStudyOrFaults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_file_test

@@ -12,6 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/planted_path.hpp"
 
 namespace cognate::problems {
@@ -23,8 +24,7 @@ int cases(int many) {
 }
 
 PathProblem from_library(const std::string& name) {
-  return std::get<PathProblem>(
-      *read_task(std::string(COGNATE_LIBRARY_DIR) + "/path/" + name + ".toml"));
+  return std::get<PathProblem>(*read_task(std::string(kLibraryFolder) + "/path/" + name + ".toml"));
 }
 
 struct Copy {

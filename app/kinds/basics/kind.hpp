@@ -82,11 +82,11 @@ struct KindBase {
     return result.status == Status::solved;
   }
 
-  /// What a result tells in single numbers besides its designs, into its document or, of a study,
+  /// Single numbers that a result reports with its designs, into its document or, of a study,
   /// into the best design.
   static void add_facts(Json& /*table*/, const Result& /*result*/) {}
 
-  /// What a result tells besides its designs.
+  /// What a result reports with its designs.
   static void add_findings(Json& document, const Problem& /*problem*/, const Result& result) {
     Kind<Problem>::add_facts(document, result);
   }
@@ -110,6 +110,13 @@ struct KindBase {
   static std::vector<ListSection> sections() { return {}; }
   static std::vector<MetricList> metric_lists() { return {}; }
 };
+
+/// What a result warns of; nothing where its kind has no warnings.
+template <class Result>
+std::vector<std::string> warnings_of(const Result& result) {
+  if constexpr (requires { result.warnings; }) return result.warnings;
+  return {};
+}
 
 /// The tables of the file of a problem under their own keys with every default filled in, angles in
 /// degrees where the key ends in `_deg`; what has no value is left out.
@@ -135,7 +142,7 @@ tl::expected<nlohmann::ordered_json, std::string> result_document(const Problem&
     designs.push_back(K::design_json(problem, result, i));
   }
   K::add_findings(document, problem, result);
-  return finished_document(std::move(document), result.notes, result.work);
+  return finished_document(std::move(document), {result.notes, warnings_of(result)}, result.work);
 }
 
 /// A whole HTML page that opens from disk and loads nothing: `document` (that of `result`, embedded

@@ -5,6 +5,7 @@
 
 #include "analysis/cam/motion_law.hpp"
 #include "app/console/text_table.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/cam/keys.hpp"
 #include "problems/cam/motion_laws.hpp"
@@ -120,7 +121,8 @@ constexpr KeyedEntry kTables[] = {
     {"[constraints]", "on the cam", kConstraints},
     {"[drive]", "how it runs", kDrive},
     {"[contact]", "materials, for contact stress", kContact},
-    {"[solve]", "how it is found", kSolve}};
+    {"[solve]", "how it is found", kSolve},
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
 
 constexpr Metric kCamMetrics[] = {
     {"stroke", "length", "maximum displacement of a translating follower"},
@@ -131,13 +133,16 @@ constexpr Metric kCamMetrics[] = {
     {"pressure_angle_deg_max_rise_working", "deg",
      "in the rises, on the side to which the cam pushes"},
     {"pressure_angle_deg_max_return_working", "deg", "in the returns, on the other side"},
+    {"prime_radius", "length", "of the prime circle, on which the pitch curve of a roller begins"},
+    {"base_radius", "length", "of the base circle, on which the profile begins"},
     {"curvature_radius_min", "length", "of the profile where it is convex; negative: undercut"},
     {"concave_radius_min", "length", "of the profile where it is concave"},
     {"undercut", "boolean", "whether the profile cannot guide its follower everywhere"},
     {"profile_radius_min, profile_radius_max", "length", "distance of the profile from the centre"},
     {"face_width", "length", "of a flat face that the contact passes over"},
     {"breadth", "length", "of parallel contacts, constant"},
-    {"second_cam_base_radius", "length", "of the other cam of a conjugate pair"},
+    {"second_cam_prime_radius, second_cam_base_radius", "length",
+     "of the other cam of a conjugate pair"},
     {"second_cam_pressure_angle_deg_max", "deg", "of that cam"},
     {"second_cam_curvature_radius_min", "length", "of that cam"},
     {"second_cam_contact_force_max", "N", "of that cam, which takes what the first cannot"},

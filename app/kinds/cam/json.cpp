@@ -6,6 +6,7 @@
 #include "analysis/cam/turn_extremes.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_json.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/basics/names.hpp"
 
@@ -156,6 +157,7 @@ ordered_json Kind<CamProblem>::design_json(const CamProblem& problem, const CamR
   for (const auto& check : design.constraints) table["constraints"].push_back(app::to_json(check));
   table["origin"] = design.origin;
   if (design.proof) table["proof"] = proof_json(*design.proof);
+  if (design.tolerance) table["tolerance"] = tolerance_json(*design.tolerance);
   return table;
 }
 

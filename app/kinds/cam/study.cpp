@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "app/study/metrics.hpp"
 
@@ -35,6 +36,7 @@ void add_cam_mechanism(MetricNames& names) {
 MetricNames Kind<problems::CamProblem>::metric_names(const problems::CamProblem& /*base*/) {
   MetricNames names;
   add_metrics(names, cam_metrics());
+  add_metrics(names, kToleranceMetrics);
   add_places_of_extremes(names);
   std::erase_if(names.names, [](const auto& name) { return name.name.starts_with("..."); });
   for (const char* angle : {"min", "max", "acute_min"}) {

@@ -8,6 +8,7 @@
 #include "app/console/design_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
+#include "app/console/tolerance_table.hpp"
 #include "app/documents/csv.hpp"
 #include "app/kinds/cam/kind.hpp"
 #include "problems/basics/degrees.hpp"
@@ -48,25 +49,35 @@ std::string placed(const CamDesign& design, const std::string& name) {
   return at ? fmt::format("{:.5g} at {:.4g}", *value, *at) : fmt::format("{:.5g}", *value);
 }
 
+/// Whether the follower has a roller, and the cam a prime circle beside its base circle.
+bool rolls(const CamProblem& problem) {
+  return problem.length(problems::CamDimension::roller_radius).used;
+}
+
 void add_lengths(const CamProblem& problem, DesignTable<CamDesign>& columns) {
   struct Length {
     const char* heading;
     double cam::CamDimensions<double>::*value;
   };
   using D = cam::CamDimensions<double>;
-  constexpr std::array<Length, problems::kCamDimensions> kLengths = {
-      {{"base radius", &D::base_radius},
+  const std::array<Length, problems::kCamDimensions> lengths = {
+      {{rolls(problem) ? "prime radius" : "base radius", &D::base_radius},
        {"offset", &D::offset},
        {"roller radius", &D::roller_radius},
        {"centre distance", &D::centre_distance},
        {"arm", &D::arm},
        {"face offset", &D::face_offset}}};
-  for (std::size_t i = 0; i < kLengths.size(); ++i) {
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (!problem.lengths[i].used) continue;
     columns.add(
-        std::string(kLengths[i].heading) + " [length]", Align::right, [&](const CamDesign& design) {
-          return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*kLengths[i].value);
+        std::string(lengths[i].heading) + " [length]", Align::right, [&](const CamDesign& design) {
+          return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*lengths[i].value);
         });
+    if (i > 0 || !rolls(problem)) continue;
+    columns.add("base radius [length]", Align::right, [](const CamDesign& design) {
+      const auto& dimensions = design.cam.system.follower.dimensions;
+      return fmt::format("{:.6g}", dimensions.base_radius - dimensions.roller_radius);
+    });
   }
 }
 
@@ -89,7 +100,7 @@ std::string designs_text(const CamProblem& problem, std::span<const CamDesign> d
 }
 
 /// Why the best design cannot be smaller.
-std::string proof_line(const CamResult& result) {
+std::string proof_line(const CamProblem& problem, const CamResult& result) {
   if (result.designs.empty() || !result.designs.front().proof) return {};
   const auto& proof = *result.designs.front().proof;
   std::string because;
@@ -99,9 +110,9 @@ std::string proof_line(const CamResult& result) {
   }
   const double base = result.designs.front().cam.system.follower.dimensions.base_radius;
   const bool reached = base <= proof.base_radius_least * (1 + 1e-9);
-  return fmt::format("{}: no base radius below {:.10g} keeps {}{}\n",
-                     reached ? "proved" : "lower bound", proof.base_radius_least,
-                     because.empty() ? "to the limits" : because,
+  return fmt::format("{}: no {} radius below {:.10g} keeps {}{}\n",
+                     reached ? "proved" : "lower bound", rolls(problem) ? "prime" : "base",
+                     proof.base_radius_least, because.empty() ? "to the limits" : because,
                      proof.within.empty() ? "" : ", with " + proof.within);
 }
 
@@ -112,6 +123,16 @@ std::string Kind<CamProblem>::refusal(const CamProblem& /*problem*/, Command com
   return "kind is \"cam\": 'cognate solve' designs a cam, and evaluates one whose dimensions are "
          "all given; expected kind = \"analysis\" with a whole [mechanism]";
 }
+
+namespace {
+
+/// Of the best cam: those of the others are in the result.
+std::string tolerances_text(const CamResult& result, const Screen& screen) {
+  if (result.designs.empty() || !result.designs.front().tolerance) return {};
+  return tolerance_table(*result.designs.front().tolerance, screen);
+}
+
+}  // namespace
 
 std::string Kind<CamProblem>::describe(const CamProblem& problem) {
   const std::size_t segments = problem.motion.size();
@@ -128,7 +149,7 @@ std::string Kind<CamProblem>::table(const CamProblem& problem, const CamResult& 
                                     const Screen& screen) {
   return result_table({.heading = describe(problem),
                        .designs = designs_text(problem, shown_designs(result), screen),
-                       .after = proof_line(result)},
+                       .after = tolerances_text(result, screen) + proof_line(problem, result)},
                       result, screen);
 }
 

@@ -18,6 +18,9 @@ struct Kind<problems::ChainPathProblem> : LinkageKind<problems::ChainPathProblem
   static std::string describe(const problems::ChainPathProblem& problem);
   static ColumnChoice columns(const problems::ChainPathProblem& problem);
   static nlohmann::ordered_json target_json(const problems::ChainPathProblem& problem);
+  static problems::MetricNames metric_names(const problems::ChainPathProblem& base) {
+    return chain_metric_names(base.topologies);
+  }
   static nlohmann::ordered_json reached_json(const problems::ChainPathProblem& problem,
                                              const problems::Design& design);
 };

@@ -18,6 +18,9 @@ struct Kind<problems::DwellProblem> : LinkageKind<problems::DwellProblem> {
   static std::string describe(const problems::DwellProblem& problem);
   static ColumnChoice columns(const problems::DwellProblem& problem);
   static nlohmann::ordered_json target_json(const problems::DwellProblem& problem);
+  static problems::MetricNames metric_names(const problems::DwellProblem& base) {
+    return chain_metric_names(base.topologies);
+  }
 };
 
 }  // namespace cognate::app

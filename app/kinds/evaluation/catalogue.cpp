@@ -55,11 +55,16 @@ constexpr Metric kAnalysisMetrics[] = {
     {"inflections", "1", "of it (curve)"},
     {"torque_N_m.min", "N m", "minimum driving torque, with the crank angle as min_at_deg"},
     {"torque_N_m.max", "N m", "maximum driving torque, with the crank angle as max_at_deg"},
+    {"torque_N_m.abs_max", "N m",
+     "maximum of either sign, which sizes the motor, with the crank angle as abs_max_at_deg"},
+    {"torque_N_m.rms", "N m", "root mean square of the driving torque over the crank's angle"},
     {"drive_force_N.min", "N", "minimum driving force, with the displacement as min_at"},
     {"drive_force_N.max", "N", "maximum driving force, with the displacement as max_at"},
+    {"drive_force_N.abs_max", "N", "maximum of either sign, with the displacement as abs_max_at"},
+    {"drive_force_N.rms", "N", "root mean square of the driving force over the displacement"},
     {"torque_N_m.max_unbounded_at_deg", "deg",
-     "instead of max: the dead point near which it grows without bound; min and drive_force_N "
-     "alike"},
+     "instead of max: the dead point near which it grows without bound; min, abs_max and "
+     "drive_force_N alike"},
     {"reaction_max_N.P_on_LINK", "N", "maximum force at the joint P on LINK"},
     {"reaction_max_at_deg.P_on_LINK", "deg",
      "the crank angle there; reaction_max_at: displacement"},

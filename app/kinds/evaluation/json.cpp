@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_json.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
@@ -90,6 +91,7 @@ ordered_json Kind<AnalysisProblem>::design_json(const AnalysisProblem& problem,
   table["metrics"] = metrics_json(result);
   table["constraints"] = ordered_json::array();
   table["origin"] = "given";
+  if (result.tolerance) table["tolerance"] = tolerance_json(*result.tolerance);
   return table;
 }
 

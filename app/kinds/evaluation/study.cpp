@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "app/study/design_values.hpp"
 #include "app/study/metrics.hpp"
@@ -88,12 +89,14 @@ problems::AnalysisOutput needed_output(const Names& names) {
 MetricNames Kind<AnalysisProblem>::metric_names(const AnalysisProblem& base) {
   MetricNames names;
   add_metrics(names, metric_lists().front().metrics);
+  if (base.tolerances) add_metrics(names, kToleranceMetrics);
   std::erase_if(names.names,
                 [](const auto& name) { return name.name.starts_with("reaction_max"); });
   for (const char* of : {"torque_N_m", "drive_force_N"}) {
-    for (const char* at : {"min_at", "max_at", "min_at_deg", "max_at_deg", "min_unbounded_at",
-                           "max_unbounded_at", "min_unbounded_at_deg", "max_unbounded_at_deg"}) {
-      names.names.push_back({fmt::format("{}.{}", of, at)});
+    for (const char* extreme : {"min", "max", "abs_max"}) {
+      for (const char* at : {"at", "at_deg", "unbounded_at", "unbounded_at_deg"}) {
+        names.names.push_back({fmt::format("{}.{}_{}", of, extreme, at)});
+      }
     }
   }
   add_reactions(names, base);
@@ -106,6 +109,7 @@ Evaluated Kind<AnalysisProblem>::evaluate(const AnalysisProblem& problem, const 
                                           const problems::Run& run) {
   AnalysisProblem asked = problem;
   asked.output = needed_output(names);
+  if (!any_starts(names, {"tolerance_"})) asked.tolerances.reset();
   const auto result = problems::analyse(asked, run);
   Evaluated evaluated{result.status, ordered_json::object()};
   if (result.closed_rows == 0) return evaluated;

@@ -9,6 +9,7 @@
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
 #include "app/console/text_table.hpp"
+#include "app/console/tolerance_table.hpp"
 #include "app/documents/csv.hpp"
 #include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/evaluation/kind.hpp"
@@ -116,6 +117,7 @@ std::string Kind<AnalysisProblem>::table(const AnalysisProblem& problem,
   text += paint(status_line(result), status_colour(result), screen.colour) + '\n';
   text += quantity_table(result.quantities, screen);
   append_landmarks(text, problem, result, screen);
+  if (result.tolerance) text += tolerance_table(*result.tolerance, screen);
   text += '\n';
   text += notes_text(result.notes);
   text +=
@@ -130,7 +132,11 @@ std::string Kind<AnalysisProblem>::csv(const AnalysisProblem& problem,
 }
 
 std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
-  const bool editable = problem.mechanism.type() != problems::MechanismType::chain;
+  // What is edited is evaluated anew at every change.
+  constexpr std::size_t kMostBodies = 40;
+  constexpr int kMostSteps = 5000;
+  const bool editable =
+      problem.mechanism.bodies.size() <= kMostBodies && problem.drive.steps <= kMostSteps;
   return editable ? analysis_page() : without_kernel(analysis_page());
 }
 

@@ -63,7 +63,7 @@ constexpr KeyedEntry kPairTables[] = {
     {"[bounds]", "of what is found (spur and helical gears)", kBounds},
     {"[target]", "what is sought", kTarget},
     {"[constraints]", "on the pair", kConstraints},
-    {"[solve]", "how much is told", kSolve}};
+    {"[solve]", "how many designs are returned", kSolve}};
 
 constexpr Metric kGearMetrics[] = {
     {"teeth", "1", "of a gear of a pair"},

@@ -29,6 +29,9 @@ constexpr Entry kMotion[] = {
     {"bounds.moving_pivot_a",
      "least squares: [[umin, vmin], [umax, vmax]] in the body; moving_pivot_d: likewise"}};
 
+constexpr QuantityColumn kGuidanceQuantities[] = {
+    {"dyads", "pair of dyads"}, kObjectiveQuantities[0], kObjectiveQuantities[1]};
+
 }  // namespace
 
 std::span<const Entry> Kind<MotionProblem>::keys() {
@@ -40,7 +43,7 @@ std::string Kind<MotionProblem>::describe(const MotionProblem& problem) {
 }
 
 ColumnChoice Kind<MotionProblem>::columns(const MotionProblem& /*problem*/) {
-  return {.error_unit = "length", .quantities = kObjectiveQuantities};
+  return {.error_unit = "length", .places = true, .quantities = kGuidanceQuantities};
 }
 
 ordered_json Kind<MotionProblem>::target_json(const MotionProblem& problem) {

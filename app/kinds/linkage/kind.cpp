@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
-#include "app/console/design_dimensions.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
+#include "app/documents/tolerance_catalogue.hpp"
 #include "app/study/metrics.hpp"
+#include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
 namespace {
@@ -31,6 +32,7 @@ void add_mechanisms(MetricNames& names) {
 MetricNames linkage_metric_names() {
   MetricNames names;
   add_metrics(names, metrics());
+  add_metrics(names, kToleranceMetrics);
   add_metrics(names,
               study_extras().first(study_extras().size() - 2));  // the last two stand for many
   add_metrics(names, quantities(), "facts.");
@@ -39,10 +41,21 @@ MetricNames linkage_metric_names() {
   return names;
 }
 
+MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
+  MetricNames names = linkage_metric_names();
+  for (const problems::Topology& topology : topologies) {
+    for (const problems::TopologyLine& line : topology.lines) {
+      if (line.line.type != synthesis::LineType::dyad) continue;
+      names.names.push_back({fmt::format("transmission_{}_min_deg", line.name)});
+    }
+  }
+  return names;
+}
+
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {
   if (!mechanism.four_bar()) return;
   const auto [shortest, longest] =
-      std::ranges::minmax(dimensions(mechanism), {}, &Dimension::value);
+      std::ranges::minmax(main_dimensions(mechanism), {}, &problems::Dimension::value);
   metrics["longest_link"] = longest.value;
   metrics["link_ratio"] = longest.value / shortest.value;
 }

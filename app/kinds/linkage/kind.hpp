@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,15 @@
 #include "app/report/design_drawing.hpp"
 #include "app/report/page.hpp"
 #include "app/report/report_data.hpp"
+#include "problems/chain/topology.hpp"
 
 namespace cognate::app {
 
 /// What a study may ask of the best design of a synthesis.
 problems::MetricNames linkage_metric_names();
+
+/// Besides, of a design that is one of these chains, the transmission angle of each of its joints.
+problems::MetricNames chain_metric_names(std::span<const problems::Topology> topologies);
 
 /// The size of a design that is a four-bar, among its metrics.
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism);

@@ -1,46 +1,17 @@
 #include "app/kinds/machine/kind.hpp"
+#include "problems/machine/keys.hpp"
 
 namespace cognate::app {
 namespace {
 
-constexpr Entry kLoad[] = {
-    {"value",
-     "what force and torque are multiplied by: an expression in phi, w, t, s, v (s: travel of the "
-     "body, along its slide, or rad from the end of its swing, or its angle where it turns fully; "
-     "v: "
-     "its rate), or [[crank_deg, value], ...]"},
-    {"interpolation", "of such a table: \"linear\" (default) or \"smooth\""}};
-constexpr Entry kEquivalent[] = {
-    {"inertia", "kg m2 at the drive: a number, an expression in phi, or [[deg, inertia], ...]"},
-    {"torque",
-     "N m at the drive: a number, an expression in phi, w and t, or [[deg, torque], ...]"},
-    {"interpolation", "of these tables: \"linear\" (default) or \"smooth\""}};
-constexpr Entry kMotor[] = {
-    {"torque", "N m: a number, or an expression in its speed w, the drive's phi, and t"},
-    {"line",
-     "or: {stall_torque, no_load_speed (or no_load_speed_rpm)}, straight between and beyond them"},
-    {"table", "or: [[speed, torque], ...], constant beyond its ends"},
-    {"interpolation", "of the table: \"linear\" (default) or \"smooth\""},
-    {"ratio", "motor speed over drive speed (default 1)"},
-    {"efficiency", "of the gears between them while the motor drives (default 1)"},
-    {"inertia", "kg m2, of the rotor about its own axis (default 0)"}};
-constexpr Entry kFlywheel[] = {
-    {"inertia", "kg m2 at the drive"},
-    {"fluctuation",
-     "or: (maximum - minimum)/mean speed that the flywheel to be found shall leave"}};
-constexpr Entry kBrake[] = {{"torque", "N m at the drive, against the motion, the motor off"}};
-constexpr Entry kRun[] = {
-    {"tasks", "which of \"steady\", \"start\", \"stop\" (default [\"steady\"])"},
-    {"start_deg", "the drive's angle where a start begins (default 0)"},
-    {"start_speed", "rad/s, of the drive where it begins (default 0); or start_speed_rpm"},
-    {"speed_end", "rad/s, at which it ends; or speed_end_rpm"},
-    {"time_max", "s, after which a start or a stop ends; until then a machine at rest waits"},
-    {"turns_max", "of the drive, after which a start or a stop ends"},
-    {"steps",
-     "rows of the table for a turn of the steady motion, or for a whole start or stop, 12 to "
-     "100000 "
-     "(default 360)"},
-    {"tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)"}};
+namespace keys = problems::reading;
+
+constexpr auto kLoad = entries_of(keys::kMachineLoadKeys);
+constexpr auto kEquivalent = entries_of(keys::kEquivalentKeys);
+constexpr auto kMotor = entries_of(keys::kMotorKeys);
+constexpr auto kFlywheel = entries_of(keys::kFlywheelKeys);
+constexpr auto kBrake = entries_of(keys::kBrakeKeys);
+constexpr auto kRun = entries_of(keys::kRunKeys);
 
 constexpr KeyedEntry kTables[] = {
     {"[[load]]", "as of an analysis, and besides", kLoad},

@@ -85,7 +85,10 @@ std::string Kind<PathProblem>::describe(const PathProblem& problem) {
 }
 
 ColumnChoice Kind<PathProblem>::columns(const PathProblem& /*problem*/) {
-  return {.error_unit = "length", .quantities = kObjectiveQuantities};
+  return {.error_unit = "length",
+          .coupler_point = true,
+          .places = true,
+          .quantities = kObjectiveQuantities};
 }
 
 std::vector<problems::Fault> Kind<PathProblem>::faults(const PathProblem& problem) {

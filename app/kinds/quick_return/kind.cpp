@@ -37,7 +37,10 @@ std::span<const Entry> Kind<QuickReturnProblem>::keys() {
 }
 
 std::string Kind<QuickReturnProblem>::describe(const QuickReturnProblem& problem) {
-  return titled(problem.title, fmt::format("quick return, time ratio {}", problem.time_ratio));
+  // Of the crank, between the positions in which the output turns back.
+  const double theta = 180 * (problem.time_ratio - 1) / (problem.time_ratio + 1);
+  return titled(problem.title, fmt::format("quick return, time ratio {} (theta = {:.6g} deg)",
+                                           problem.time_ratio, theta));
 }
 
 ColumnChoice Kind<QuickReturnProblem>::columns(const QuickReturnProblem& /*problem*/) {

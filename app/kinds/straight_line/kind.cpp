@@ -81,8 +81,9 @@ std::string Kind<StraightLineProblem>::describe(const StraightLineProblem& probl
 }
 
 ColumnChoice Kind<StraightLineProblem>::columns(const StraightLineProblem& problem) {
-  if (problem.goal) return {.coupler_point = true, .quantities = kSearchedLineQuantities};
-  return {.coupler_point = true, .quantities = kStraightLineQuantities};
+  if (problem.goal)
+    return {.coupler_point = true, .places = true, .quantities = kSearchedLineQuantities};
+  return {.coupler_point = true, .places = true, .quantities = kStraightLineQuantities};
 }
 
 ordered_json Kind<StraightLineProblem>::target_json(const StraightLineProblem& /*problem*/) {

@@ -1,12 +1,13 @@
-# The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang, and
-# written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
-# COGNATE_MECHANISM_KERNEL for mechanisms of the simple types. Without the toolchain both are empty,
-# and the pages offer no editing.
+# The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
+# compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
+# COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
+# does. Without the toolchain both are empty, and the pages offer no editing.
 set(COGNATE_PAGE_KERNEL "")
-set(COGNATE_MECHANISM_KERNEL "")
+set(COGNATE_ANALYSIS_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
-mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64)
+find_program(COGNATE_GZIP NAMES gzip)
+mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64 COGNATE_GZIP)
 
 set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -fno-exceptions -fno-rtti -DNDEBUG)
 set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all)
@@ -14,7 +15,7 @@ set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all)
 # Whether Clang has what it takes to build for WebAssembly: the linker, both libraries, the run time.
 function(cognate_check_wasm result)
   set(${result} FALSE PARENT_SCOPE)
-  if(NOT COGNATE_WASM_CXX OR NOT COGNATE_BASE64)
+  if(NOT COGNATE_WASM_CXX OR NOT COGNATE_BASE64 OR NOT COGNATE_GZIP)
     return()
   endif()
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/kernel")
@@ -39,21 +40,30 @@ if(NOT can_build_wasm)
 endif()
 
 # cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources
-# and of what all modules need.
+# and of what all modules need. The sources of a folder are one for the compiler, as in the program.
 function(cognate_page_kernel name)
-  set(objects "")
+  set(folders "")
   foreach(source IN LISTS ARGN ITEMS app/report/kernel/numbers.cpp app/report/kernel/runtime.cpp)
-    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}/${source}.o")
-    get_filename_component(folder "${object}" DIRECTORY)
-    file(MAKE_DIRECTORY "${folder}")
+    get_filename_component(folder "${source}" DIRECTORY)
+    list(APPEND folders "${folder}")
+    string(MAKE_C_IDENTIFIER "${folder}" joined)
+    string(APPEND of_${joined} "#include \"${source}\"\n")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set(objects "")
+  foreach(folder IN LISTS folders)
+    string(MAKE_C_IDENTIFIER "${folder}" joined)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}/${joined}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "${of_${joined}}" @ONLY)
+    set(object "${source}.o")
     add_custom_command(
       OUTPUT "${object}"
       COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
-              "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
-              -c "${PROJECT_SOURCE_DIR}/${source}" -o "${object}"
-      DEPENDS "${PROJECT_SOURCE_DIR}/${source}"
+              "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
+              -c "${source}" -o "${object}"
+      DEPENDS "${source}"
       DEPFILE "${object}.d"
-      COMMENT "Building ${source} for the report pages"
+      COMMENT "Building ${folder} for the report pages"
       VERBATIM)
     list(APPEND objects "${object}")
   endforeach()
@@ -62,7 +72,8 @@ function(cognate_page_kernel name)
     OUTPUT "${module}.wasm" "${module}.base64"
     COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${objects}
             -o "${module}.wasm"
-    COMMAND "${COGNATE_BASE64}" "${module}.wasm" > "${module}.base64"
+    COMMAND "${COGNATE_GZIP}" -9 -n -c "${module}.wasm" > "${module}.wasm.gz"
+    COMMAND "${COGNATE_BASE64}" "${module}.wasm.gz" > "${module}.base64"
     DEPENDS ${objects}
     COMMENT "Linking ${name} of the report pages"
     VERBATIM)
@@ -78,38 +89,96 @@ cognate_page_kernel(kernel
   app/drawing/design_motion.cpp
   app/report/kernel/four_bar.cpp
   app/report/kernel/nearest.cpp)
-set(COGNATE_MECHANISM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/mechanism_kernel.base64")
-cognate_page_kernel(mechanism_kernel
+set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
+cognate_page_kernel(analysis_kernel
+  analysis/cam/extremes.cpp
+  analysis/coupler_curve/circuit_samples.cpp
+  analysis/coupler_curve/circuits.cpp
+  analysis/coupler_curve/closed_segment.cpp
+  analysis/coupler_curve/curve_features.cpp
+  analysis/coupler_curve/curve_measures.cpp
+  analysis/coupler_curve/fourier_descriptors.cpp
+  analysis/coupler_curve/longest_segment.cpp
+  analysis/coupler_curve/narrowest_strip.cpp
+  analysis/coupler_curve/path_curvature.cpp
+  analysis/coupler_curve/pole.cpp
+  analysis/coupler_curve/stationary_curvature.cpp
   analysis/linkage/change_point.cpp
+  analysis/linkage/cognates.cpp
   analysis/linkage/double_slider.cpp
   analysis/linkage/double_slider_travel.cpp
   analysis/linkage/four_bar.cpp
   analysis/linkage/frame_axes.cpp
   analysis/linkage/guide_bar.cpp
   analysis/linkage/guide_bar_mobility.cpp
-  analysis/mechanism/circuit_range.cpp
-  analysis/mechanism/assembly_ranges.cpp
+  analysis/linkage/mobility.cpp
+  analysis/linkage/motion.cpp
+  analysis/linkage/slider_crank.cpp
+  analysis/linkage/slider_crank_mobility.cpp
+  analysis/mechanism/assembly_fault.cpp
   analysis/mechanism/assembly_probe.cpp
+  analysis/mechanism/assembly_ranges.cpp
+  analysis/mechanism/circuit_range.cpp
   analysis/mechanism/dyad_reach.cpp
+  analysis/mechanism/inverse_dynamics.cpp
+  analysis/mechanism/joint_balance.cpp
   analysis/mechanism/joints.cpp
   analysis/mechanism/kinematics.cpp
   analysis/mechanism/output_limits.cpp
   analysis/mechanism/sliding_pairs.cpp
   analysis/mechanism/transmission_extremes.cpp
   analysis/mechanism/travel.cpp
-  analysis/linkage/mobility.cpp
-  analysis/linkage/slider_crank.cpp
-  analysis/linkage/slider_crank_mobility.cpp
   app/drawing/convex_hull.cpp
-  app/report/kernel/mechanism.cpp
   app/drawing/mechanism_poses.cpp
   app/drawing/mechanism_shapes.cpp
-  problems/mechanism/joint_names.cpp
+  app/report/analysis_report_data.cpp
+  app/report/column_vectors.cpp
+  app/report/drawn_rows.cpp
+  app/report/kernel/analysis.cpp
+  app/report/kernel/document.cpp
+  app/report/kernel/format.cpp
+  app/report/kernel/whole_numbers.cpp
+  app/report/mechanism_json.cpp
+  app/report/quantity_json.cpp
+  problems/basics/length_unit.cpp
+  problems/basics/unit_notes.cpp
+  problems/evaluation/active_loads.cpp
+  problems/evaluation/column_plan.cpp
+  problems/evaluation/curve_metrics.cpp
+  problems/evaluation/drive_rows.cpp
+  problems/evaluation/force_extremes.cpp
+  problems/evaluation/force_units.cpp
+  problems/evaluation/instant_geometry.cpp
+  problems/evaluation/load_breaks.cpp
+  problems/evaluation/motion_quantities.cpp
   problems/evaluation/motion_summary.cpp
-  problems/mechanism/named_mechanism.cpp
+  problems/evaluation/open_rows.cpp
   problems/evaluation/output_travel.cpp
-  problems/mechanism/mechanism_types.cpp
+  problems/evaluation/read.cpp
+  problems/evaluation/read_output.cpp
+  problems/evaluation/row_filler.cpp
+  problems/evaluation/smooth_pieces.cpp
+  problems/evaluation/solve.cpp
+  problems/evaluation/sweep.cpp
   problems/evaluation/type_quantities.cpp
   problems/evaluation/whole_motion.cpp
   problems/linkage/names.cpp
-  problems/mechanism/names.cpp)
+  problems/mechanism/directions.cpp
+  problems/mechanism/joint_names.cpp
+  problems/mechanism/mechanism_types.cpp
+  problems/mechanism/named_mechanism.cpp
+  problems/mechanism/named_parts.cpp
+  problems/mechanism/names.cpp
+  problems/mechanism/part_names.cpp
+  problems/mechanism/read_chain.cpp
+  problems/mechanism/read_chain_dyads.cpp
+  problems/mechanism/read_dyad_keys.cpp
+  problems/mechanism/read_extra_points.cpp
+  problems/mechanism/read_links.cpp
+  problems/mechanism/read_loads.cpp
+  problems/mechanism/read_simple_mechanism.cpp
+  problems/mechanism/read_slides.cpp
+  problems/mechanism/read_whole_mechanism.cpp
+  problems/toml/fault_list.cpp
+  problems/toml/nearest.cpp
+  problems/toml/table_reader.cpp)

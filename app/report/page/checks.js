@@ -1,9 +1,9 @@
 // Metrics of a design and its constraints, as all designs but those of studies have them.
 
-import { breakable, byId, element, fact } from "./dom.js";
+import { byId, element, fact } from "./dom.js";
 import { factText } from "./fact_text.js";
 import { degreesShort, number, sentence } from "./format.js";
-import { say, term } from "./words.js";
+import { keyword, LENGTH_UNIT, say, term } from "./words.js";
 
 // A metric's name in words: "Maximum pressure angle in the return" of "pressure_angle_deg_max_return".
 export function metricName(name) {
@@ -22,12 +22,29 @@ export function showMetrics(metrics) {
   byId("facts-list").replaceChildren(...rows);
 }
 
-export function boundOf(bound) {
+const CHECK_DIGITS = 6;
+const UNIT_SIGNS = { "": "", deg: "°", length: LENGTH_UNIT ? ` ${LENGTH_UNIT}` : "", module: ` ${say("unit.module")}`, N: ` ${say("unit.force")}`, "N m": ` ${say("unit.torque")}`, "N/length2": ` ${say("unit.stress")}` };
+const RELATIONS = { "<=": "≤ ", ">=": "≥ ", "=": "= ", in: "" };
+
+const unitSign = (unit = "") => UNIT_SIGNS[unit] ?? ` ${unit}`;
+const remarked = (label) => { const [, of, remark] = /^(.*) \((.*)\)$/.exec(label) ?? []; return of ? `${term(of)} (${term(remark)})` : term(label); };
+
+// What a row of constraints is of.
+export const checkName = ({ label, name }) => sentence(remarked(label ?? name));
+
+// A number with its unit; words, which may be several, in the reader's language.
+const numbered = (value, unit) => (typeof value === "number" ? number(value, CHECK_DIGITS) + unitSign(unit) : String(value).split(", ").map((word) => keyword(word) ?? term(word)).join(say("list.comma")));
+
+export const checkValue = ({ value, unit }) => (value === null || value === undefined ? "–" : numbered(value, unit));
+
+// A bound with its relation and its unit: "≥ 45°", "5 … 80 mm", "= crank-rocker".
+export function checkBound({ bound, unit, relation = "=" }) {
   if (bound === null || bound === undefined) return "–";
-  if (typeof bound === "number") return number(bound, 7);
-  if (Array.isArray(bound)) return say("range.to", { from: number(bound[0], 7), to: number(bound[1], 7) });
-  if (typeof bound === "object") return "min" in bound ? say("range.at_least", { value: number(bound.min, 7) }) : say("range.at_most", { value: number(bound.max, 7) });
-  return String(bound).split(", ").map(term).join(say("list.comma"));
+  if (bound === "none") return numbered(bound);
+  if (typeof bound !== "object") return RELATIONS[relation] + numbered(bound, unit);
+  const [min, max] = Array.isArray(bound) ? bound : [bound.min, bound.max];
+  if (min === undefined || min === null) return `≤ ${numbered(max, unit)}`;
+  return max === undefined || max === null ? `≥ ${numbered(min, unit)}` : `${number(min, CHECK_DIGITS)} … ${numbered(max, unit)}`;
 }
 
 export const headRow = (names) => element("tr", {}, ...names.map(([name, kind = ""]) => element("th", { scope: "col", class: kind }, name)));
@@ -35,11 +52,16 @@ export const headRow = (names) => element("tr", {}, ...names.map(([name, kind = 
 export function showChecks(constraints) {
   document.querySelector(".checks thead").replaceChildren(headRow([[say("constraints.constraint")], [say("constraints.value"), "number"], [say("constraints.bound"), "number"], [say("constraints.met")]]));
   byId("checks").replaceChildren(...[...constraints].sort((a, b) => a.satisfied - b.satisfied).map((check) =>
-    element("tr", { class: check.satisfied ? "met" : "missed" }, element("td", {}, element("code", {}, ...breakable(check.name))),
-      element("td", { class: "number" }, boundOf(check.value)), element("td", { class: "number" }, boundOf(check.bound)),
-      element("td", {}, element("span", { class: `mark ${check.satisfied ? "yes" : "no"}` }, check.satisfied ? `✓ ${say("yes")}` : `✗ ${say("no")}`)))));
-  const missed = constraints.filter((check) => !check.satisfied).length;
+    element("tr", { class: check.satisfied === false ? "missed" : "met" }, element("td", { title: check.name }, checkName(check)),
+      element("td", { class: "number" }, checkValue(check)), element("td", { class: "number" }, checkBound(check)), element("td", {}, metMark(check)))));
+  const missed = constraints.filter((check) => check.satisfied === false).length;
   byId("constraints-count").textContent = constraints.length === 0 ? say("constraints.none") : say(missed ? "constraints.missed" : "constraints.all_met", { missed, count: constraints.length });
+}
+
+// Whether it is met; of an edited design it may take a run of the program to know.
+function metMark({ satisfied }) {
+  if (satisfied === null) return element("span", { class: "muted" }, say("edit.program"));
+  return element("span", { class: `mark ${satisfied ? "yes" : "no"}` }, satisfied ? `✓ ${say("yes")}` : `✗ ${say("no")}`);
 }
 
 // ✓, or ✗ and what is wrong.

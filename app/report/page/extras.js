@@ -6,7 +6,7 @@ import { round } from "./shapes.js";
 import { say } from "./words.js";
 
 export class Extras {
-  // `layers`: each with its `name`, `words` (key of its text), `root`, `available(scene)`, and
+  // `layers`: each (a silent one is switched on elsewhere) with its `name`, `words` (key of its text), `root`, `available(scene)`, and
   // `build(scene)`, `move(scene, drive)`; `holder`: where the buttons go.
   constructor(holder, layers) {
     Object.assign(this, { layers, shown: new Set(), hint: svg("g", { class: "hint" }) });
@@ -50,7 +50,7 @@ export class Extras {
     this.scene = scene;
     if (!scene.view) return;
     for (const layer of this.layers) {
-      if (fresh) this.buttons.get(layer).hidden = !layer.available(scene);
+      if (fresh && !layer.silent) this.buttons.get(layer).hidden = !layer.available(scene);
       const on = this.shown.has(layer) && layer.available(scene);
       layer.root.toggleAttribute("hidden", !on);
       if (layer.root instanceof SVGElement && layer.root.parentNode !== scene.front) scene.front.append(layer.root);

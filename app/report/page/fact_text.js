@@ -5,6 +5,8 @@ import { LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
 
 const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say("unit.torque"), N: say("unit.force"), deg: "°", length: LENGTH_UNIT ?? "" };
 
+const NO_ANGLE = 1e-9;
+
 // Facts that are lengths, whose names have no unit.
 const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length)$/;
 
@@ -47,11 +49,15 @@ export function factName(key) {
     : say("fact.of", { of: sentence(words(of)), what: FACT_WORDS[what] ?? words(what) });
 }
 
+// The unit that the end of a fact's name stands for.
+export const unitWord = (unit) => FACT_WORDS[unit] ?? "";
+
 export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
   if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
-  return unit === "deg" ? degreesShort(value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
+  // Of an angle less than this is left by rounding.
+  return unit === "deg" ? degreesShort(Math.abs(value) < NO_ANGLE ? 0 : value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
 }
 
 // Curves that share n points at one place have contact of order n − 1.

@@ -24,17 +24,24 @@ export function showHead(result, kind, summary, keys, ends = {}) {
   document.querySelector(".page-head").dataset.version = version;
 }
 
-export function showNotes(notes) {
-  byId("notes").hidden = notes.length === 0;
+// `warnings`: of the whole answer; those of one design stand beside it.
+export function showNotes(notes, warnings = []) {
+  byId("notes").hidden = notes.length + warnings.length === 0;
   // What moves comes first, what is told of it next.
   document.querySelector("#main > .side")?.after(byId("notes"));
-  byId("notes-list").replaceChildren(...notes.map((note) => noteItem(note)));
+  byId("notes-list").replaceChildren(...warnings.map((text) => noteItem(text, "warning")), ...notes.map((note) => noteItem(note)));
+}
+
+// The warnings of the design chosen, below the list of designs.
+export function showWarnings({ warnings = [] } = {}) {
+  const list = byId("design-warnings");
+  list.replaceChildren(...warnings.map((text) => noteItem(text)));
 }
 
 // A note in the reader's language where there are words for it, else in the English of the result.
-function noteItem(note) {
+function noteItem(note, kind) {
   const said = sentenceOf(note);
-  return element("li", said === note ? { lang: "en" } : {}, said);
+  return element("li", { ...(said === note ? { lang: "en" } : {}), ...(kind ? { class: kind } : {}) }, `${kind ? "⚠ " : ""}${said}`);
 }
 
 // What is proved of the best design, as one of the notes.

@@ -1,5 +1,5 @@
-// The analysis kernel of the program, compiled to WebAssembly, which the page holds in base64;
-// empty where the build had no compiler for it. Angles are in radians, from the x axis unless it says so.
+// The analysis kernel of the program, compiled to WebAssembly, which the page holds compressed and in
+// base64; empty where the build had no compiler for it. Angles are in radians, from the x axis unless it says so.
 
 import { embedded } from "./embedded.js";
 import { RADIANS } from "./sampling.js";
@@ -9,10 +9,11 @@ const DEFECTS = ["circuit", "branch", "order"];
 const SEQUENCES = { any: 0, one_sense: 1, timed: 2 };
 
 export class Kernel {
-  static get available() { return embedded("kernel").trim() !== "" && typeof WebAssembly !== "undefined"; }
+  static get available() { return embedded("kernel").trim() !== "" && typeof WebAssembly !== "undefined" && typeof DecompressionStream !== "undefined"; }
 
   static async load(base64 = embedded("kernel")) {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
     return new this((await WebAssembly.instantiate(bytes)).instance);
   }
 

@@ -15,7 +15,7 @@ export const ARROWS = { velocity: say("arrows.velocity"), acceleration: say("arr
 const MANY_NAMES = 24;
 
 // What a mechanism without a table of values has to draw of one.
-export const NO_TABLE = { columns: [], normals: [], centrodes: [], vectorsOf: () => [] };
+export const NO_TABLE = { columns: [], normals: [], centrodes: [], loads: [], vectorsOf: () => [] };
 
 export class MechanismScene extends Picture {
   // `table`: of an analysis; its vectors can be shown as arrows.
@@ -23,9 +23,17 @@ export class MechanismScene extends Picture {
   constructor(frame, mechanism, onDrag, table = NO_TABLE, unit = 1 / RADIANS) {
     super(frame, say("picture.mechanism"), onDrag);
     Object.assign(this, { mechanism, table, unit, shown: { paths: true, names: mechanism.points.length <= MANY_NAMES } });
-    this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity));
+    this.#collectArrows();
     this.many = mechanism.bodies.length > 30;
     this.box = mechanism.closes ? mechanism.box : null;
+  }
+
+  #collectArrows() { this.arrows = Object.keys(ARROWS).flatMap((quantity) => this.#arrowsOf(quantity)); }
+
+  // Another mechanism in place of the one drawn, in the same frame, with a table of its own or none.
+  adopt(mechanism, table = NO_TABLE) {
+    Object.assign(this, { mechanism, table });
+    this.#collectArrows();
   }
 
   get drives() { return this.mechanism.samples; }
@@ -37,6 +45,11 @@ export class MechanismScene extends Picture {
     const places = this.mechanism.places(drive);
     return (own.length ? own : moving).slice(0, MOST_MARKS).map((point) => Mechanism.point(places[point.body], point.at)).filter(Boolean);
   }
+
+  // Which body a part of the drawing is of, where it stands, and what it is called.
+  bodyOf(part) { const body = part.closest?.(".body")?.dataset.body; return body === undefined ? undefined : Number(body); }
+  placeOf(body, drive) { return this.mechanism.places(drive)[body]; }
+  nameOf(body) { return term(this.mechanism.bodies[body].name); }
 
   // Places that things of the picture come to.
   get crowd() { return this.mechanism.points.flatMap((point) => point.path.filter(Boolean)); }

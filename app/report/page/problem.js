@@ -6,14 +6,14 @@ import { problemToml } from "./toml.js";
 import { LENGTH_UNIT, keyword, language, say } from "./words.js";
 
 // Of a file these are told elsewhere: its head, and how the answer is found and shown.
-const TOLD_ELSEWHERE = ["kind", "title", "length_unit", "solve", "output"];
+const TOLD_ELSEWHERE = ["kind", "title", "length_unit", "solve", "output", "warnings"];
 
 // The units of what is neither a length nor an angle.
 const UNITS_OF_KEYS = {
   mass: "kg", mass_per_length: say("unit.mass_by_length"), force: "N", torque: "N·m", stall_torque: "N·m", inertia: "kg·m²", gravity: say("unit.acceleration"),
   speed: "rad/s", no_load_speed: "rad/s", start_speed: "rad/s", speed_end: "rad/s", time_max: "s", elasticity: say("unit.stress"),
   "drive.acceleration": "rad/s²", "sliding_drive.speed": say("unit.speed"), "sliding_drive.acceleration": say("unit.acceleration"),
-  torque_ripple_max: "N·m", motor_power_max: "W", flywheel_inertia_max: "kg·m²", torque_max: "N·m", contact_force_max: "N", contact_stress_max: say("unit.stress"),
+  torque_ripple_max: "N·m", peak_torque_max: "N·m", rms_torque_max: "N·m", motor_power_max: "W", flywheel_inertia_max: "kg·m²", torque_max: "N·m", contact_force_max: "N", contact_stress_max: say("unit.stress"),
 };
 
 // Pairs of numbers under these keys, and all in these tables, are intervals; under those they are vectors.
@@ -33,14 +33,14 @@ const isEmpty = (value) => value === null || (Array.isArray(value) && value.leng
 const isUsual = (value, key) => value === 0 || (Array.isArray(value) && value.every((part) => part === (key === "weights" ? 1 : 0)));
 
 // A key of the table `scope` in words, "torque_ripple_max" as "maximum torque ripple".
-function keyName(key, scope) {
+export function keyName(key, scope) {
   const bare = key.replace(/_deg(?=_|$)/, "");
   const [, of, end] = /^(.+)_(max|min)$/.exec(bare) ?? [];
   const words = (of ?? bare).replaceAll("_", " ");
   return keyword(`${scope}.${key}`) ?? keyword(key) ?? (of ? say(`problem.${end}`, { of: words }) : words);
 }
 
-function unitOfKey(key, scope) {
+export function unitOfKey(key, scope) {
   const unit = UNITS_OF_KEYS[`${scope}.${key}`] ?? UNITS_OF_KEYS[key];
   return /_deg(_|$)/.test(key) ? "°" : unit ? ` ${unit}` : "";
 }

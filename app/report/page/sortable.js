@@ -63,7 +63,8 @@ class Sortable {
 
   #valueOf(row) {
     const cell = (this.byBody ? row.rows[0] : row).cells[this.column];
-    return cell ? sortValue(cell.dataset.sort ?? cell.textContent) : null;
+    if (cell?.dataset.sort) return Number(cell.dataset.sort);
+    return cell ? sortValue(cell.textContent) : null;
   }
 
   #sort() {

@@ -21,12 +21,6 @@ function tomlTable(name, table) {
   return ["", `[${name}]`, ...own, ...lists];
 }
 
-// `drive` may be null.
-export function analysisToml(title, mechanism, drive) {
-  return [`kind = "analysis"`, `title = ${tomlText(title)}`, ...tomlTable("mechanism", mechanism),
-    ...(drive ? tomlTable("drive", drive) : []), ""].join("\n");
-}
-
 // A whole problem as results hold it: values first, then tables and lists of tables.
 export function problemToml(problem) {
   const rows = Object.entries(problem).filter(([, value]) => !(Array.isArray(value) && value.length === 0));

@@ -22,6 +22,7 @@
 #include "synthesis/optimise/solver.hpp"
 #include "tests/bench/work_precision/contest.hpp"
 #include "tests/oracle/records.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::bench {
 namespace {
@@ -171,7 +172,7 @@ std::vector<Contest> contests(const Settings& settings) {
     all.back().best_known = record.best_known;
   }
   const std::filesystem::path logarithm =
-      std::filesystem::path(COGNATE_LIBRARY_DIR) / "function/log10-refined.toml";
+      std::filesystem::path(kLibraryFolder) / "function/log10-refined.toml";
   const auto problem = problems::read_task(logarithm);
   for (const bool minimax : {false, true}) {
     if (!problem) break;

@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate {
+namespace cognate::assembly_range_quantities_test {
 namespace {
 
 FourBar four_bar(const Lengths<double>& links, Assembly assembly = Assembly::open) {
@@ -166,4 +166,4 @@ TEST(AssemblyRangeQuantities, FaultsOfAssemblyAreNamedInNumbers) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::assembly_range_quantities_test

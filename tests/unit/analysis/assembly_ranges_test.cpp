@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate {
+namespace cognate::assembly_ranges_test {
 namespace {
 
 FourBar four_bar(const Lengths<double>& links, Assembly assembly = Assembly::open) {
@@ -292,4 +292,4 @@ TEST(AssemblyRanges, EndsWhenItIsStopped) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::assembly_ranges_test

@@ -6,7 +6,7 @@
 #include "analysis/cam/quantity.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_curvature_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -150,4 +150,4 @@ TEST(CamCurvature, OfFlatFacesIsThatOfTheEnvelopeOfLines) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_curvature_test

@@ -9,7 +9,7 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::change_point_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -261,4 +261,4 @@ TEST(ChangePoint, TheStartDecidesTheAssembly) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::change_point_test

@@ -12,7 +12,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::closure_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -191,4 +191,4 @@ TEST(Motion, DoesNotCloseBeyondItsLimits) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::closure_test

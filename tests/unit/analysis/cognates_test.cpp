@@ -12,7 +12,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::cognates_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -173,4 +173,4 @@ TEST(Cognates, DegenerateOnesAreEmpty) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cognates_test

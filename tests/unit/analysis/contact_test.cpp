@@ -13,7 +13,7 @@
 #include "synthesis/exact/straight_line/contact_search.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::contact_test {
 namespace {
 
 using test::Quad;
@@ -295,4 +295,4 @@ TEST(ContactSearch, FindsTheClassicalLengths) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::contact_test

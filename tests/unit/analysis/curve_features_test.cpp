@@ -17,7 +17,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate {
+namespace cognate::curve_features_test {
 
 void PrintTo(const FourBar& m, std::ostream* out) {
   *out << std::hexfloat << "{{" << m.pivot_a.x << ", " << m.pivot_a.y << "}, {" << m.pivot_d.x
@@ -427,4 +427,4 @@ TEST(Cognates, ShareCurvatureAndItsRate) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::curve_features_test

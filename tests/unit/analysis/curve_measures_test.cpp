@@ -15,7 +15,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::curve_measures_test {
 namespace {
 
 CurveRoom curve_of(const FourBar& linkage, const CircuitChoice& circuit, std::size_t count) {
@@ -331,4 +331,4 @@ TEST(MovingPivotsSize, IsTheDiagonalOfTheBoxOfSamples) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::curve_measures_test

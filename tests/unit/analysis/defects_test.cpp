@@ -12,7 +12,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::defects_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -263,4 +263,4 @@ TEST(Defects, CircuitsMeetAtAChangePoint) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::defects_test

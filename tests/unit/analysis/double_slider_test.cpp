@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate {
+namespace cognate::double_slider_test {
 namespace {
 
 using test::Quad;
@@ -215,4 +215,4 @@ TEST(OldhamCoupling, TurnsBothShaftsAlike) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::double_slider_test

@@ -13,7 +13,7 @@
 
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::cam {
+namespace cognate::cam::extremes_test {
 namespace {
 
 /// A function that counts how often it is asked.
@@ -334,4 +334,4 @@ TEST(Extremes, ZerosAtTheEndsAreNotInside) {
 }
 
 }  // namespace
-}  // namespace cognate::cam
+}  // namespace cognate::cam::extremes_test

@@ -8,7 +8,7 @@
 #include "analysis/gear/involute.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::gear_involute_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -166,4 +166,4 @@ TEST(GearInvolute, InverseRises) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_involute_test

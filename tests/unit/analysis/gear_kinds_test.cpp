@@ -7,7 +7,7 @@
 #include "analysis/gear/other_gears.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::gear_kinds_test {
 namespace {
 
 using gear::BevelPair;
@@ -223,4 +223,4 @@ TEST(WormPair, AxialAndNormalSectionOfTheThread) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_kinds_test

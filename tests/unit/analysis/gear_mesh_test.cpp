@@ -6,7 +6,7 @@
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::gear_mesh_test {
 namespace {
 
 using gear::Mesh;
@@ -223,4 +223,4 @@ TEST(GearMesh, TheLineOfActionTouchesBothBaseCircles) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_mesh_test

@@ -6,7 +6,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/rack_distance.hpp"
 
-namespace cognate {
+namespace cognate::gear_outline_test {
 namespace {
 
 using gear::OutlinePart;
@@ -228,4 +228,4 @@ TEST(GearOutline, GearsThatCannotBeMadeHaveNone) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_outline_test

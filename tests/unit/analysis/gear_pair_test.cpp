@@ -8,7 +8,7 @@
 #include "analysis/numbers/vec2.hpp"
 #include "tests/support/count_allocations.hpp"
 
-namespace cognate {
+namespace cognate::gear_pair_test {
 namespace {
 
 using gear::PairGeometry;
@@ -274,4 +274,4 @@ TEST(SpurPair, BalancedSlidingIsEqualAtBothFeet) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_pair_test

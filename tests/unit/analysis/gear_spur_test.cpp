@@ -4,7 +4,7 @@
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::gear_spur_test {
 namespace {
 
 using gear::BasicRack;
@@ -158,4 +158,4 @@ TEST(SpurGear, WhatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::gear_spur_test

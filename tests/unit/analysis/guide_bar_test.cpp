@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate {
+namespace cognate::guide_bar_test {
 
 void PrintTo(const GuideBar& m, std::ostream* out) {
   *out << std::hexfloat << "{{" << m.pivot_a.x << ", " << m.pivot_a.y << "}, {" << m.pivot_c.x
@@ -304,4 +304,4 @@ TEST(OscillatingBlock, TurnsAsTheGuideBarDoes) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::guide_bar_test

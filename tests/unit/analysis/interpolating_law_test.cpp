@@ -13,7 +13,7 @@
 
 #include "analysis/cam/motion_law.hpp"
 
-namespace cognate::cam {
+namespace cognate::cam::interpolating_law_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -328,4 +328,4 @@ TEST(SplineLaw, VelocitiesIntegrateToDisplacements) {
 }
 
 }  // namespace
-}  // namespace cognate::cam
+}  // namespace cognate::cam::interpolating_law_test

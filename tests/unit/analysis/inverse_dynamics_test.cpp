@@ -13,7 +13,7 @@
 #include "tests/support/dense_forces.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate {
+namespace cognate::inverse_dynamics_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -341,4 +341,4 @@ TEST(InverseDynamics, DriveAtRestNeedsNoSecondDerivative) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::inverse_dynamics_test

@@ -13,7 +13,7 @@
 #include "tests/support/machines.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate::machine {
+namespace cognate::machine::machine_motion_test {
 namespace {
 
 using test::constant_inertia;
@@ -423,4 +423,4 @@ TEST(Flywheel, IsNotNeededOrNotPossible) {
 }
 
 }  // namespace
-}  // namespace cognate::machine
+}  // namespace cognate::machine::machine_motion_test

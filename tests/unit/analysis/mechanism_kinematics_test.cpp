@@ -5,7 +5,7 @@
 #include "tests/support/random_chains.hpp"
 #include "tests/support/taylor.hpp"
 
-namespace cognate {
+namespace cognate::mechanism_kinematics_test {
 namespace {
 
 using test::ChainMaker;
@@ -176,4 +176,4 @@ TEST_P(Chains, TheUnitOfLengthDoesNotMatter) {
 INSTANTIATE_TEST_SUITE_P(Drives, Chains, testing::Values(0, 1, 2));
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::mechanism_kinematics_test

@@ -11,7 +11,7 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate {
+namespace cognate::mechanism_numbers_test {
 namespace {
 
 using boost::multiprecision::cpp_bin_float_quad;
@@ -214,4 +214,4 @@ TEST(MechanismNumbers, ADyadAboutTheCrankPivotIsATriangle) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::mechanism_numbers_test

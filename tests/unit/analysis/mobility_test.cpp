@@ -11,7 +11,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::mobility_test {
 
 void PrintTo(const Lengths<double>& links, std::ostream* out) {
   *out << std::hexfloat << "{" << links.crank << ", " << links.coupler << ", " << links.rocker
@@ -377,4 +377,4 @@ TEST(Mobility, WhatCannotBeAssembledIsSaid) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::mobility_test

@@ -21,7 +21,7 @@
 #include "analysis/cam/universal_law.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::cam {
+namespace cognate::cam::motion_law_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -424,4 +424,4 @@ TEST(MotionLaw, WholeQuarterTurnsAreExact) {
 }
 
 }  // namespace
-}  // namespace cognate::cam
+}  // namespace cognate::cam::motion_law_test

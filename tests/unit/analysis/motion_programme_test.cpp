@@ -14,7 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/count_allocations.hpp"
 
-namespace cognate::cam {
+namespace cognate::cam::motion_programme_test {
 namespace {
 
 const double kPi = std::acos(-1.0);
@@ -294,4 +294,4 @@ TEST(MotionProgramme, AskingForTheMotionAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace cognate::cam
+}  // namespace cognate::cam::motion_programme_test

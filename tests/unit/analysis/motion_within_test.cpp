@@ -8,7 +8,7 @@
 
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::motion_within_test {
 namespace {
 
 /// The least room that the triangle B–C–D has over the motion, in units of d²/(2 l₁ l₄).
@@ -52,4 +52,4 @@ TEST(MotionWithin, AgreesWithTheTriangleOfRandomLinkages) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::motion_within_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace cognate {
+namespace cognate::parallel_test {
 namespace {
 
 TEST(ParallelFor, CallsEveryIndexOnceWhateverTheThreads) {
@@ -41,4 +41,4 @@ TEST(ParallelFor, HandsAnExceptionToTheCaller) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::parallel_test

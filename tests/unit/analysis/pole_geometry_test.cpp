@@ -14,7 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate {
+namespace cognate::pole_geometry_test {
 namespace {
 
 using test::Quad;
@@ -390,4 +390,4 @@ TEST(KnownMotions, WhatHasNoPoleIsNamed) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::pole_geometry_test

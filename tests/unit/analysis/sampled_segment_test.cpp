@@ -18,7 +18,7 @@
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::sampled_segment_test {
 namespace {
 
 /// The narrowest strip has a side through two of the points.
@@ -233,4 +233,4 @@ TEST(ClosedSegmentFinder, FindsTheLongestOfRandomCurves) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::sampled_segment_test

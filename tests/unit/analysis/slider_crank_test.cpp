@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate {
+namespace cognate::slider_crank_test {
 
 void PrintTo(const SliderCrank& m, std::ostream* out) {
   *out << std::hexfloat << "{{" << m.pivot.x << ", " << m.pivot.y << "}, " << m.crank << ", "
@@ -306,4 +306,4 @@ TEST(SliderCrank, WhatCannotBeAssembledIsSaid) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::slider_crank_test

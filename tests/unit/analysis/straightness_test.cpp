@@ -12,7 +12,7 @@
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::straightness_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -103,4 +103,4 @@ TEST(Straightness, EndsWhereTheMotionDoes) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::straightness_test

@@ -10,7 +10,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
-namespace cognate::app {
+namespace cognate::app::analysis_json_test {
 namespace {
 
 using nlohmann::json;
@@ -160,4 +160,4 @@ TEST(AnalysisTable, ShowsFactsLandmarksAndNotes) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::analysis_json_test

@@ -10,6 +10,7 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/convex_hull.hpp"
 #include "app/drawing/mechanism_poses.hpp"
@@ -20,8 +21,9 @@
 #include "app/report/drawn_rows.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/report.hpp"
+#include "problems/read.hpp"
 
-namespace cognate::app {
+namespace cognate::app::analysis_report_test {
 namespace {
 
 using problems::AnalysisProblem;
@@ -258,6 +260,83 @@ TEST(AnalysisReport, HasGapsAsNullAndNothingThatEndsTheData) {
   EXPECT_EQ(html.find("NaN,"), std::string::npos);
 }
 
+// The work of all loads, weights and the drive in a small step of a slow motion is nothing: it
+// holds each arrow's place, size and rows, and the unit of gravity, against places alone.
+TEST(AnalysisReport, DrawsLoadsThatTheDriveBalances) {
+  const auto problem = *problems::parse_task<AnalysisProblem>(R"(
+kind = "analysis"
+length_unit = "mm"
+gravity = [0, -9806.65]
+[mechanism]
+type = "slider-crank"
+pivot = [0, 0]
+crank = 100
+coupler = 300
+offset = 20
+[[link]]
+name = "coupler"
+mass = 3
+centre = [120, 10]
+[[load]]
+on = "slider"
+force = [-50, 7]
+when = "advance"
+[[load]]
+on = "crank"
+torque = 0.75
+when = [30, 200]
+[[load]]
+on = "coupler"
+at = [40, -5]
+force = [3, 4]
+[drive]
+speed = 1e-5
+steps = 90
+[output]
+want = ["torque"]
+)");
+  const AnalysisResult result = analyse(problem, {.threads = 1});
+  const auto data = analysis_report_data(problem, result);
+  const auto& loads = data["loads"];
+  ASSERT_EQ(loads.size(), 5u);
+  const auto& torque = data["table"]["columns"][loads[4]["column"].get<std::size_t>()]["values"];
+  MechanismMotion<0> motion(problem.mechanism.mechanism);
+  // m, and the angle, of an arrow at a crank angle.
+  const auto stand = [&](const auto& entry, double crank) {
+    motion.move_to(crank);
+    const auto& body = motion.bodies()[entry["body"].template get<std::size_t>()];
+    const Vec2d at{entry["at"][0], entry["at"][1]};
+    return std::pair(0.001 * (body.origin[0] + body.direction * at), body.direction);
+  };
+  int off = 0;
+  for (std::size_t row = 0; row < torque.size(); ++row) {
+    const double crank = data["table"]["drive"][row].get<double>() * kDegree, step = 1e-4;
+    double work = torque[row].get<double>() * 2 * step;
+    for (std::size_t i = 0; i + 1 < loads.size(); ++i) {
+      const auto& entry = loads[i];
+      if (!entry["acts"].is_null() && !entry["acts"][row].get<bool>()) {
+        ++off;
+        continue;
+      }
+      const auto [before, from] = stand(entry, crank - step);
+      const auto [after, to] = stand(entry, crank + step);
+      const Vec2d force{entry["force"][0], entry["force"][1]};
+      work += dot(force, after - before) + entry["torque"].get<double>() * cross(from, to);
+    }
+    EXPECT_NEAR(work / (2 * step), 0, 1e-5) << row;
+  }
+  EXPECT_GT(off, 60);
+  EXPECT_EQ(loads[3]["kind"], "weight");
+  EXPECT_TRUE(loads[2]["acts"].is_null());
+}
+
+TEST(AnalysisReport, DrawsNoLoadsWhereNoForcesAreAsked) {
+  auto problem = problem_of(four_bar(1));
+  problem.loads = {{.at = {1, {}}, .force = {1, 0}}};
+  const auto data = analysis_report_data(problem, analyse(problem, {.threads = 1}));
+  EXPECT_TRUE(data["loads"].empty());
+}
+
 // A chain of fifty four-bars over ten thousand rows stays a page that opens at once.
 TEST(AnalysisReport, StaysSmallForALongChain) {
   NamedMechanism chain = four_bar(0.5);
@@ -278,4 +357,4 @@ TEST(AnalysisReport, StaysSmallForALongChain) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::analysis_report_test

@@ -19,7 +19,7 @@
 #include "problems/study/four_bar_study.hpp"
 #include "tests/support/study_samples.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::atlas_starts_test {
 namespace {
 
 using namespace std::string_literals;
@@ -198,4 +198,4 @@ TEST(AtlasFile, IsNamedInFilesOfClosedCurvesAlone) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::atlas_starts_test

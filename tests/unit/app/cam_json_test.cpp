@@ -8,7 +8,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate::app {
+namespace cognate::app::cam_json_test {
 namespace {
 
 using nlohmann::json;
@@ -164,8 +164,9 @@ TEST(CamTable, SaysWhatIsFoundAndWhatIsMissed) {
   const std::string text = Kind<problems::CamProblem>::table(problem, planted_result(problem), {});
   for (const char* part :
        {"infeasible: no design satisfies every constraint", "42.25", "29.5 at 51", "1 missed",
-        "design 1 violates no_undercut: -1.25; allowed: 0",
-        "lower bound: no base radius below 41 keeps pressure_angle_deg_max_rise = 30 at 52 deg",
+        "design 1 violates no_undercut, the radius of curvature without undercut: -1.25 length; "
+        "allowed: at least 0",
+        "lower bound: no prime radius below 41 keeps pressure_angle_deg_max_rise = 30 at 52 deg",
         "note: A note."}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }
@@ -173,4 +174,4 @@ TEST(CamTable, SaysWhatIsFoundAndWhatIsMissed) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::cam_json_test

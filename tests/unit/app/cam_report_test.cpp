@@ -11,7 +11,7 @@
 #include "app/report/cam_report_data.hpp"
 #include "tests/browser/sample_cams.hpp"
 
-namespace cognate::app {
+namespace cognate::app::cam_report_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -237,4 +237,4 @@ TEST(CamReport, IsAPageThatHoldsTextAsText) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::cam_report_test

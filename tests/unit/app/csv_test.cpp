@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace cognate::app {
+namespace cognate::app::csv_test {
 namespace {
 
 using problems::Column;
@@ -71,4 +71,4 @@ TEST(Csv, NamesTheUnitOfLengths) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::csv_test

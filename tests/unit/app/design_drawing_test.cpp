@@ -15,7 +15,7 @@
 #include "app/report/guided_body.hpp"
 #include "tests/support/planted_result.hpp"
 
-namespace cognate::app {
+namespace cognate::app::design_drawing_test {
 namespace {
 
 using synthesis::Pose;
@@ -143,4 +143,4 @@ TEST(DrawnFindings, LeavesGapsWhereThereIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::design_drawing_test

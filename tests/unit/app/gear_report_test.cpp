@@ -9,7 +9,7 @@
 #include "app/report/gear_report_data.hpp"
 #include "tests/browser/sample_gears.hpp"
 
-namespace cognate::app {
+namespace cognate::app::gear_report_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -92,4 +92,4 @@ TEST(GearReport, GearsThatCannotBeMadeHaveNoOutline) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::gear_report_test

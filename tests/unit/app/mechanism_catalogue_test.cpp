@@ -11,7 +11,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::app {
+namespace cognate::app::mechanism_catalogue_test {
 namespace {
 
 using Words = std::set<std::string>;
@@ -85,4 +85,4 @@ TEST(MechanismCatalogue, HasTheKeysOfDyadsThatTheReaderAllows) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::mechanism_catalogue_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace cognate::app {
+namespace cognate::app::options_test {
 namespace {
 
 TEST(Options, TakeWhatIsAllowed) {
@@ -35,4 +35,4 @@ TEST(Options, RefuseTheRestAndSayWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::options_test

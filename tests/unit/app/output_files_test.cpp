@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-namespace cognate::app {
+namespace cognate::app::output_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(OutputFiles, AFailedWriteLeavesTheFolderAsItWas) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::output_files_test

@@ -9,8 +9,9 @@
 
 #include "app/kinds/kinds.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::app {
+namespace cognate::app::problem_json_test {
 namespace {
 
 using nlohmann::json;
@@ -90,7 +91,7 @@ void expect_reads_back(const Problem& problem) {
 
 TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
   int count = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(COGNATE_LIBRARY_DIR)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibraryFolder)) {
     if (entry.path().extension() != ".toml") continue;
     if (entry.path().parent_path().filename() == "study") continue;  // asks for many problems
     SCOPED_TRACE(entry.path().string());
@@ -428,4 +429,4 @@ TEST(ProblemJson, AMachineWithEverythingReadsBack) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::problem_json_test

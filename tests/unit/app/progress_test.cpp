@@ -6,7 +6,7 @@
 #include <chrono>
 #include <limits>
 
-namespace cognate::app {
+namespace cognate::app::progress_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -50,4 +50,4 @@ TEST(ProgressBar, FillsWithTheShare) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::progress_test

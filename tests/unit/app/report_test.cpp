@@ -12,7 +12,7 @@
 #include "app/kinds/kinds.hpp"
 #include "app/report/function_trace.hpp"
 
-namespace cognate::app {
+namespace cognate::app::report_test {
 namespace {
 
 Vec2d polar(double length, double angle) {
@@ -142,4 +142,4 @@ TEST(Report, EmbedsTheDocumentExactlyAndNothingThatEndsIt) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::report_test

@@ -14,7 +14,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
-namespace cognate::app {
+namespace cognate::app::result_json_test {
 namespace {
 
 using nlohmann::json;
@@ -73,22 +73,48 @@ TEST(ResultJson, HoldsTheMetricsInDegrees) {
 
 TEST(ResultJson, HoldsWhatWasCheckedAndTheWorkDone) {
   const json document = read_back(planted_path(), planted_result());
-  const json checks = {
-      {{"name", "link_ratio_max"}, {"value", 7.5}, {"bound", 5.0}, {"satisfied", false}},
-      {{"name", "class"},
-       {"value", "rocker-crank"},
-       {"bound", "crank-rocker"},
-       {"satisfied", false}},
-      {{"name", "bounds.rocker"},
-       {"value", 4e-17},
-       {"bound", {{"min", 2.0}}},
-       {"satisfied", true}}};
+  const json checks = {{{"name", "link_ratio_max"},
+                        {"label", "longest over shortest link"},
+                        {"relation", "<="},
+                        {"unit", ""},
+                        {"value", 7.5},
+                        {"bound", 5.0},
+                        {"satisfied", false}},
+                       {{"name", "class"},
+                        {"label", "class"},
+                        {"relation", "="},
+                        {"unit", ""},
+                        {"value", "rocker-crank"},
+                        {"bound", "crank-rocker"},
+                        {"satisfied", false}},
+                       {{"name", "bounds.rocker"},
+                        {"label", "rocker"},
+                        {"relation", ">="},
+                        {"unit", "length"},
+                        {"value", 4e-17},
+                        {"bound", {{"min", 2.0}}},
+                        {"satisfied", true}}};
   EXPECT_EQ(document["designs"][1]["constraints"], checks);
   const json work = {{"seconds", 0.5},           {"threads", 2},     {"candidates", 11},
                      {"positions", 22},          {"velocities", 33}, {"accelerations", 44},
                      {"reactions", 0},           {"gradients", 55},  {"solver_iterations", 66},
                      {"skipped", {"velocities"}}};
   EXPECT_EQ(document["work"], work);
+}
+
+TEST(ResultJson, HoldsWarningsAndInWhatTwinsDiffer) {
+  auto result = planted_result();
+  result.warnings = {"Design 2: odd."};
+  result.designs[1].warnings = {"Odd."};
+  result.designs[1].twin_of = 0;
+  result.designs[1].differs = {"assembly"};
+  const json document = read_back(planted_path(), result);
+  EXPECT_EQ(document["warnings"], json({"Design 2: odd."}));
+  EXPECT_EQ(document["designs"][0]["warnings"], json::array());
+  EXPECT_EQ(document["designs"][1]["warnings"], json({"Odd."}));
+  EXPECT_EQ(document["designs"][1]["twin_of"], 0);
+  EXPECT_EQ(document["designs"][1]["differs"], json({"assembly"}));
+  EXPECT_FALSE(document["designs"][0].contains("differs"));
 }
 
 TEST(ResultJson, SaysWhatIsAlwaysThereEvenWithoutAValue) {
@@ -245,4 +271,4 @@ TEST(ResultJson, EveryMetricIsInTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::result_json_test

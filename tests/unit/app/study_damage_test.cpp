@@ -11,7 +11,7 @@
 #include "app/study/database.hpp"
 #include "tests/support/study_samples.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_damage_test {
 namespace {
 
 using problems::Study;
@@ -139,4 +139,4 @@ TEST(StudyDatabase, RefusesABrokenPageThatNoRowIsOn) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_damage_test

@@ -15,7 +15,7 @@
 #include "app/study/read_rows.hpp"
 #include "tests/support/study_samples.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_database_test {
 namespace {
 
 using problems::Cell;
@@ -254,4 +254,4 @@ TEST(StudyLock, IsTakenOnce) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_database_test

@@ -17,8 +17,9 @@
 #include "problems/evaluation/result.hpp"
 #include "problems/study/design_points.hpp"
 #include "problems/study/design_text.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_evaluator_test {
 namespace {
 
 using problems::Cell;
@@ -26,7 +27,7 @@ using problems::RunStatus;
 using problems::Study;
 using problems::StudyBlock;
 
-const std::filesystem::path kLibrary = COGNATE_LIBRARY_DIR;
+const std::filesystem::path kLibrary = kLibraryFolder;
 
 Study study_of(const std::string& text) {
   const auto read = problems::parse_study(text, kLibrary, study_metrics);
@@ -321,4 +322,4 @@ TEST(DesignValues, AreFoundByTheirPlace) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_evaluator_test

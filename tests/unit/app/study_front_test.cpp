@@ -8,7 +8,7 @@
 
 #include "app/study/front.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_front_test {
 namespace {
 
 using Point = StudyFront::Point;
@@ -67,4 +67,4 @@ TEST(StudyFront, IsThatOfTheDefinitionInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_front_test

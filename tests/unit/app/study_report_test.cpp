@@ -11,7 +11,7 @@
 
 #include "tests/browser/sample_studies.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_report_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -134,4 +134,4 @@ TEST(StudyLinkage, VariedDimensionsAreNamedOthersKept) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_report_test

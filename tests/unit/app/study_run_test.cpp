@@ -15,7 +15,7 @@
 #include "app/study/run.hpp"
 #include "tests/support/study_samples.hpp"
 
-namespace cognate::app {
+namespace cognate::app::study_run_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -192,4 +192,4 @@ TEST(StudyProgress, SaysHowManyHowFastAndHowLong) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::study_run_test

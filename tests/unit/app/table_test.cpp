@@ -10,7 +10,7 @@
 #include "app/kinds/kinds.hpp"
 #include "tests/support/planted_result.hpp"
 
-namespace cognate::app {
+namespace cognate::app::table_test {
 namespace {
 
 using problems::planted_path;
@@ -112,12 +112,34 @@ TEST(Table, ShowsEachDesignAndWhatItMisses) {
   EXPECT_TRUE(contains(text, "30.0…135.0"));
   EXPECT_TRUE(contains(text, "branch, order"));
   EXPECT_TRUE(contains(text, "exact:three-pairs + ceres, cognate of 1"));
-  EXPECT_TRUE(contains(text, "design 2 violates link_ratio_max: 7.5; allowed: 5\n"));
+  EXPECT_TRUE(
+      contains(text,
+               "design 2 violates link_ratio_max, the longest over shortest link: 7.5; allowed: at "
+               "most 5\n"));
   EXPECT_TRUE(contains(text, "design 2 violates class: rocker-crank; allowed: crank-rocker\n"));
   EXPECT_FALSE(contains(text, "violates bounds.rocker"));
   EXPECT_FALSE(contains(text, "design 1 violates"));
   EXPECT_TRUE(contains(text, "note: A note.\n"));
+  EXPECT_FALSE(contains(text, "warning"));
   EXPECT_TRUE(contains(text, "0.5 s on 2 threads, 11 candidates screened\n"));
+}
+
+TEST(Table, SaysWhatNobodyWouldBuildAndInWhatTwinsDiffer) {
+  auto result = planted_result();
+  result.warnings = {"Design 2: odd."};
+  result.designs[1].cognate_of.reset();
+  result.designs[1].twin_of = 0;
+  result.designs[1].differs = {"assembly", "direction"};
+  const auto text = design_table(planted_path(), result, {});
+  EXPECT_TRUE(contains(text, "warning: Design 2: odd.\n"));
+  EXPECT_TRUE(contains(text, ", links of 1, other assembly, direction"));
+}
+
+TEST(Table, CallsRoundingExact) {
+  auto result = planted_result();
+  result.designs[0].error = {1e-30, 1e-15, 3e-11};
+  const auto text = design_table(planted_path(), result, {});
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n1 +exact \\(to rounding\\) +3e-11 "))) << text;
 }
 
 TEST(Table, SaysWhatIsProved) {
@@ -149,7 +171,8 @@ TEST(Table, SaysTypeAndDimensionsOfMixedMechanisms) {
   EXPECT_TRUE(contains(text, "slider-crank  crank 0.5, coupler 2.5, offset -0.125 "));
   EXPECT_TRUE(contains(text, "four-bar      crank 1.1, coupler 0.285714, rocker 4e-17, frame "));
   EXPECT_TRUE(contains(text, "crank turns fully"));
-  EXPECT_TRUE(contains(text, "2e-16"));
+  EXPECT_TRUE(contains(text, "exact (to rounding)"));
+  EXPECT_FALSE(contains(text, "2e-16"));
   EXPECT_TRUE(contains(text, "exact:three-poses, mirror image of 1"));
   EXPECT_TRUE(contains(text, "0.25 s on 1 thread\n"));
 }
@@ -209,4 +232,4 @@ TEST(Table, LetsNoControlCharacterThrough) {
 }
 
 }  // namespace
-}  // namespace cognate::app
+}  // namespace cognate::app::table_test

@@ -13,14 +13,15 @@
 #include "problems/linkage/result.hpp"
 #include "problems/machine/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/unit/library/corruption.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::validate_test {
 namespace {
 
 std::vector<std::filesystem::path> worked_files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(COGNATE_LIBRARY_DIR)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibraryFolder)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
   std::ranges::sort(files);
@@ -240,4 +241,4 @@ TEST(Validate, CorruptedProblemsAreRefusedOrAnswered) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::validate_test

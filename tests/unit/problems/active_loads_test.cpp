@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::active_loads_test {
 namespace {
 
 using test::ChainMaker;
@@ -189,4 +189,4 @@ TEST(Travel, IsCountedFromTheGuidesPoint) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::active_loads_test

@@ -11,7 +11,7 @@
 #include "problems/evaluation/result.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::analyse_test {
 namespace {
 
 const FourBar kCrankRocker{{1, 2}, {5, 3}, 1, 4, 3, Assembly::open, Vec2d{2, 0.5}};
@@ -387,4 +387,4 @@ TEST(Analyse, ATimeLimitEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::analyse_test

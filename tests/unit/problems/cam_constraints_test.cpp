@@ -8,7 +8,7 @@
 #include "problems/linkage/verify.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_constraints_test {
 namespace {
 
 using cam::Cam;
@@ -307,4 +307,4 @@ TEST(CamConstraints, BoundsOfTheBaseRadiusHold) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_constraints_test

@@ -7,7 +7,7 @@
 #include "problems/cam/quantities.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_forces_test {
 namespace {
 
 using cam::Cam;
@@ -154,4 +154,4 @@ TEST(CamForces, StressIsThatOfHertz) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_forces_test

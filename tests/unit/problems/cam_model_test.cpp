@@ -5,7 +5,7 @@
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_model_test {
 namespace {
 
 using problems::CamDimension;
@@ -134,4 +134,4 @@ TEST(CamVariables, ValuesMakeTheDimensions) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_model_test

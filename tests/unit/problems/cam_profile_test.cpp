@@ -5,7 +5,7 @@
 #include "problems/cam/extremes.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_profile_test {
 namespace {
 
 using cam::Cam;
@@ -206,4 +206,4 @@ TEST(CamProfile, RollerRoundsTheHollowWhereTheTurnBegins) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_profile_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_run_test {
 namespace {
 
 using cam::MotionLaw;
@@ -77,4 +77,4 @@ TEST(CamSolve, InterruptedRunStillGivesACam) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_run_test

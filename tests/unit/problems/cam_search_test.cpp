@@ -6,7 +6,7 @@
 #include "problems/read.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::cam_search_test {
 namespace {
 
 using problems::CamProblem;
@@ -160,4 +160,4 @@ TEST(CamSearch, RollerLargerThanTheHalfPlanesAllow) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::cam_search_test

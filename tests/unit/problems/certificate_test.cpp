@@ -12,7 +12,7 @@
 #include "synthesis/exact/nine_point/ball.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::certificate_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -215,4 +215,4 @@ TEST(Overlap, NamesOneRootGivenTwiceAndCognates) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::certificate_test

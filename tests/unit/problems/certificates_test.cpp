@@ -17,13 +17,14 @@
 #include "problems/path/model.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::certificates_test {
 namespace {
 
 template <class Kind>
 Kind of_library(const std::string& name) {
-  const auto read = read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / name);
+  const auto read = read_task(std::filesystem::path(kLibraryFolder) / name);
   return std::get<Kind>(read.value());
 }
 
@@ -227,4 +228,4 @@ TEST(Certificates, FunctionFilesReachTheBoundAsTheyAreMeant) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::certificates_test

@@ -11,7 +11,7 @@
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "tests/support/six_bars.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::chain_model_test {
 namespace {
 
 using testing::six_bars;
@@ -106,4 +106,4 @@ TEST(DwellModel, DerivativesAreThoseOfTheValues) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::chain_model_test

@@ -7,7 +7,7 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "problems/chain/topology.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::chain_topology_test {
 namespace {
 
 using synthesis::ChainDesign;
@@ -131,4 +131,4 @@ TEST(ChainTopology, SketchSaysHowItCloses) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::chain_topology_test

@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::closed_curve_test {
 namespace {
 
 TEST(ClosedCurve, StepsAlongASquareAreEqual) {
@@ -69,4 +69,4 @@ TEST(ClosedCurve, DistancesAreThoseToTheNearestSide) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::closed_curve_test

@@ -17,8 +17,9 @@
 #include "problems/path/deviation_between_samples.hpp"
 #include "problems/path/shape_placement.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::closed_path_test {
 namespace {
 
 /// Crank-rockers and a double crank.
@@ -287,7 +288,7 @@ TEST(ShapePlacement, TurnsAsLittleAsTheFrameAngleAllows) {
 }
 
 TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
-  const std::filesystem::path folder = std::filesystem::path(COGNATE_LIBRARY_DIR) / "path";
+  const std::filesystem::path folder = std::filesystem::path(kLibraryFolder) / "path";
   const struct {
     const char* file;
     double rms;
@@ -307,4 +308,4 @@ TEST(ClosedPath, TheDrawingsOfTheLibraryAreFollowed) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::closed_path_test

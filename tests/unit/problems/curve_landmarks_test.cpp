@@ -10,7 +10,7 @@
 #include "problems/evaluation/result.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::curve_landmarks_test {
 namespace {
 
 // Of each assembly a curve with crossings and inflections.
@@ -179,4 +179,4 @@ TEST(AnalysedCognates, TraceTheSamePath) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::curve_landmarks_test

@@ -19,7 +19,7 @@
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/problem.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::cycle_energy_test {
 namespace {
 
 /// A linkage of the class wanted, well away from its change points.
@@ -384,4 +384,4 @@ TEST(TurnEnergy, AFrontGetsSteadierAsItsErrorGrows) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::cycle_energy_test

@@ -1,5 +1,5 @@
 // Limits over the full turn: rows against central differences, extremes against scans of positions
-// and of Newton's and Euler's equations, designs against a search of a grid.
+// and of Newton's and Euler's equations.
 #include "problems/linkage/cycle_limits.hpp"
 
 #include <gtest/gtest.h>
@@ -19,15 +19,13 @@
 #include "problems/guidance/model.hpp"
 #include "problems/linkage/cycle_metrics.hpp"
 #include "problems/path/model.hpp"
+#include "tests/support/driven_linkage.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::cycle_limits_test {
 namespace {
 
-double peak_acceleration(const FourBar& linkage, CycleOutput output, double speed) {
-  Operation operation;
-  operation.speed = speed;
-  return cycle_metric(CycleQuantity::peak_acceleration, linkage, output, operation);
-}
+using test::machine;
+using test::peak_acceleration;
 
 double peak_speed(const FourBar& linkage, CycleOutput output, double speed) {
   Operation operation;
@@ -35,8 +33,8 @@ double peak_speed(const FourBar& linkage, CycleOutput output, double speed) {
   return cycle_metric(CycleQuantity::peak_speed, linkage, output, operation);
 }
 
-double torque_ripple(const FourBar& linkage, const Operation& operation) {
-  return cycle_metric(CycleQuantity::torque_ripple, linkage, CycleOutput::coupler_point, operation);
+double of_torque(CycleQuantity quantity, const FourBar& linkage, const Operation& operation) {
+  return cycle_metric(quantity, linkage, CycleOutput::coupler_point, operation);
 }
 
 /// A crank-rocker well away from its change points.
@@ -57,21 +55,6 @@ FourBar random_linkage(std::mt19937_64& random) {
   return linkage;
 }
 
-Operation machine() {
-  Operation operation;
-  operation.speed = 1.7;
-  operation.links[0] = {.centre = {.link = MovingLink::crank, .share = 0.5}, .mass_per_length = 2};
-  operation.links[1] = {.mass = 1.5,
-                        .centre = {.link = MovingLink::coupler, .share = 1, .offset = {-0.4, 0.3}},
-                        .moment = 0.2};
-  operation.links[2] = {.centre = {.link = MovingLink::rocker, .share = 0.5}, .mass_per_length = 3};
-  operation.loads = {{{.link = MovingLink::coupler, .at_coupler_point = true}, {2, -3}, 0.5},
-                     {{.link = MovingLink::rocker, .share = 1}, {0, 1}, 0},
-                     {{.link = MovingLink::crank, .offset = {0.1, 0.2}}, {1, 1}, -0.3}};
-  operation.gravity = {0.5, -9.8};
-  return operation;
-}
-
 Constraints all_limits() {
   Constraints constraints;
   constraints.required_class = RequiredClass::crank_rocker;
@@ -82,6 +65,8 @@ Constraints all_limits() {
   constraints.cycle_max[CycleQuantity::peak_speed] = 1.5;
   constraints.cycle_max[CycleQuantity::peak_acceleration] = 2;
   constraints.cycle_max[CycleQuantity::torque_ripple] = 30;
+  constraints.cycle_max[CycleQuantity::peak_torque] = 25;
+  constraints.cycle_max[CycleQuantity::rms_torque] = 8;
   constraints.cycle_max[CycleQuantity::speed_fluctuation] = 0.4;
   constraints.cycle_max[CycleQuantity::flywheel_inertia] = 50;
   constraints.cycle_max[CycleQuantity::motor_power] = 20;
@@ -326,8 +311,17 @@ TEST(CycleLimits, PeakAccelerationIsThatOfSecondDifferences) {
   }
 }
 
-/// Ripple by Newton's and Euler's equations of every link at many crank angles.
-double scanned_ripple(const FourBar& linkage, const Operation& operation) {
+struct ScannedTorque {
+  double ripple = 0, peak = 0, rms = 0;
+
+  double of(CycleQuantity quantity) const {
+    if (quantity == CycleQuantity::peak_torque) return peak;
+    return quantity == CycleQuantity::rms_torque ? rms : ripple;
+  }
+};
+
+/// By Newton's and Euler's equations of every link at many crank angles.
+ScannedTorque scanned_torque(const FourBar& linkage, const Operation& operation) {
   std::vector<Inertia> inertias(4);
   const double crank = operation.links[0].mass_per_length * linkage.crank;
   const double rocker = operation.links[2].mass_per_length * linkage.rocker;
@@ -342,26 +336,51 @@ double scanned_ripple(const FourBar& linkage, const Operation& operation) {
   MechanismMotion<2> motion(as_mechanism(linkage));
   InverseDynamics dynamics(motion.mechanism(), inertias, operation.gravity);
   Forces forces = dynamics.forces();
-  double least = INFINITY, most = -INFINITY;
-  for (double angle = 0; angle < kTurn; angle += kTurn / 20000) {
-    EXPECT_TRUE(motion.move_to(angle));
+  double least = INFINITY, most = -INFINITY, squares = 0;
+  constexpr int kAngles = 20000;
+  for (int k = 0; k < kAngles; ++k) {
+    EXPECT_TRUE(motion.move_to(kTurn * k / kAngles));
     EXPECT_TRUE(dynamics.solve(motion.bodies(), {operation.speed, 0}, loads, forces));
     least = std::min(least, forces.drive);
     most = std::max(most, forces.drive);
+    squares += forces.drive * forces.drive;
   }
-  return most - least;
+  return {most - least, std::max(most, -least), std::sqrt(squares / kAngles)};
 }
 
-TEST(CycleLimits, TorqueRippleIsThatOfNewtonAndEuler) {
+TEST(CycleLimits, TorquesAreThoseOfNewtonAndEuler) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 10; ++trial) {
     const FourBar linkage = random_linkage(random);
-    const double wanted = scanned_ripple(linkage, machine());
-    EXPECT_NEAR(torque_ripple(linkage, machine()), wanted, 1e-6 * wanted);
-    Constraints constraints;
-    constraints.cycle_max[CycleQuantity::torque_ripple] = 2 * wanted;
-    constraints.operation = machine();
-    EXPECT_NEAR(least_row(linkage, constraints, CycleOutput::coupler_point), 0.5, 1e-6);
+    const ScannedTorque scanned = scanned_torque(linkage, machine());
+    for (const auto quantity :
+         {CycleQuantity::torque_ripple, CycleQuantity::peak_torque, CycleQuantity::rms_torque}) {
+      const double wanted = scanned.of(quantity);
+      EXPECT_NEAR(of_torque(quantity, linkage, machine()), wanted, 1e-6 * wanted);
+      Constraints constraints;
+      constraints.cycle_max[quantity] = 2 * wanted;
+      constraints.operation = machine();
+      EXPECT_NEAR(least_row(linkage, constraints, CycleOutput::coupler_point), 0.5, 1e-6);
+    }
+  }
+}
+
+/// A load of one stroke has a kink where the rocker turns back: the adaptive quadrature of the
+/// finished linkage and the rule of the search, whose cuts come from closed forms, agree.
+TEST(CycleLimits, MeanSquareTorqueIsTheSameByBothQuadratures) {
+  std::mt19937_64 random(6);
+  for (const auto sense : {LoadSense::advance, LoadSense::retreat}) {
+    for (const double speed : {1.7, -1.7}) {
+      const FourBar linkage = random_linkage(random);
+      Constraints constraints;
+      constraints.operation = machine();
+      constraints.operation.speed = speed;
+      constraints.operation.loads.push_back(
+          {{.link = MovingLink::rocker, .share = 1}, {}, 25, sense});
+      const double rms = of_torque(CycleQuantity::rms_torque, linkage, constraints.operation);
+      constraints.cycle_max[CycleQuantity::rms_torque] = 4 * rms;
+      EXPECT_NEAR(least_row(linkage, constraints, CycleOutput::coupler_point), 0.75, 2e-9);
+    }
   }
 }
 
@@ -396,237 +415,5 @@ TEST(CycleLimits, ClearancesAreThoseOfManyPositions) {
   }
 }
 
-/// Two dimensions are free and all others given: the best design on a grid that narrows about it.
-struct GridSearch {
-  PathProblem problem;
-  FourBar planted;
-  std::vector<double> angles{0.2, 0.9, 1.7, 2.6, 3.6, 4.9};
-
-  /// `set` puts two numbers into the linkage.
-  template <class Set, class Allowed>
-  double best(const Set& set, const Allowed& allowed, Vec2d middle, double reach) const {
-    double least = INFINITY;
-    for (int round = 0; round < 14; ++round) {
-      constexpr int kSteps = 12;
-      Vec2d found = middle;
-      for (int i = -kSteps; i <= kSteps; ++i) {
-        for (int j = -kSteps; j <= kSteps; ++j) {
-          const Vec2d at = middle + (reach / kSteps) * Vec2d{double(i), double(j)};
-          FourBar linkage = planted;
-          set(linkage, at);
-          if (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker) continue;
-          const double error = squares(linkage);
-          if (error < least && allowed(linkage)) {
-            least = error;
-            found = at;
-          }
-        }
-      }
-      middle = found;
-      reach *= 0.5;
-    }
-    return least;
-  }
-
-  double squares(const FourBar& linkage) const {
-    const Motion motion(linkage);
-    double sum = 0;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const auto pose = motion.at(angles[i]);
-      if (!pose) return INFINITY;
-      sum += squared_norm(*pose->coupler_point - problem.points[i]);
-    }
-    return sum;
-  }
-
-  GridSearch() {
-    planted = {{0, 0}, {2, 0.5}, 0.7, 2.1, 1.8, Assembly::open, Vec2d{1.2, 0.9}};
-    problem.timing = Timing::prescribed;
-    problem.crank_reference = CrankReference::global;
-    problem.crank_angles = angles;
-    for (const double angle : angles) {
-      problem.points.push_back(*Motion(planted).at(angle)->coupler_point);
-    }
-    problem.given.pivot_a = planted.pivot_a;
-    problem.given.pivot_d = planted.pivot_d;
-    problem.given.crank = planted.crank;
-    problem.given.assembly = planted.assembly;
-    problem.weights.assign(angles.size(), 1.0);
-    problem.constraints.required_class = RequiredClass::crank_rocker;
-    problem.solve.starts = 25;
-    problem.solve.designs = 1;
-  }
-
-  /// The greatest x of the planted coupler point.
-  double furthest() const {
-    const Box far{{-100, -100}, {50, 100}};
-    return 50 - clearance_distance(planted, {MovingPoint::coupler_point, true, far});
-  }
-
-  /// Solves, and expects the grid's best, `limited` being at its bound.
-  void expect(double wanted, const std::string& limited) const {
-    const Result result = solve(problem, {.threads = 2});
-    ASSERT_EQ(result.status, Status::solved) << "of the grid: " << wanted;
-    const Design& design = result.designs.front();
-    EXPECT_LT(design.error.sum_of_squares, wanted * (1 + 1e-6));
-    EXPECT_GT(design.error.sum_of_squares, wanted * (1 - 1e-3));
-    EXPECT_GT(wanted, 1e-4);  // the planted design violates the limit
-    for (const ConstraintCheck& check : design.constraints) {
-      EXPECT_TRUE(check.satisfied) << check.name;
-      if (check.name != limited) continue;
-      const double value = std::get<double>(check.value), bound = std::get<double>(check.bound);
-      EXPECT_NEAR(value, bound, 1e-7 * (1 + std::abs(bound)));
-    }
-  }
-};
-
-const auto set_point = [](FourBar& linkage, const Vec2d& at) { linkage.coupler_point = at; };
-const auto set_lengths = [](FourBar& linkage, const Vec2d& at) {
-  linkage.coupler = at.x;
-  linkage.rocker = at.y;
-};
-
-/// The best coupler point under a clearance that the planted linkage breaks.
-void expect_best_point(GridSearch& grid, const Clearance& clearance) {
-  ASSERT_LT(clearance_distance(grid.planted, clearance), -0.05);
-  grid.problem.constraints.clearances = {clearance};
-  grid.problem.given.coupler = grid.planted.coupler;
-  grid.problem.given.rocker = grid.planted.rocker;
-  const double best = grid.best(
-      set_point, [&](const FourBar& l) { return clearance_distance(l, clearance) >= 0; },
-      {1.2, 0.9}, 0.8);
-  grid.expect(best, "clearance[1]");
-}
-
-TEST(CycleLimits, TheBestPointInsideABoxIsThatOfAGrid) {
-  GridSearch grid;
-  expect_best_point(grid,
-                    {MovingPoint::coupler_point, true, {{-3, -3}, {grid.furthest() - 0.2, 3}}});
-}
-
-TEST(CycleLimits, TheBestPointBesideAnObstacleIsThatOfAGrid) {
-  GridSearch grid;
-  expect_best_point(grid,
-                    {MovingPoint::coupler_point, false, {{grid.furthest() - 0.2, -1}, {4, 4}}});
-}
-
-/// The best coupler and rocker with a share of what a quantity of the planted linkage is.
-void expect_best_links(CycleQuantity quantity, double share) {
-  GridSearch grid;
-  grid.problem.given.coupler_point = grid.planted.coupler_point;
-  grid.problem.constraints.operation = machine();
-  const auto value = [&](const FourBar& linkage) {
-    return cycle_metric(quantity, linkage, CycleOutput::coupler_point, machine());
-  };
-  const double most = share * value(grid.planted);
-  grid.problem.constraints.cycle_max[quantity] = most;
-  const double best = grid.best(
-      set_lengths, [&](const FourBar& l) { return value(l) <= most; }, {2.1, 1.8}, 0.6);
-  grid.expect(best, std::string(kCycleQuantities.at(index_of(quantity)).limit_key));
-}
-
-TEST(CycleLimits, TheSlowestLinksAreThoseOfAGrid) {
-  expect_best_links(CycleQuantity::peak_speed, 0.97);
-}
-
-TEST(CycleLimits, TheCalmestLinksAreThoseOfAGrid) {
-  expect_best_links(CycleQuantity::peak_acceleration, 0.97);
-}
-
-TEST(CycleLimits, TheEvenestTorqueIsThatOfAGrid) {
-  expect_best_links(CycleQuantity::torque_ripple, 0.85);
-}
-
-/// Coupler and rocker of a function generator are free, all else given.
-TEST(CycleLimits, TheCalmestGeneratorIsThatOfAGrid) {
-  const FourBar planted{{0, 0}, {2.6, 0}, 1, 2.2, 1.9, Assembly::open, std::nullopt};
-  const auto angle = [](const FourBar& linkage, double at) {
-    return Motion(linkage).at(at)->rocker_angle;
-  };
-  FunctionProblem problem;
-  AnglePairs pairs;
-  const double start = 0.4;
-  for (const double input : {0.0, 0.5, 1.1, 1.8, 2.4}) {
-    pairs.emplace_back(input, angle(planted, start + input) - angle(planted, start));
-  }
-  problem.target = pairs;
-  problem.given.crank = planted.crank;
-  problem.given.frame = planted.pivot_d.x;
-  problem.given.assembly = planted.assembly;
-  problem.input_start = start;
-  problem.output_start = angle(planted, start);
-  problem.constraints.required_class = RequiredClass::crank_rocker;
-  const double most = 0.8 * peak_acceleration(planted, CycleOutput::rocker, 1);
-  problem.constraints.cycle_max[CycleQuantity::peak_acceleration] = most;
-  problem.solve.starts = 40;
-  problem.solve.designs = 1;
-
-  double best = INFINITY;
-  Vec2d middle{planted.coupler, planted.rocker};
-  double reach = 0.8;
-  for (int round = 0; round < 16; ++round, reach *= 0.5) {
-    Vec2d found = middle;
-    for (int i = -12; i <= 12; ++i) {
-      for (int j = -12; j <= 12; ++j) {
-        const Vec2d at = middle + (reach / 12) * Vec2d{double(i), double(j)};
-        FourBar linkage = planted;
-        set_lengths(linkage, at);
-        if (mobility_class(lengths(linkage)) != MobilityClass::crank_rocker) continue;
-        double error = 0;
-        for (const auto& [input, output] : pairs) {
-          const double turned = angle(linkage, start + input) - *problem.output_start;
-          error += std::pow(std::remainder(turned - output, kTurn), 2);
-        }
-        if (error >= best || peak_acceleration(linkage, CycleOutput::rocker, 1) > most) continue;
-        best = error;
-        found = at;
-      }
-    }
-    middle = found;
-  }
-  const Result result = solve(problem, {.threads = 2});
-  ASSERT_EQ(result.status, Status::solved) << "of the grid: " << best;
-  const Design& design = result.designs.front();
-  EXPECT_GT(best, 1e-5);
-  EXPECT_LT(design.error.sum_of_squares, best * (1 + 1e-6));
-  EXPECT_GT(design.error.sum_of_squares, best * (1 - 1e-3));
-  EXPECT_NEAR(design.metrics.cycle[CycleQuantity::peak_acceleration].value(), most, 1e-7 * most);
-}
-
-/// Of a body's guidance the crank's length alone is free.
-TEST(CycleLimits, TheCalmestGuidanceIsThatOfAScan) {
-  const FourBar planted{{0, 0}, {2, 0.5}, 0.7, 2.1, 1.8, Assembly::open, Vec2d{1.2, 0.9}};
-  MotionProblem problem;
-  problem.method = MotionMethod::least_squares;
-  problem.dyads = {synthesis::DyadKind::rr};
-  for (const double angle : {0.3, 0.9, 1.6, 2.5, 3.9}) {
-    const Pose pose = *Motion(planted).at(angle);
-    const Vec2d along = pose.c - pose.b;
-    problem.poses.push_back({*pose.coupler_point, std::atan2(along.y, along.x)});
-  }
-  const Vec2d b = -*planted.coupler_point;
-  problem.fixed_pivots = {planted.pivot_a, planted.pivot_d};
-  problem.moving_pivots = {b, b + Vec2d{planted.coupler, 0}};
-  problem.rocker = planted.rocker;
-  problem.constraints.required_class = RequiredClass::crank_rocker;
-  const double most = 0.9 * peak_acceleration(planted, CycleOutput::coupler_point, 1);
-  problem.constraints.cycle_max[CycleQuantity::peak_acceleration] = most;
-  problem.solve.starts = 40;
-  problem.solve.designs = 1;
-
-  double low = 0.3, high = planted.crank;  // a shorter crank moves the body less
-  for (int step = 0; step < 60; ++step) {
-    FourBar linkage = planted;
-    linkage.crank = 0.5 * (low + high);
-    const bool calm = peak_acceleration(linkage, CycleOutput::coupler_point, 1) <= most;
-    (calm ? low : high) = linkage.crank;
-  }
-  const Result result = solve(problem, {.threads = 2});
-  ASSERT_EQ(result.status, Status::solved);
-  EXPECT_NEAR(four_bar(result.designs.front()).crank, low, 1e-6);
-  EXPECT_NEAR(result.designs.front().metrics.cycle[CycleQuantity::peak_acceleration].value(), most,
-              1e-7 * most);
-}
-
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::cycle_limits_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cognate::problems {
+namespace cognate::problems::derivatives_test {
 namespace {
 
 /// The largest error of `found` against `wanted`, relative to its size, order by order.
@@ -61,4 +61,4 @@ TEST(Derivatives, SayWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::derivatives_test

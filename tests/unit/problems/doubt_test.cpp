@@ -9,7 +9,7 @@
 #include "problems/kinds.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::doubt_test {
 namespace {
 
 Result solved(const std::string& text) {
@@ -44,4 +44,4 @@ INSTANTIATE_TEST_SUITE_P(
                     "poses = [[0, 0, 0], [2, 1, 20], [4, 1, 50], [5, 0, 70]]\n"));
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::doubt_test

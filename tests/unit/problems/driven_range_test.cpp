@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace cognate::problems {
+namespace cognate::problems::driven_range_test {
 namespace {
 
 struct Case {
@@ -120,4 +120,4 @@ TEST(DrivenRange, IsTheClosingOfTheLinkageWithoutALimit) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::driven_range_test

@@ -13,7 +13,7 @@
 #include "problems/study/base.hpp"
 #include "problems/study/design_points.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::four_bar_study_test {
 namespace {
 
 constexpr const char* kBase = R"(
@@ -299,4 +299,4 @@ TEST(FourBarStudy, EndsWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::four_bar_study_test

@@ -13,7 +13,7 @@
 #include "problems/function/target/fast_places.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_peaks_test {
 namespace {
 
 FunctionProblem problem_of(const std::string& function, const std::string& domain) {
@@ -105,4 +105,4 @@ TEST(FunctionPeaks, PlacesLieWhereTheFunctionIsFast) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_peaks_test

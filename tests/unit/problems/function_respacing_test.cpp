@@ -9,7 +9,7 @@
 #include "problems/read.hpp"
 #include "tests/reading/fault_cases.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_respacing_test {
 namespace {
 
 // The first line that is added is line 7, in [target].
@@ -73,4 +73,4 @@ TEST(FunctionRespacing, Faults) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_respacing_test

@@ -9,7 +9,7 @@
 
 #include "problems/function/scatter.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_scatter_test {
 namespace {
 
 using Rows = std::vector<std::pair<double, double>>;
@@ -108,4 +108,4 @@ TEST(FunctionScatter, IsMeasuredWhereErrorsWereAdded) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_scatter_test

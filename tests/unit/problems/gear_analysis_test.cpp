@@ -9,7 +9,7 @@
 #include "problems/gear/quantities.hpp"
 #include "problems/gear/result.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::gear_analysis_test {
 namespace {
 
 GearProblem spur(double teeth, double module, double shift = 0) {
@@ -148,4 +148,4 @@ TEST(GearAnalysis, APinTouchesTheFlanksOfItsSpace) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::gear_analysis_test

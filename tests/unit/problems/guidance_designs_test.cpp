@@ -16,7 +16,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::guidance_designs_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -442,4 +442,4 @@ TEST(MotionGenerationTest, StopsInTime) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::guidance_designs_test

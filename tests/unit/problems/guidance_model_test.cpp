@@ -12,7 +12,7 @@
 #include "synthesis/exact/motion/guided_mechanism.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::guidance_model_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -179,4 +179,4 @@ TEST(MotionModel, KeepsToOneSideWhereDefectsAreExcluded) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::guidance_model_test

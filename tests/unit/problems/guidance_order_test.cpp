@@ -10,7 +10,7 @@
 #include "problems/guidance/closure.hpp"
 #include "problems/guidance/order.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::guidance_order_test {
 namespace {
 
 using synthesis::DyadKind;
@@ -166,4 +166,4 @@ TEST(MotionOrder, PutsNoisyPosesInOrderNearThePlantedMotion) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::guidance_order_test

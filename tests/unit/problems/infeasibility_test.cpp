@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::infeasibility_test {
 namespace {
 
 std::string explained(const Constraints& constraints, const Bounds& bounds,
@@ -160,4 +160,4 @@ TEST(Infeasibility, ProposesLimitsWithWhichADesignIsFound) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::infeasibility_test

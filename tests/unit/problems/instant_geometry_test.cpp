@@ -10,7 +10,7 @@
 #include "tests/support/named_mechanisms.hpp"
 #include "tests/support/quad_motion.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::instant_geometry_test {
 namespace {
 
 using test::Quad;
@@ -255,4 +255,4 @@ TEST(InstantGeometry, OfAnIdleDriveHasNoInfinity) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::instant_geometry_test

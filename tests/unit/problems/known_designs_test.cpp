@@ -8,7 +8,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::known_designs_test {
 namespace {
 
 /// Solves, and solves again from the best design alone; the errors must agree.
@@ -101,4 +101,4 @@ designs = 1
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::known_designs_test

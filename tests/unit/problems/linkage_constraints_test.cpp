@@ -12,7 +12,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::linkage_constraints_test {
 namespace {
 
 using L = Lengths<double>;
@@ -221,4 +221,4 @@ TEST(LinkageConstraints, TimeRatioSlopesAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::linkage_constraints_test

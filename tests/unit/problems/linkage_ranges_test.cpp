@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/result.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::linkage_ranges_test {
 namespace {
 
 AnalysisResult over_a_turn(const FourBar& linkage) {
@@ -57,4 +57,4 @@ TEST(LinkageRanges, AParallelogramIsADoubleCrank) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::linkage_ranges_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/machine_results.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::machine_ends_test {
 namespace {
 
 using test::column, test::quantity, test::result_of, test::says;
@@ -166,4 +166,4 @@ run = {tasks = ["steady", "start"], turns_max = 5}
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::machine_ends_test

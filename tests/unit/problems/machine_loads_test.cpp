@@ -14,7 +14,7 @@
 #include "problems/read.hpp"
 #include "tests/support/machines.hpp"
 
-namespace cognate::machine {
+namespace cognate::machine::machine_loads_test {
 namespace {
 
 using test::constant_inertia;
@@ -354,4 +354,4 @@ TEST(Run, MayTakeMoreStepsTheFartherItGets) {
 }
 
 }  // namespace
-}  // namespace cognate::machine
+}  // namespace cognate::machine::machine_loads_test

@@ -12,7 +12,7 @@
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/machine_results.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::machine_run_test {
 namespace {
 
 using test::column, test::quantity, test::parse, test::result_of, test::says;
@@ -302,4 +302,4 @@ TEST(RunMachine, EndsWhenItsTimeIsUp) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::machine_run_test

@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/machine_results.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::machine_start_test {
 namespace {
 
 using test::quantity, test::result_of;
@@ -145,4 +145,4 @@ TEST(MachineStart, OfAnUnevenMachineEndsWhereItMeetsTheSteadyMotion) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::machine_start_test

@@ -11,7 +11,7 @@
 #include "problems/machine/vanishing_inertia.hpp"
 #include "tests/support/machine_results.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::machine_travel_test {
 namespace {
 
 using test::column, test::quantity, test::result_of, test::says;
@@ -95,4 +95,4 @@ motor = {line = {stall_torque = 20, no_load_speed = 10}}
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::machine_travel_test

@@ -7,7 +7,7 @@
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/random_chains.hpp"
 
-namespace cognate {
+namespace cognate::mechanism_allocations_test {
 namespace {
 
 using test::ChainMaker;
@@ -53,4 +53,4 @@ TEST(MechanismAllocations, NoneAlongACourse) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::mechanism_allocations_test

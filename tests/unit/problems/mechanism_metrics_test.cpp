@@ -14,7 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::mechanism_metrics_test {
 namespace {
 
 const SliderCrank kRotating{
@@ -133,4 +133,4 @@ TEST(MechanismMetricsTest, ChecksNameWhatTheyLimit) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::mechanism_metrics_test

@@ -15,7 +15,7 @@
 #include "problems/read.hpp"
 #include "tests/support/named_mechanisms.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::motion_summary_test {
 namespace {
 
 AnalysisResult analyse(const AnalysisProblem& problem) {
@@ -295,4 +295,4 @@ TEST(MotionSummary, SwingIsThatOfTheRangeOnBothSidesOfTheStart) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::motion_summary_test

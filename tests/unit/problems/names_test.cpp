@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace cognate::problems {
+namespace cognate::problems::names_test {
 namespace {
 
 template <class Enum>
@@ -46,4 +46,4 @@ TEST(NamesTest, SpellingsOfTheContract) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::names_test

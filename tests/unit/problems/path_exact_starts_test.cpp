@@ -8,7 +8,7 @@
 #include "problems/path/exact_starts.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_exact_starts_test {
 namespace {
 
 double difference(const FourBar& a, const FourBar& b) {
@@ -63,4 +63,4 @@ TEST(ExactStarts, AreForPathsThatNothingLimits) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_exact_starts_test

@@ -10,7 +10,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_generation_test {
 namespace {
 
 /// A crank-rocker with a coupler curve of size 1.
@@ -290,4 +290,4 @@ TEST(PathGeneration, StopsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_generation_test

@@ -7,7 +7,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "problems/path/model.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_model_test {
 namespace {
 
 const FourBar linkage{{0.2, -0.3}, {2.1, 0.9}, 0.8, 1.9, 1.6, Assembly::open, Vec2d{1.1, 0.7}};
@@ -155,4 +155,4 @@ TEST(PathModel, HasNoValueWhereTheLinkageDoesNotClose) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_model_test

@@ -12,7 +12,7 @@
 #include "problems/path/order.hpp"
 #include "problems/path/ordered_model.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_order_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -277,4 +277,4 @@ TEST(PathOrder, TheModelsGradientIsThatOfTheLeastSumInOrder) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_order_test

@@ -5,7 +5,7 @@
 
 #include "analysis/linkage/cognates.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::same_design_test {
 namespace {
 
 FourBar linkage(double scale = 1) {
@@ -60,4 +60,4 @@ TEST(IsCognate, KnowsTheSixLinkagesOfOneCurve) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::same_design_test

@@ -10,7 +10,7 @@
 #include "problems/linkage/verify.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::second_contact_test {
 namespace {
 
 using cam::Cam;
@@ -172,4 +172,4 @@ TEST(SecondContact, OuterWallOfAGroove) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::second_contact_test

@@ -11,7 +11,7 @@
 #include "problems/path/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::second_derivatives_test {
 namespace {
 
 using synthesis::Model;
@@ -161,4 +161,4 @@ TEST(SecondDerivatives, AreNotThereWithAStartAtADeadCentre) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::second_derivatives_test

@@ -10,7 +10,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/linkage/result.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::solver_choice_test {
 namespace {
 
 class SolverChoiceTest : public testing::TestWithParam<synthesis::Solver> {
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Solver, SolverChoiceTest, testing::ValuesIn(all_solvers
                          });
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::solver_choice_test

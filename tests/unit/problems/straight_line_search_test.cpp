@@ -17,7 +17,7 @@
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/starts.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::straight_line_search_test {
 namespace {
 
 StraightLineProblem problem_of(const std::string& text) {
@@ -257,4 +257,4 @@ TEST(StraightLineSearch, HasAFrontThatFalls) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::straight_line_search_test

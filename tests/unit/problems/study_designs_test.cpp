@@ -12,8 +12,9 @@
 #include "problems/study/design_points.hpp"
 #include "problems/study/design_text.hpp"
 #include "problems/study/read.hpp"
+#include "tests/support/folders.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_designs_test {
 namespace {
 
 StudyVariable grid(std::string key, std::vector<double> values) {
@@ -228,7 +229,7 @@ TEST(StudyBase, RefusesWhatTheFileWouldBeRefusedFor) {
 
 // The study is read where the drawing is, and its designs where there is none.
 TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
-  const auto library = std::filesystem::path(COGNATE_LIBRARY_DIR) / "path";
+  const auto library = std::filesystem::path(kLibraryFolder) / "path";
   auto study = parse_study(
       "base = \"bean.toml\"\n[[vary]]\nkey = \"target.samples\"\nvalues = [40, 80]\n"
       "[output]\nmetrics = [\"error.rms\"]\n",
@@ -249,4 +250,4 @@ TEST(StudyBase, HoldsTheDrawingThatItsBaseNames) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_designs_test

@@ -11,7 +11,7 @@
 
 #include "problems/study/sampling.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::study_sampling_test {
 namespace {
 
 constexpr Sampling kAll[] = {Sampling::sobol, Sampling::halton, Sampling::latin, Sampling::random};
@@ -219,4 +219,4 @@ TEST(Samplings, APointHangsOnItsNumberAndTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::study_sampling_test

@@ -11,7 +11,7 @@
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::verify_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -278,4 +278,4 @@ TEST(CheckConstraints, AnglesAreRepeatedAsGiven) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::verify_test

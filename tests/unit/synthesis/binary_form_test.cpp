@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::binary_form_test {
 namespace {
 
 /// The form that vanishes on the directions of three angles.
@@ -83,4 +83,4 @@ TEST(BinaryForm, DiscriminantsDoNotCancel) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::binary_form_test

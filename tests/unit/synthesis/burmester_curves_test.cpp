@@ -16,7 +16,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::burmester_curves_test {
 namespace {
 
 using Poses = std::array<Pose, 4>;
@@ -371,4 +371,4 @@ TEST(BurmesterCurves, NameADegeneracy) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::burmester_curves_test

@@ -14,7 +14,7 @@
 #include "synthesis/chain/sweep.hpp"
 #include "tests/support/six_bars.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::chain_fit_test {
 namespace {
 
 using testing::kTracedLine;
@@ -152,4 +152,4 @@ TEST(ChainFit, TransmissionIsHeldToItsLimit) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::chain_fit_test

@@ -12,7 +12,7 @@
 #include "synthesis/chain/sweep.hpp"
 #include "tests/support/six_bars.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::chain_sweep_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -180,4 +180,4 @@ TEST(ChainBodies, RigidTrianglesAreNoJoints) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::chain_sweep_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::check_derivatives_test {
 namespace {
 
 /// Complex steps are exact: what is left is the doubt of the differences.
@@ -83,4 +83,4 @@ TEST(CheckDerivatives, SaysWhereThereIsNoValue) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::check_derivatives_test

@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::coupler_position_test {
 namespace {
 
 FourBar four_bar(double crank, double coupler, double rocker, double frame) {
@@ -53,4 +53,4 @@ TEST(RangeAbout, EndsWhereTheLinkageNoLongerCloses) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::coupler_position_test

@@ -17,7 +17,7 @@
 #include "synthesis/fit/circle.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::dyad_fit_test {
 namespace {
 
 const FourBar linkage{{0.2, -0.3}, {2.1, 0.9}, 0.8, 1.9, 1.6, Assembly::open, Vec2d{1.1, 0.7}};
@@ -202,4 +202,4 @@ TEST(NearestSlider, AndBlockAreThePlantedOnes) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::dyad_fit_test

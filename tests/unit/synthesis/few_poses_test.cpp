@@ -11,7 +11,7 @@
 #include "synthesis/exact/motion/three_poses.hpp"
 #include "synthesis/exact/motion/two_poses.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::few_poses_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -288,4 +288,4 @@ TEST(FewPoses, DoNotDependOnTheUnit) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::few_poses_test

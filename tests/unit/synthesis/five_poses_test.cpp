@@ -17,7 +17,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/count_allocations.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::five_poses_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -396,4 +396,4 @@ TEST(FivePoses, LeaveNothingOutOnAGrid) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::five_poses_test

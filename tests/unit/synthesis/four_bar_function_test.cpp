@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/planted_generators.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::four_bar_function_test {
 namespace {
 
 using test::PlantedFourBar;
@@ -297,4 +297,4 @@ TEST(FourBarFunction, TellsWhichLinksAreTurned) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::four_bar_function_test

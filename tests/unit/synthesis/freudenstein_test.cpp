@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::freudenstein_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -125,4 +125,4 @@ TEST(ChebyshevSpacing, GivesTheTextbookAbscissae) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::freudenstein_test

@@ -14,7 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::function_bound_test {
 namespace {
 
 using Real = long double;
@@ -251,4 +251,4 @@ TEST(FunctionBound, LimitAnglesHoldThoseOfEachLinkage) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::function_bound_test

@@ -13,7 +13,7 @@
 #include "problems/read.hpp"
 #include "synthesis/optimise/solver.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::function_fit_test {
 namespace {
 
 using synthesis::FunctionFitOptions;
@@ -234,4 +234,4 @@ TEST(FunctionScreen, MeasuresChordsOfTheErrors) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::function_fit_test

@@ -15,7 +15,7 @@
 #include "synthesis/exact/nine_point/generic_set.hpp"
 #include "tests/support/planted_path.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::given_parts_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -160,4 +160,4 @@ TEST(Conditions, AreDependentWhereOneDyadHasMoreThanFour) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::given_parts_test

@@ -9,7 +9,7 @@
 #include "synthesis/optimise/solver.hpp"
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::global_search_test {
 namespace {
 
 /// Rastrigin's function Σ x² + 10 (1 − cos 2πx) as a sum of squares: 1 − cos 2πx = 2 sin²(πx).
@@ -143,4 +143,4 @@ TEST(Ags, RefusesMoreThanTenUnknowns) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::global_search_test

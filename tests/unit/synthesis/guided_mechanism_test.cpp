@@ -11,7 +11,7 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "synthesis/exact/motion/three_poses.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::guided_mechanism_test {
 namespace {
 
 using Poses = std::array<Pose, 3>;
@@ -117,4 +117,4 @@ TEST(GuidedMechanism, NamesWhyTwoDyadsMakeNone) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::guided_mechanism_test

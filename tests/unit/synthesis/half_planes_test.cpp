@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::half_planes_test {
 namespace {
 
 using synthesis::HalfPlane;
@@ -212,4 +212,4 @@ TEST(NearestPoint, OfManyOnAGridAgreesWithAllFeetAndCorners) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::half_planes_test

@@ -19,7 +19,7 @@
 #include "synthesis/optimise/solver.hpp"
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate {
+namespace cognate::loss_test {
 namespace {
 
 using synthesis::Loss;
@@ -228,4 +228,4 @@ TEST(FunctionGeneration, PassesByAGrossError) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::loss_test

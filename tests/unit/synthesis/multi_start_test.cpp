@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::multi_start_test {
 namespace {
 
 struct Number {
@@ -157,4 +157,4 @@ TEST(MultiStart, DoesNothingOnceTheDeadlineIsReached) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::multi_start_test

@@ -10,7 +10,7 @@
 #include "synthesis/exact/nine_point/path_equations.hpp"
 #include "synthesis/exact/nine_point/start_set.hpp"
 
-namespace cognate::synthesis::nine_point {
+namespace cognate::synthesis::nine_point::nine_point_equations_test {
 namespace {
 
 using Extended = std::complex<long double>;
@@ -135,4 +135,4 @@ TEST(NinePointEquations, CorrectionsAndConditionsAreThoseOfTheDenseSystem) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::nine_point
+}  // namespace cognate::synthesis::nine_point::nine_point_equations_test

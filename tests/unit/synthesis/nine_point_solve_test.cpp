@@ -15,7 +15,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::nine_point_solve_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -293,4 +293,4 @@ TEST(NinePointSolve, SendsFourTripletsToInfinityForFourCollinearPoints) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::nine_point_solve_test

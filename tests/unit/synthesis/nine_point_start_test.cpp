@@ -13,7 +13,7 @@
 #include "synthesis/exact/nine_point/start_cache.hpp"
 #include "synthesis/exact/nine_point/start_set.hpp"
 
-namespace cognate::synthesis::nine_point {
+namespace cognate::synthesis::nine_point::nine_point_start_test {
 namespace {
 
 bool same_bits(const std::vector<Pair>& a, const std::vector<Pair>& b) {
@@ -164,4 +164,4 @@ TEST_F(StartFile, IsWrittenAndThenRead) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::nine_point
+}  // namespace cognate::synthesis::nine_point::nine_point_start_test

@@ -17,7 +17,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/bounds/box_quadratic.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::path_bound_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -366,4 +366,4 @@ TEST(PathBound, LeastOfAQuadraticOverTheBox) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::path_bound_test

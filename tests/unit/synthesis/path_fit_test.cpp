@@ -12,7 +12,7 @@
 #include "problems/path/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::path_fit_test {
 namespace {
 
 using synthesis::PathFitOptions;
@@ -217,4 +217,4 @@ TEST(PathFit, SaysWhereALinkageDoesNotClose) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::path_fit_test

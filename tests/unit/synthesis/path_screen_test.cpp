@@ -11,7 +11,7 @@
 
 #include "analysis/linkage/motion.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::path_screen_test {
 namespace {
 
 /// A target with everything free, at crank increments 0, 0.5, 1, …, moved to its centroid.
@@ -130,4 +130,4 @@ TEST(PathScreen, AgreesWithDenseLeastSquares) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::path_screen_test

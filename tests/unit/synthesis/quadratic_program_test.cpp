@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::quadratic_program_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -124,4 +124,4 @@ TEST(QuadraticProgram, SaysWhenTheHessianIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::quadratic_program_test

@@ -9,7 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::quick_return_rocker_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -373,4 +373,4 @@ TEST(QuickReturnRocker, RefusesPivotsWithTheLimitsOnTwoCircuits) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::quick_return_rocker_test

@@ -11,7 +11,7 @@
 #include "synthesis/exact/quick_return/shaper.hpp"
 #include "synthesis/exact/quick_return/slider.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::quick_return_slider_test {
 namespace {
 
 constexpr double pi = kPi;
@@ -167,4 +167,4 @@ TEST(QuickReturnShaper, Refusals) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::quick_return_slider_test

@@ -14,7 +14,7 @@
 #include "synthesis/exact/motion/three_poses.hpp"
 #include "synthesis/exact/motion/two_poses.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::relative_motion_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -166,4 +166,4 @@ TEST(RelativeMotion, NamesWhatIsNoFourBar) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::relative_motion_test

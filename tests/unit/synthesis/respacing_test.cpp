@@ -11,7 +11,7 @@
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::respacing_test {
 namespace {
 
 constexpr double degree = kPi / 180;
@@ -179,4 +179,4 @@ TEST(Respacing, Refusals) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::respacing_test

@@ -9,7 +9,7 @@
 #include "synthesis/search/pareto_front.hpp"
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::search_front_test {
 namespace {
 
 constexpr double kApart = 4;
@@ -118,4 +118,4 @@ TEST(ModelInfeasibility, GivesUpWhenTimeIsUp) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::search_front_test

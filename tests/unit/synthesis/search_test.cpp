@@ -14,7 +14,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::search_test {
 namespace {
 
 /// Himmelblau's function: four minima of value 0 (Himmelblau 1972).
@@ -351,4 +351,4 @@ TEST(Search, EstimatesWhatItHasNotSeen) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::search_test

@@ -11,7 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/planted_generators.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::slider_crank_function_test {
 namespace {
 
 using test::PlantedSliderCrank;
@@ -137,4 +137,4 @@ TEST(SliderCrankFunction, NamesWhatIsNoSliderCrank) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::slider_crank_function_test

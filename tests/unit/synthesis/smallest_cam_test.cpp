@@ -8,7 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "tests/support/cam_problems.hpp"
 
-namespace cognate {
+namespace cognate::smallest_cam_test {
 namespace {
 
 using cam::ArmSide;
@@ -403,4 +403,4 @@ TEST(SmallestOscillating, LittleSwingIsATranslatingFollower) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::smallest_cam_test

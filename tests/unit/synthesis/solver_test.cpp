@@ -12,7 +12,7 @@
 
 #include "tests/support/optimisation_problems.hpp"
 
-namespace cognate::synthesis::testing {
+namespace cognate::synthesis::testing::solver_test {
 namespace {
 
 /// Each but `automatic`, which is one of the others.
@@ -351,4 +351,4 @@ TEST(Ipopt, ServesTwoThreadsAtOnce) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis::testing
+}  // namespace cognate::synthesis::testing::solver_test

@@ -3,6 +3,8 @@
 import { breakable, byId, element, fact } from "../dom.js";
 import { factName, factRows } from "../fact_text.js";
 import { degrees, number, sentence } from "../format.js";
+import { isOfComputation, showMore } from "../meaning.js";
+import { errorText } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
 import { say, term } from "../words.js";
 import { landmarkColour } from "./sheets.js";
@@ -13,9 +15,11 @@ export function showFacts(facts, drive, mechanism) {
   const range = say("range.to", { from: `${number(drive.from, 6)}${unit}`, to: `${number(drive.to, 6)}${unit}` });
   const speed = drive.kind === "slider" ? `${number(drive.speed, 5)} ${say("unit.speed")}` : `${number(drive.speed * RADIANS, 5)} rad/s`;
   byId("facts-list").replaceChildren(
-    ...[...factRows(facts)].flatMap(([key, { text = "", place, exact }]) =>
+    ...[...factRows(facts.filter(({ name }) => !isOfComputation(name)))].flatMap(([key, { text = "", place, exact }]) =>
       fact(factName(key), place ? say("fact.at", { value: text, place }).trim() : text, typeof exact === "number" ? String(exact) : undefined)),
     ...fact(say("facts.drive", { name: term(drive.name) }), range), ...fact(say("facts.drive_speed"), speed), ...fact(say("facts.moving_bodies"), String(mechanism.bodies.length - 1)));
+  // Residuals are relative: of a size of one.
+  showMore(byId("facts"), facts.filter(({ name }) => isOfComputation(name)).map(({ name, value }) => [name, factName(name), errorText(value, 1, (x) => number(x, 3)), value]));
 }
 
 // A row for each landmark; its button goes there.

@@ -11,12 +11,15 @@ import { Ghost, GHOSTS } from "../ghosts.js";
 import { showHead, showNotes, showWork } from "../head.js";
 import { jointsOf } from "../joints.js";
 import { Kernel } from "../kernel.js";
+import { Loads } from "../loads.js";
 import { Mechanism } from "../mechanism.js";
-import { ARROWS, MechanismScene, NO_TABLE } from "../mechanism_scene.js";
+import { ARROWS, MechanismScene } from "../mechanism_scene.js";
 import { RADIANS } from "../sampling.js";
 import { legendItem } from "../shapes.js";
+import { filmed, Saves } from "../saves.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
+import { TracedPoints } from "../traced.js";
 import { Vectors } from "../vectors.js";
 import { say, term } from "../words.js";
 import { Zoom } from "../zoom.js";
@@ -24,29 +27,35 @@ import { showFacts, showLandmarks, Values } from "./facts.js";
 import { Loci, lociSheets } from "./loci.js";
 import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
 import { partName, Table } from "./table.js";
-import { MechanismEditor } from "../edit/mechanism_editor.js";
-import { isEditable } from "../edit/mechanism_model.js";
+import { AnalysisEditor } from "../edit/analysis_editor.js";
+import { markOriginal, offerNoEdit } from "../original.js";
+import { showProblem } from "../problem.js";
 
 const data = JSON.parse(embedded("data"));
-const { result, drive: driving } = data;
-const angular = driving.kind !== "slider";
-const analysed = new Mechanism(data.mechanism, driving);
-let mechanism = analysed;
-const table = new Table(data.table, data.vectors, data.normals);
-const landmarks = data.landmarks.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: mechanism.within(l.drive) }));
+const { result } = data;
+const angular = data.drive.kind !== "slider";
+let { driving, mechanism, table, landmarks } = take(data);
 const state = { drive: mechanism.start, parts: new Set() };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
-const extras = new Extras(byId("extras"), [new Trace(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+const traced = new TracedPoints(byId("picture"), byId("ghosts"), () => extras.toggle(traced, traced.points.length > 0));
+const extras = new Extras(byId("extras"), [new Trace(), traced, new Loads(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
-const colours = partColours(table, scene);
+let colours = partColours(table, scene);
 const curves = new Curves(byId("plots"), (drive) => goTo(drive, true), (drive) => extras.point(drive));
 const loci = new Loci(byId("loci-plots"), table);
 const values = new Values(table);
 const controls = new Controls((seconds) => goTo(controls.player.next(state.drive, [mechanism.from, mechanism.to, mechanism.round], seconds)),
   (sense, large) => goTo(state.drive + sense * (large ? 10 : 1) * (angular ? 1 : (mechanism.to - mechanism.from) / 360), true));
 controls.player.pace = angular ? 60 : (mechanism.to - mechanism.from) / 4;
+
+// What is drawn of an analysis.
+function take({ drive, mechanism: motion, table: rows, vectors, normals, loads = [], landmarks: places }) {
+  const moved = new Mechanism(motion, drive);
+  return { driving: drive, mechanism: moved, table: new Table(rows, vectors, normals, loads),
+    landmarks: places.filter((l) => l.drive !== null).map((l) => ({ ...l, drive: moved.within(l.drive) })) };
+}
 
 // Arrows that follow from the motion alone, where the table holds none.
 function missingVectors() {
@@ -65,6 +74,7 @@ function goTo(drive, byHand = false) {
   state.drive = mechanism.within(drive);
   scene.move(state.drive);
   extras.move(state.drive);
+  traced.see(scene, state.drive);
   editor?.place(scene.view);
   curves.move(state.drive);
   loci.move(state.drive);
@@ -148,14 +158,39 @@ function drawScene() {
   goTo(state.drive);
 }
 
-// Draws another mechanism in place of the one analysed, which null brings back; its arrows and
-// centrodes are of the table.
-function showMechanism(shown, drive) {
+// A motion alone in the place of the one analysed, while it changes.
+function showMotion(moved, drive) {
   controls.play(false);
-  mechanism = shown ?? analysed;
-  state.drive = drive;
-  Object.assign(scene, { mechanism }, shown ? { table: NO_TABLE, arrows: [] } : { table, arrows: scene.analysedArrows });
+  mechanism = moved;
+  state.drive = moved.within(drive);
+  scene.adopt(moved);
+  scene.jointsAt = jointsOf(moved, result.problem.mechanism);
   drawScene();
+}
+
+// An edited analysis with everything that follows from it; that of the file for null.
+function showAnalysis(edited, problem, drive) {
+  controls.play(false);
+  ({ driving, mechanism, table, landmarks } = take(edited ?? data));
+  state.drive = mechanism.within(drive);
+  scene.adopt(mechanism, table);
+  scene.jointsAt = jointsOf(mechanism, problem.mechanism);
+  colours = partColours(table, scene);
+  for (const follower of [loci, values]) follower.table = table;
+  set(byId("drive"), { min: mechanism.from, max: mechanism.to });
+  showProblem(problem, say("kind.analysis"));
+  showAll(edited ?? data, (edited ?? result).notes);
+  markOriginal(["work"], Boolean(edited));
+  drawScene();
+  choose(new Set(table.parts.filter((part) => state.parts.has(part))));
+}
+
+// What is said of the analysis shown.
+function showAll({ facts }, notes = []) {
+  showNotes(notes, result.warnings);
+  showFacts(facts, driving, mechanism);
+  showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
+  showLegend();
 }
 
 function listen() {
@@ -163,24 +198,23 @@ function listen() {
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.drive; goTo(filmed([mechanism.from, mechanism.to, mechanism.round], share), true); }, back: () => goTo(stood) });
 }
 
-scene.analysedArrows = scene.arrows;
-const editor = Kernel.available && isEditable(result.problem?.mechanism) && mechanism.closes
-  ? new MechanismEditor({ problem: result.problem, driving, drawn: data.mechanism, drive: () => state.drive, show: showMechanism }) : null;
+const editor = Kernel.available && result.problem?.mechanism && mechanism.closes
+  ? new AnalysisEditor({ problem: result.problem, driving: () => driving, drive: () => state.drive, mechanism: () => mechanism, show: showAnalysis, move: showMotion }) : null;
+if (!editor && mechanism.closes) offerNoEdit(say("edit.too_large"));
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
-showNotes(result.notes ?? []);
 showWork(result.work);
-showFacts(data.facts, driving, mechanism);
+showAll(data, result.notes);
 followTheme(() => curves.redraw());
 if (!result.analysis?.columns) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));
 byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", table.csv));
 if (table.thinned) byId("save-table").textContent = say("values.save_drawn", { n: table.drawn });
-showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
-showLegend();
 showParts();
 scene.build();
 extras.rebuilt(scene);

@@ -34,10 +34,11 @@ export function partName(name) {
 }
 
 export class Table {
-  constructor({ rows, drive, columns }, vectors, normals) {
+  // `loads`: what acts from outside, row by row where it does not always.
+  constructor({ rows, drive, columns }, vectors, normals, loads) {
     const rising = drive.length < 2 || drive.at(-1) >= drive[0];
     const turned = (list) => (rising ? list : [...list].reverse());
-    Object.assign(this, { rows, drawn: drive.length, drive: turned(drive), vectors, normals });
+    Object.assign(this, { rows, drawn: drive.length, drive: turned(drive), vectors, normals, loads: loads.map((load) => (load.acts ? { ...load, acts: turned(load.acts) } : load)) });
     this.columns = columns.map((column, index) => ({ ...column, index, label: columnLabel(column), written: turned(column.values) }));
     this.#hush();
     for (const column of this.columns) [column.least, column.greatest] = extremes(column.values);

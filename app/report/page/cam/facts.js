@@ -3,6 +3,7 @@
 import { headRow } from "../checks.js";
 import { byId, element, fact } from "../dom.js";
 import { degrees, degreesShort, number, sentence } from "../format.js";
+import { keyName, unitOfKey } from "../problem.js";
 import { extremes, interpolate, locate } from "../sampling.js";
 import { say, sentenceOf, term } from "../words.js";
 import { JUMPS, STROKE_COLOURS } from "./sheets.js";
@@ -46,7 +47,7 @@ export const camMetrics = (metrics) => metrics.map((metric) => (metric.name === 
 function showProof(proof, kind) {
   byId("proof").hidden = !proof;
   if (!proof) return;
-  const limit = ({ deg, limit: key, bound }) => say("proof.limit", { limit: key, bound: number(bound, 6), angle: degrees(deg) });
+  const limit = ({ deg, limit: key, bound }) => say("proof.limit", { limit: keyName(key, "constraints"), bound: number(bound, 6) + unitOfKey(key, "constraints"), angle: degrees(deg) });
   const { base_radius: radius, within, positions } = proof;
   const key = within ? (positions.length ? "proof.within_where" : "proof.within") : positions.length ? "proof.where" : "proof.text";
   byId("proof").textContent = say(key, { n: positions.length, name: say(`cam.${radiusKey(kind)}`).toLowerCase(), radius: number(radius, 7), within: within && sentenceOf(within), list: positions.map(limit).join(say("list.and")) });

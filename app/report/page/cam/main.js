@@ -8,8 +8,10 @@ import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, duration, fixed } from "../format.js";
-import { showHead, showNotes, showWork } from "../head.js";
+import { showHead, showNotes, showWarnings, showWork } from "../head.js";
+import { Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
+import { offerNoEdit } from "../original.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
 import { say, sentenceOf } from "../words.js";
@@ -85,6 +87,7 @@ function choose(index) {
   showMetrics(camMetrics(design.drawn.metrics));
   showChecks(design.drawn.constraints);
   showSegments(design, (deg) => goTo(deg, true));
+  showWarnings(result.designs?.[index]);
   document.querySelector("[data-layer=base]").textContent = circleName(design.kind);
   byId("rates").hidden = !design.drawn.speed;
   if (!design.drawn.speed) state.byTime = false;
@@ -133,12 +136,15 @@ function listen() {
   byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", camCsv(current())));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.deg; goTo(359.999 * share, true); }, back: () => goTo(stood) });
 }
 
+offerNoEdit(say("edit.by_file"));
 showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) }),
   [say("count.designs", { n: designs.length }), designs.length ? radiusText(designs[0].kind, designs[0].drawn.dimensions.base_radius, 6) : "", result.work ? duration(result.work.seconds) : ""],
   say("head.keys_cam"));
-showNotes(result.notes ?? []);
+showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 followTheme(() => curves.redraw());
 if (result.problem && !result.problem.motion) byId("save").textContent = say("save.without_motion");

@@ -4,26 +4,43 @@ import { byId, element, fact } from "../dom.js";
 import { factName, factRows } from "../fact_text.js";
 import { degrees, degreesShort, duration, number, sentence } from "../format.js";
 import { showHead } from "../head.js";
+import { isOfComputation, showMore } from "../meaning.js";
+import { errorText, sizeOf, withoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
 import { LENGTH_UNIT, knows, say, term } from "../words.js";
-import { ERRORS, isSearched, originText, straightLength } from "./table.js";
+import { ERRORS, isExact, isSearched, originText, straightLength } from "./table.js";
 
-const units = (x, digits = 7) => element("span", { title: `${x}` }, `${number(x, digits)}`);
+const units = (x, size) => element("span", { title: String(withoutRounding(x, size)) }, number(x, 7));
 const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
 
-export function showDimensions({ entry: { mechanism } }) {
-  const rows = mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism);
-  byId("dimensions-list").replaceChildren(...rows, ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
+// `pinned`: a design whose values stand beside those of the one shown, or null.
+export function showDimensions(design, pinned = null) {
+  byId("dimensions-list").replaceChildren(...beside(dimensionRows(design), pinned && dimensionRows(pinned)), ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
+}
+
+const dimensionRows = ({ entry: { mechanism } }) => (mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism));
+
+// Pairs of a list, each with the value that another list has under its name where that is another one.
+function beside(pairs, others) {
+  if (!others) return pairs;
+  const known = new Map(Array.from({ length: others.length / 2 }, (_, i) => [others[2 * i].textContent, others[2 * i + 1].textContent]));
+  for (let i = 0; i < pairs.length; i += 2) {
+    const other = known.get(pairs[i].textContent);
+    if (other !== undefined && other !== pairs[i + 1].textContent) pairs[i + 1].prepend(element("span", { class: "beside" }, other));
+  }
+  return pairs;
 }
 
 function linkageRows(m) {
+  const size = sizeOf(m);
+  const exactly = (point) => point.map((x) => withoutRounding(x, size)).join(", ");
   const [a, d] = m.fixed_pivots;
   const [dx, dy] = [d[0] - a[0], d[1] - a[1]];
   return [
-    ...fact(say("dimensions.crank"), units(m.crank)), ...fact(say("dimensions.coupler"), units(m.coupler)), ...fact(say("dimensions.rocker"), units(m.rocker)),
-    ...fact(say("dimensions.frame"), units(Math.hypot(dx, dy))), ...fact(say("dimensions.frame_angle"), degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
-    ...fact(say("dimensions.pivot", { name: "A" }), pointText(a), a.join(", ")), ...fact(say("dimensions.pivot", { name: "D" }), pointText(d), d.join(", ")),
-    ...(m.coupler_point ? fact(say("dimensions.coupler_point"), pointText(m.coupler_point), m.coupler_point.join(", ")) : []),
+    ...fact(say("dimensions.crank"), units(m.crank, size)), ...fact(say("dimensions.coupler"), units(m.coupler, size)), ...fact(say("dimensions.rocker"), units(m.rocker, size)),
+    ...fact(say("dimensions.frame"), units(Math.hypot(dx, dy), size)), ...fact(say("dimensions.frame_angle"), degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
+    ...fact(say("dimensions.pivot", { name: "A" }), pointText(a), exactly(a)), ...fact(say("dimensions.pivot", { name: "D" }), pointText(d), exactly(d)),
+    ...(m.coupler_point ? fact(say("dimensions.coupler_point"), pointText(m.coupler_point), exactly(m.coupler_point)) : []),
     ...fact(say("dimensions.assembly"), term(m.assembly))];
 }
 
@@ -62,37 +79,49 @@ function otherMetrics(metrics) {
 const factPairs = (facts) => [...factRows(facts)].flatMap(([key, { text = "", place, exact }]) =>
   fact(factName(key), place ? say("fact.at", { value: text, place }).trim() : text, typeof exact === "number" ? String(exact) : undefined));
 
-function errorRows(error, kind) {
+function errorRows({ error, mechanism }, kind) {
   if (!ERRORS[kind]) return [];
+  if (!error) return fact(say("qualities.largest"), say("edit.unmet"));
+  if (isExact({ error, mechanism })) return fact(say("qualities.largest"), say("rounding.exact"), String(error.max_deg ?? error.max));
   const angular = error.max_deg !== undefined;
+  const length = (value) => `${number(value, 6)} ${LENGTH_UNIT ?? ""}`.trim();
   return [
-    ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 10)}${angular ? " rad²" : ""}`, String(error.sum_of_squares)),
-    ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : number(error.rms, 6), String(angular ? error.rms_deg : error.rms)),
-    ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : number(error.max, 6), String(angular ? error.max_deg : error.max))];
+    ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : length(error.max), String(angular ? error.max_deg : error.max)),
+    ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : length(error.rms), String(angular ? error.rms_deg : error.rms)),
+    ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 7)}${angular ? " rad²" : LENGTH_UNIT ? ` ${LENGTH_UNIT}²` : ""}`, String(error.sum_of_squares))];
 }
 
-export function showQualities({ entry }, kind) {
-  const { error, metrics } = entry;
+export function showQualities(design, kind, pinned = null) {
+  byId("qualities-list").replaceChildren(...beside(qualityRows(design, kind), pinned && qualityRows(pinned, kind)));
+  const { entry, entry: { metrics } } = design;
+  showMore(byId("qualities"), [...computed("precision_residual", say("qualities.residual"), metrics, (v) => errorText(v, 1, (x) => number(x, 3))),
+    ...computed("condition", say("qualities.condition"), metrics, (v) => number(v, 3)), ["found_by", say("qualities.found_by"), originText(entry)]]);
+}
+
+function qualityRows({ entry, transmissionOfPart }, kind) {
+  const { metrics } = entry;
   const t = metrics.transmission_angle_deg?.max > 0 ? metrics.transmission_angle_deg : null;
   const optional = (name, value, text) => (value === undefined || value === null ? [] : fact(name, text(value)));
-  byId("qualities-list").replaceChildren(
-    ...errorRows(error, kind),
+  return [...errorRows(entry, kind),
     ...optional(say("designs.class"), metrics.class, (name) => (metrics.change_point ? say("qualities.change_point", { name: term(name) }) : term(name))),
-    ...(t ? [...fact(say("qualities.transmission"), say("range.to", { from: degrees(t.min), to: degrees(t.max) })), ...fact(say("qualities.least_acute"), degrees(t.acute_min))] : []),
+    ...(t ? [...fact(say(transmissionOfPart ? "qualities.transmission_used" : "qualities.transmission"), say("range.to", { from: degrees(t.min), to: degrees(t.max) })), ...fact(say("qualities.least_acute"), degrees(t.acute_min))] : []),
     ...optional(say("designs.time_ratio"), metrics.time_ratio, (v) => number(v, 6)),
     ...fact(say("qualities.defects"), metrics.defects?.length ? metrics.defects.map(term).join(say("list.comma")) : say("qualities.no_defects")),
     ...optional(say("qualities.input_start"), metrics.input_start_deg, (v) => degreesShort(v, 8)),
     ...optional(say("qualities.output_start"), metrics.output_start_deg, (v) => degreesShort(v, 8)),
-    ...optional(say("qualities.residual"), metrics.precision_residual, (v) => number(v, 3)),
-    ...optional(say("qualities.condition"), metrics.condition, (v) => number(v, 3)),
-    ...otherMetrics(metrics),
-    ...fact(say("qualities.found_by"), originText(entry)));
+    ...otherMetrics(metrics)];
 }
+
+const computed = (key, name, metrics, show) => (metrics[key] === undefined || metrics[key] === null ? [] : [[key, name, show(metrics[key]), metrics[key]]]);
 
 // What the synthesis tells of itself as a whole.
 export function showFindings(facts) {
-  const pairs = factPairs(flatMetrics(facts ?? {}).map(([name, value]) => ({ name, value })));
-  byId("findings").hidden = pairs.length === 0;
+  const all = flatMetrics(facts ?? {}).map(([name, value]) => ({ name, value }));
+  const pairs = factPairs(all.filter(({ name }) => !isOfComputation(name)));
+  const rows = all.filter(({ name }) => isOfComputation(name)).map(({ name, value }) => [name, factName(name), typeof value === "number" ? number(value, 4) : String(value), value]);
+  byId("findings").hidden = all.length === 0;
+  showMore(byId("findings"), rows);
+  byId("problem").after(byId("findings"));
   byId("findings-list").replaceChildren(...Array.from({ length: pairs.length / 2 }, (_, i) => element("div", {}, pairs[2 * i], pairs[2 * i + 1])));
 }
 
@@ -103,6 +132,7 @@ function bestText(best, kind) {
     return say("best.straight_searched", { deviation: number(best.metrics.deviation_relative, 3), length: number(best.metrics.straight_length, 4) });
   }
   if (kind === "straight-line") return say("best.straight", { length: straightLength(best) });
+  if (ERRORS[kind] && isExact(best)) return say("best.exact");
   return ERRORS[kind] ? say(`best.${kind}`, { value: ERRORS[kind].text(best) }) : "";
 }
 

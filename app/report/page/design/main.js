@@ -9,11 +9,14 @@ import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, fixed, number, sentence } from "../format.js";
 import { Ghost, GHOSTS } from "../ghosts.js";
-import { certificateNote, showNotes, showWork } from "../head.js";
+import { certificateNote, showNotes, showWarnings, showWork } from "../head.js";
 import { Kernel } from "../kernel.js";
 import { legendItem } from "../shapes.js";
+import { Pinned } from "../pinned.js";
+import { filmed, Saves } from "../saves.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
+import { TracedPoints } from "../traced.js";
 import { Vectors } from "../vectors.js";
 import { language, say, sentenceOf } from "../words.js";
 import { Zoom } from "../zoom.js";
@@ -21,6 +24,7 @@ import { locusColour } from "./backdrop.js";
 import { showDesignHead, showDimensions, showFindings, showQualities } from "./facts.js";
 import { Families } from "./families.js";
 import { bestFraming } from "./framing.js";
+import { Front } from "./front.js";
 import { Lens } from "./lens.js";
 import { MechanismDesign } from "./mechanism_design.js";
 import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
@@ -60,6 +64,7 @@ function turnTo(crank, byHand = false) {
   design.crank = state.crank;
   scene.move(design.moved(state.crank));
   extras.move(state.crank);
+  traced.see(scene, state.crank);
   editor?.place(scene.view, design.moved(state.crank));
   curves.move(state.crank);
   const slider = byId("crank");
@@ -132,9 +137,8 @@ function choose(index) {
   const design = current();
   table.choose(index);
   families.choose(index);
-  showDimensions(design);
-  showQualities(design, kind);
-  showChecks(design.entry.constraints ?? []);
+  front.choose(index);
+  follow(design);
   scene?.remove();
   scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
   setDrive(design);
@@ -146,6 +150,21 @@ function choose(index) {
   byId("curves").hidden = !design.assembles;
   state.crank = design.crank;
   drawScene();
+}
+
+// The design shown, to be kept in the picture.
+function present() {
+  const design = current();
+  return { of: design, name: say("pin.design", { n: state.index + 1 }), at: (drive) => design.outlineAt(drive) };
+}
+
+// What is said of a design.
+function follow(design) {
+  const other = pinned?.design?.of ?? null;
+  showDimensions(design, other);
+  showQualities(design, kind, other);
+  showChecks(design.entry.constraints ?? []);
+  showWarnings(design.entry);
 }
 
 // Everything that is drawn of a design, once it has been changed.
@@ -173,22 +192,31 @@ function listen() {
   });
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.crank; turnTo(filmed(current().played, share), true); }, back: () => turnTo(stood) });
 }
 
 const notes = byId("ghosts");
-const extras = new Extras(byId("extras"), [new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
+const pinned = designs.length > 1 || Kernel.available ? new Pinned(document.querySelector("#stage .card-head"), present, (on) => {
+  extras.toggle(pinned, on);
+  follow(current());
+}) : null;
+const traced = new TracedPoints(byId("picture"), notes, () => extras.toggle(traced, traced.points.length > 0));
+const extras = new Extras(byId("extras"), [...(pinned ? [pinned] : []), traced, new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
-const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign,
+const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign, follow,
   redraw: (crank) => redrawAt(crank ?? state.crank) }) : null;
 let table = null;
 let families = null;
+let front = null;
 showDesignHead(result, kind);
-showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])]);
+showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])], result.warnings);
+byId("families").after(byId("problem"));
 showFindings(result.facts);
 showWork(result.work);
-followTheme(() => { curves.redraw(); families?.redraw(); });
+followTheme(() => { curves.redraw(); families?.redraw(); if (front?.shown) front.draw(); });
 if (loci.length && !result.loci) byId("save").textContent = say("save.without_curves");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
@@ -197,7 +225,8 @@ if (designs.length === 0) {
 } else {
   byId("choice-count").textContent = designs.length > 1 ? say("designs.choose") : "";
   table = new DesignTable(designs, kind, choose);
-  families = new Families(data.families ?? [], result.designs, choose);
+  front = new Front(result.problem?.solve?.objectives ?? [], result.designs, choose);
+  families = new Families((data.families ?? []).filter(({ name }) => !front.shown || name !== "Pareto front"), result.designs, choose);
   showLoci();
   choose(0);
   listen();

@@ -85,6 +85,13 @@ export class MechanismDesign {
 
   moved(drive) { return drive; }
 
+  // Its bodies and its curve in the plane, for a picture of another design.
+  outlineAt(drive) {
+    const places = this.mechanism.places(this.within(drive));
+    const lines = this.mechanism.bodies.flatMap(({ outline }, i) => (i && places[i] && outline.length > 1 ? [outline.map((at) => Mechanism.point(places[i], at))] : []));
+    return { lines, curve: this.point?.path ?? [] };
+  }
+
   readout(drive) {
     const at = this.angular ? degrees(drive, 1) : number(drive, 5);
     const output = this.outputTurns ? degrees(this.outputAt(drive), 1) : number(this.outputAt(drive), 5);

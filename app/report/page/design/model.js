@@ -62,12 +62,34 @@ export class Design {
   }
 
   get assembles() { return this.linkage.assembles; }
+
+  // Extremes of the transmission angle over the motion drawn.
+  get transmissionDrawn() {
+    const all = this.linkage.poses.map((pose) => pose.transmission);
+    return [Math.min(...all), Math.max(...all)];
+  }
+
+  // Those over the part of the motion that is used, where they are others than those of all that is drawn.
+  get transmissionOfPart() {
+    const used = this.entry.metrics.transmission_angle_deg;
+    if (!(used?.max > 0)) return null;
+    const [least, greatest] = this.transmissionDrawn;
+    return Math.max(used.min - least, greatest - used.max) > 0.05 ? used : null;
+  }
+
   get angular() { return true; }
   get driveName() { return say("part.crank"); }
   get from() { return this.linkage.from; }
   get to() { return this.linkage.to; }
   within(crank) { return this.linkage.within(crank); }
   pointAt(crank) { return this.linkage.exact(this.linkage.within(crank))?.p ?? null; }
+  // Its links and its curve in the plane, for a picture of another design.
+  outlineAt(crank) {
+    const { a, d, poses, point } = this.linkage;
+    const { b, c, p } = this.linkage.pose(crank);
+    return { lines: [[a, b, c, d], ...(p ? [[b, p, c]] : [])], curve: point ? poses.map((pose) => pose.p) : [] };
+  }
+
   sceneIn(frame, onDrag) { return new Scene(frame, onDrag); }
   moved(crank) { return this.linkage.pose(crank); }
 

@@ -9,6 +9,8 @@ import { say } from "../words.js";
 import { aimsOf } from "./aims.js";
 import { backdropOf, GuidedAxes, targetsOf } from "./backdrop.js";
 
+const LINKS = ["crank", "coupler", "rocker"];
+
 export class Scene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.linkage"), onDrag);
@@ -34,6 +36,11 @@ export class Scene extends Picture {
   }
 
   get drives() { return this.design.linkage.cranks; }
+
+  // Which link a part of the drawing is of, where it stands, and what it is called.
+  bodyOf(part) { return part.classList?.contains("link-body") ? LINKS.findIndex((name) => part.classList.contains(name)) + 1 : undefined; }
+  placeOf(body, crank) { return this.design.linkage.placeOf(body, this.design.linkage.pose(crank)); }
+  nameOf(body) { return say(`part.${LINKS[body - 1]}`); }
   // Places that things of the picture come to.
   get crowd() {
     const { linkage } = this.design;

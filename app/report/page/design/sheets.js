@@ -2,7 +2,9 @@
 
 import { padded, TURN_STEPS } from "../curves.js";
 import { degrees, number, sentence } from "../format.js";
+import { isRounding } from "../rounding.js";
 import { RADIANS, scaled } from "../sampling.js";
+import { diagonal } from "../view.js";
 import { say } from "../words.js";
 
 export function curveSheets(design, limits) {
@@ -53,7 +55,7 @@ export function distanceSheet(design) {
   const rows = design.targets.map((target, i) => ({ crank: design.within(design.stations[i]),
     distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) / enlarged : null }))
     .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
-  if (rows.length === 0) return null;
+  if (rows.length === 0 || isRounding(design.largestError, diagonal(design.boxes.whole))) return null;
   const { values, unit, size } = scaled(rows.map((row) => row.distance), say("unit.length"));
   return { ...overDrive(design), x: rows.map((row) => row.crank), title: say(enlarged === 1 ? "sheet.distance" : "sheet.distance_own", { unit }),
     lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
@@ -86,6 +88,7 @@ const unitVector = (deg) => [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];
 
 function structuralErrorSheet(design) {
   const { trace } = design;
+  if (isRounding(design.largestError, 1 / RADIANS)) return null;
   const byX = trace.x !== null;
   const { values, unit, size } = scaled(trace.error_deg, "°");
   const x = byX ? trace.x : trace.crank_deg;
@@ -103,11 +106,13 @@ function structuralErrorSheet(design) {
 
 function transmissionSheet(design, limits) {
   const values = design.linkage.poses.map((pose) => pose.transmission);
-  const [least, greatest] = [Math.min(...values), Math.max(...values)];
+  const [least, greatest] = design.transmissionDrawn;
   const sheet = { ...overCrank(design), title: say("sheet.transmission"), lines: [{ y: values, colour: "--coupler" }], shades: usedShade(design),
     yRange: limits ? [0, 180] : padded(least, greatest), summary: say("curves.range", { least: degrees(least, 1), greatest: degrees(greatest, 1) }) };
   const range = sentence(sheet.summary);
-  sheet.note = limits ? say("sheet.limits", { range, least: number(limits[0]), greatest: number(limits[1]) }) : say("sheet.no_limits", { range });
+  const told = limits ? say("sheet.limits", { range, least: number(limits[0]), greatest: number(limits[1]) }) : say("sheet.no_limits", { range });
+  const used = design.transmissionOfPart;
+  sheet.note = used ? say("sheet.of_whole_motion", { note: told, least: degrees(used.min, 1), greatest: degrees(used.max, 1) }) : told;
   if (limits) sheet.shades.push({ axis: "y", from: 0, to: limits[0], colour: "--shade" }, { axis: "y", from: limits[1], to: 180, colour: "--shade" });
   return sheet;
 }

@@ -3,16 +3,22 @@
 import { markOf } from "../checks.js";
 import { byId, element } from "../dom.js";
 import { degreesShort, fixed, number } from "../format.js";
+import { isRounding, sizeOf } from "../rounding.js";
 import { say, sentenceOf, term } from "../words.js";
 
 // The largest error: of an angle in degrees, of a slider as a length.
 const largestText = (error, digits) => (error.max_deg === undefined ? number(error.max, digits) : degreesShort(error.max_deg, digits));
 
+// Whether nothing but rounding parts a design from its targets.
+export const isExact = ({ error, mechanism }) => (error.max_deg === undefined ? isRounding(error.max, sizeOf(mechanism)) : isRounding(error.max_deg, 180 / Math.PI));
+
+const unlessExact = (show) => (entry) => (isExact(entry) ? say("rounding.exact_short") : show(entry));
+
 // What errors are called where designs are of one kind of problem; none where it has no targets.
 export const ERRORS = {
   function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
   dwell: { name: say("designs.half_band"), text: ({ error }) => largestText(error, 4) },
-  path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5) },
+  path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5), value: ({ error }) => error.sum_of_squares },
   motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };
 
@@ -35,7 +41,7 @@ function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];
   const searched = kind === "straight-line" && entries.some(isSearched);
   return [
-    ...(searched ? SEARCHED : first ? [{ ...first, kind: "number" }] : []),
+    ...(searched ? SEARCHED : first ? [{ ...first, ...(ERRORS[kind] ? { text: unlessExact(first.text), sort: first.value ?? (({ error }) => error.max_deg ?? error.max) } : {}), kind: "number" }] : []),
     { name: say(entries.every(isFourBar) ? "designs.class" : "designs.type"), text: classText, kind: "class" },
     { name: say("designs.transmission"), text: (d) => transmissionText(d), kind: "number" },
     { name: "K", title: say("designs.time_ratio"), text: (d) => number(d.metrics.time_ratio, 4), kind: "number wide" },
@@ -59,6 +65,8 @@ function faults(d) {
   return [...defects.map(term), ...(checks ? [say("designs.missed", { n: checks })] : [])].join(say("list.comma"));
 }
 
+const warningMark = ({ warnings = [] }) => (warnings.length ? [" ", element("span", { class: "mark warn-mark", title: warnings.map(sentenceOf).join("\n") }, "⚠")] : []);
+
 export class DesignTable {
   constructor(designs, kind, onChoose) {
     const columns = designColumns(kind, designs.map((design) => design.entry));
@@ -74,8 +82,8 @@ export class DesignTable {
   #row(entry, index, columns, onChoose) {
     const radio = element("input", { type: "radio", name: "design", id: `design-${index}`, value: index });
     radio.addEventListener("change", () => onChoose(index));
-    const cells = columns.map((c) => element("td", { class: c.kind ?? "" },
-      c.mark ? markOf(c.mark(entry)) : c.text(entry)));
+    const cells = columns.map((c) => element("td", { class: c.kind ?? "", ...(c.sort ? { "data-sort": c.sort(entry) } : {}) },
+      ...(c.mark ? [markOf(c.mark(entry)), ...warningMark(entry)] : [c.text(entry)])));
     const number = element("td", { rowspan: 2 }, element("label", { for: radio.id }, radio, String(index + 1)));
     const row = element("tbody", {}, element("tr", { class: "main" }, number, ...cells),
       element("tr", {}, element("td", { class: "origin", colspan: columns.length }, originText(entry))));

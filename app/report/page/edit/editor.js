@@ -6,20 +6,23 @@ import { Kernel } from "../kernel.js";
 import { RADIANS } from "../sampling.js";
 import { say } from "../words.js";
 import { Design } from "../design/model.js";
+import { tableWithoutRounding } from "../rounding.js";
 import { brokenText } from "./broken.js";
+import { editedFile } from "./edited_file.js";
 import { measureOf } from "./errors.js";
 import { FOUR_BAR_JOINTS, fourBarFields } from "./four_bar.js";
+import { checkOf } from "./checks.js";
 import { History } from "./history.js";
+import { markOriginal } from "../original.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
 import { checkRow, editRows } from "./rows.js";
-import { analysisToml } from "../toml.js";
 
 const EDIT_SAMPLES = 241;
 
 export class Editor {
-  // `page`: problem, target, limits, crank() in degrees, redraw(crank) of the picture, and
-  // settle() of what is drawn once a change is done.
+  // `page`: problem, target, limits, crank() in degrees, redraw(crank) of the picture, follow(design) of what is
+  // said of it, and settle() of what is drawn once a change is done.
   constructor(page) {
     this.page = page;
     this.toggle = element("button", { type: "button", class: "edit-toggle", "aria-pressed": "false", title: say("edit.toggle.title") }, say("edit.toggle"));
@@ -33,7 +36,9 @@ export class Editor {
   choose(design, drawn) {
     if (this.open) this.close(false);
     Object.assign(this, { found: design, drawn });
-    this.toggle.hidden = !(design.entry.mechanism.type === "four-bar" && design.assembles);
+    const editable = design.entry.mechanism.type === "four-bar" && design.assembles;
+    this.toggle.disabled = !editable;
+    this.toggle.title = say(editable ? "edit.toggle.title" : "edit.not_here");
   }
 
   async begin() {
@@ -41,7 +46,7 @@ export class Editor {
     if (this.open) return;
     const { entry } = this.found;
     const { input_start_deg: input, output_start_deg: output } = entry.metrics;
-    const first = { mechanism: entry.mechanism, starts: input === undefined ? null : { input, output } };
+    const first = withoutNoise({ mechanism: entry.mechanism, starts: input === undefined ? null : { input_deg: input, output_deg: output } });
     this.measure = measureOf(this.page.problem, this.page.target, entry, this.drawn);
     this.history = new History(first);
     this.before = this.#evaluate(first);
@@ -60,12 +65,15 @@ export class Editor {
     this.overlay.remove();
     Object.assign(this, { panel: undefined, overlay: undefined, shown: undefined });
     this.#press(false);
-    if (redraw) this.page.settle();
+    if (!redraw) return;
+    this.page.follow(this.found);
+    this.page.settle();
   }
 
   #press(on) {
     this.toggle.setAttribute("aria-pressed", String(on));
     byId("main").classList.toggle("editing", on);
+    markOriginal(["choice", "notes", "families", "findings", "work"], on);
   }
 
   // What the kernel says of a state; null where its links cannot be assembled.
@@ -79,11 +87,23 @@ export class Editor {
     if (gap && !facts.defects.includes("circuit")) facts.defects.push("circuit");
     const motion = kernel.motion(stations, EDIT_SAMPLES);
     if (motion.crank_deg.length < 2) return null;
-    const metrics = Object.fromEntries(Object.entries(this.found.entry.metrics).filter(([key]) => /^(body_angle|(in|out)put_start)/.test(key)));
-    const entry = { ...this.found.entry, mechanism, metrics, crank_deg: stations.map((angle) => angle / RADIANS) };
+    const entry = this.#entry({ state, mechanism, facts, error, angular, stations });
     const guided = this.drawn.guided && this.#guided(stations, mechanism);
     const design = new Design(entry, { ...this.drawn, motion, deviation: null, guided, ...drawn }, this.page.target);
     return { state, mechanism, facts, error, angular, motion, design };
+  }
+
+  // The entry of a result that the state would have, as far as the kernel knows it.
+  #entry({ state: { starts }, mechanism, facts, error, angular, stations }) {
+    const { entry } = this.found;
+    const kept = Object.fromEntries(Object.entries(entry.metrics).filter(([key]) => /^body_angle/.test(key)));
+    const constraints = (entry.constraints ?? []).map((check) => {
+      const found = checkOf(check, { mechanism, facts });
+      return { ...check, value: found ? found.value : null, satisfied: found ? found.met : null };
+    });
+    const figures = error && { ...error, ...(angular ? { max_deg: error.max / RADIANS, rms_deg: error.rms / RADIANS } : {}) };
+    return { ...entry, mechanism, constraints, error: figures, warnings: [], crank_deg: stations.map((angle) => angle / RADIANS),
+      metrics: { ...kept, ...metricsOf(facts), ...(starts ? { input_start_deg: starts.input_deg, output_start_deg: starts.output_deg } : {}) } };
   }
 
   // The guided body, where it is the coupler.
@@ -111,6 +131,7 @@ export class Editor {
     const { design, state } = evaluated;
     design.boxes = this.found.boxes;
     this.shown = design;
+    this.page.follow(design);
     this.page.redraw(crank);
     this.panel.show(state, this.history, editRows(this.before, evaluated), (this.found.entry.constraints ?? []).map((check) => checkRow(check, evaluated)));
   }
@@ -133,7 +154,7 @@ export class Editor {
     if (!pose) return;
     const joint = FOUR_BAR_JOINTS[name];
     const crank = joint.moves === "crank" ? Math.atan2(to[1] - mechanism.fixed_pivots[0][1], to[0] - mechanism.fixed_pivots[0][0]) / RADIANS : undefined;
-    this.#try({ ...this.now.state, mechanism: joint.drag(mechanism, pose, to) }, crank);
+    this.#try(withoutNoise({ ...this.now.state, mechanism: joint.drag(mechanism, pose, to) }), crank);
   }
 
   #letGo() {
@@ -172,13 +193,14 @@ export class Editor {
 
   get title() { return say("edit.file.title", { title: this.page.problem.title || say("head.untitled") }); }
 
-  // The linkage as a file for `cognate analyze`, driven as far as it is used.
   get toml() {
-    const { mechanism, facts: { used }, motion } = this.now;
-    const [a, d] = mechanism.fixed_pivots;
-    const frame = Math.atan2(d[1] - a[1], d[0] - a[0]);
-    const inside = 1e-6;
-    const [from, to] = used ? used.map((angle) => (angle + frame) / RADIANS) : [motion.crank_deg[0] + inside, motion.crank_deg.at(-1) - inside];
-    return analysisToml(this.title, mechanism, motion.full_turn && !used ? null : { start_deg: from, end_deg: to, steps: 360 });
+    const { mechanism, starts } = this.now.state;
+    return editedFile(this.page.problem, this.title, mechanism, starts && { input: starts.input_deg, output: starts.output_deg });
   }
 }
+
+const metricsOf = ({ class: name, changePoint, least, greatest, acute, timeRatio, defects }) => ({ class: name, change_point: changePoint, time_ratio: timeRatio, defects,
+  transmission_angle_deg: { min: least / RADIANS, max: greatest / RADIANS, acute_min: acute / RADIANS } });
+
+// A state as it is copied: to twelve digits of its size.
+const withoutNoise = ({ mechanism, starts }) => ({ mechanism: tableWithoutRounding(mechanism), starts: starts && tableWithoutRounding(starts) });

@@ -91,7 +91,7 @@ class FunctionMeasure {
   evaluate(kernel, { mechanism, starts }) {
     const [a, d] = mechanism.fixed_pivots;
     const frame = Math.atan2(d[1] - a[1], d[0] - a[0]);
-    const [input, output] = [frame + starts.input * RADIANS, frame + starts.output * RADIANS];
+    const [input, output] = [frame + starts.input_deg * RADIANS, frame + starts.output_deg * RADIANS];
     const errors = (pairs) => kernel.poses(pairs.map((pair) => input + pair[0])).map((pose, i) => (pose ? wrapped(pose.rocker - output - pairs[i][1]) : null));
     const counted = errors(this.samples);
     const shown = this.range.length ? this.range : this.samples;

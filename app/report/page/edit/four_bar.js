@@ -10,7 +10,7 @@ export function fourBarFields({ mechanism, starts }) {
   const part = (key, list, i, name) => ({ key: name, get: (s) => s.mechanism[list][i], set: (s, value) => ({ ...s, mechanism: { ...s.mechanism, [list]: s.mechanism[list].with(i, value) } }) });
   const pivot = (i, k) => ({ key: `${"ad"[i]}_${"xy"[k]}`, get: (s) => s.mechanism.fixed_pivots[i][k],
     set: (s, value) => ({ ...s, mechanism: { ...s.mechanism, fixed_pivots: s.mechanism.fixed_pivots.with(i, s.mechanism.fixed_pivots[i].with(k, value)) } }) });
-  const start = (key) => ({ key, get: (s) => s.starts[key], set: (s, value) => ({ ...s, starts: { ...s.starts, [key]: value } }) });
+  const start = (key) => ({ key, get: (s) => s.starts[`${key}_deg`], set: (s, value) => ({ ...s, starts: { ...s.starts, [`${key}_deg`]: value } }) });
   return [...["crank", "coupler", "rocker"].map(length), pivot(0, 0), pivot(0, 1), pivot(1, 0), pivot(1, 1),
     ...(mechanism.coupler_point ? [part("coupler_point", "coupler_point", 0, "point_u"), part("coupler_point", "coupler_point", 1, "point_v")] : []),
     ...(starts ? ["input", "output"].map(start) : [])];

@@ -3,7 +3,8 @@
 
 import { markOf } from "../checks.js";
 import { saveText } from "../controls.js";
-import { breakable, element } from "../dom.js";
+import { element } from "../dom.js";
+import { sentence } from "../format.js";
 import { say } from "../words.js";
 
 export class EditPanel {
@@ -21,8 +22,15 @@ export class EditPanel {
     this.root = element("section", { class: "card edit", id: "edit", "aria-labelledby": "edit-title" },
       element("div", { class: "card-head" }, element("h2", { id: "edit-title" }, say("edit.title")), element("div", { class: "segments" }, ...Object.values(this.buttons), copy, save)),
       this.status, this.text, tableOf("edit-values-table", ["edit.quantity", "edit.before", "edit.now"], this.values),
-      element("p", { class: "muted" }, say("edit.hint")), element("div", { class: "edit-fields" }, ...this.inputs.map(({ label }) => label)),
+      element("p", { class: "muted" }, say("edit.hint")), ...this.#grids(),
       tableOf("edit-checks-table", ["edit.check", "edit.bound", "edit.now"], this.checks));
+  }
+
+  // The fields of the mechanism, and those of other tables folded.
+  #grids() {
+    const grid = (group) => element("div", { class: "edit-fields" }, ...this.inputs.filter(({ field }) => field.group === group).map(({ label }) => label));
+    const groups = [...new Set(this.fields.map((field) => field.group))].filter((group) => group !== undefined);
+    return [grid(undefined), ...groups.map((group) => element("details", {}, element("summary", {}, sentence(group)), grid(group)))];
   }
 
   #button(name, act) {
@@ -51,7 +59,7 @@ export class EditPanel {
       element("td", {}, label ?? say(`edit.${key}`)), cell(before), cell(now))));
     this.checks.parentElement.hidden = checks.length === 0;
     this.checks.replaceChildren(...checks.map(([name, bound, now, met]) => element("tr", { class: met === false ? "missed" : "" },
-      element("td", {}, element("code", {}, ...breakable(name))), element("td", { class: "number" }, bound), element("td", { class: "number" }, now, ...(met === null ? [] : [" ", markOf(met ? "" : say("edit.missed"))])))));
+      element("td", {}, name), element("td", { class: "number" }, bound), element("td", { class: "number" }, now, ...(met === null ? [] : [" ", markOf(met ? "" : say("edit.missed"))])))));
     if (!this.text.hidden) this.text.value = this.on.toml();
   }
 

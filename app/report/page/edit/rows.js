@@ -1,6 +1,6 @@
 // What the panel says of an edited design beside what it was.
 
-import { boundOf } from "../checks.js";
+import { checkBound, checkName, checkValue } from "../checks.js";
 import { degrees, degreesShort, fixed, number } from "../format.js";
 import { RADIANS } from "../sampling.js";
 import { say, term } from "../words.js";
@@ -44,7 +44,6 @@ function changedErrors(before, now) {
 // One constraint of the design: its name, bound, value now, and whether it is met (null: not known here).
 export function checkRow(check, evaluated) {
   const found = checkOf(check, evaluated);
-  if (!found) return [check.name, boundOf(check.bound), say("edit.program"), null];
-  const value = typeof found.value === "number" ? number(found.value, 5) : found.value === null ? "–" : term(found.value);
-  return [check.name, boundOf(check.bound), value, found.met];
+  if (!found) return [checkName(check), checkBound(check), say("edit.program"), null];
+  return [checkName(check), checkBound(check), checkValue({ ...check, value: found.value }), found.met];
 }

@@ -8,8 +8,10 @@ import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, duration, fixed, number } from "../format.js";
-import { showHead, showNotes, showWork } from "../head.js";
+import { showHead, showNotes, showWarnings, showWork } from "../head.js";
+import { filmed, Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
+import { offerNoEdit } from "../original.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
 import { say, sentenceOf } from "../words.js";
@@ -103,6 +105,7 @@ function choose(index) {
   const { drawn } = current();
   showGears([...drawn.metrics, ...(data.facts ?? [])], gearing);
   showChecks(drawn.constraints ?? []);
+  showWarnings(result.designs?.[index]);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));
   showCurves();
@@ -149,6 +152,9 @@ function listen() {
   byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", flankCsv(data.columns)));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  const span = () => (generation ? [-generation.range.deg, generation.range.deg, true] : [0, isWorm ? 360 : 4 * pitchOf(), true]);
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.deg; goTo(filmed(span(), share), true); }, back: () => goTo(stood) });
 }
 
 // What the drive is called, and how fast it goes: from tooth to tooth in two seconds.
@@ -161,9 +167,10 @@ function prepareDrive() {
 }
 
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
+offerNoEdit(say("edit.by_file"));
 showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"),
   isPair ? {} : { infeasible: "gear.faulty" });
-showNotes(result.notes ?? []);
+showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 byId("notes").classList.toggle("warned", result.status !== "solved" && result.status !== "done");
 byId("stage-title").textContent = say(`stage.${isWorm ? "worm" : gearing === "bevel" ? "virtual_gears" : isPair ? "gear_pair" : "gear"}`);

@@ -3,6 +3,8 @@
 import { byId, fact } from "../dom.js";
 import { factName, factText } from "../fact_text.js";
 import { degreesShort, number } from "../format.js";
+import { isOfComputation, showMore } from "../meaning.js";
+import { errorText } from "../rounding.js";
 import { say } from "../words.js";
 
 const MACHINE_FACTS = {
@@ -21,9 +23,10 @@ function machineFactText(name, facts) {
 
 // Those that there are in the order of the list, with their exact values beside the pointer.
 export function showMachineFacts(facts) {
-  const known = Object.keys(MACHINE_FACTS).filter((name) => facts.has(name));
+  const known = Object.keys(MACHINE_FACTS).filter((name) => facts.has(name) && !isOfComputation(name));
   const others = [...facts.keys()].filter((name) => !(name in MACHINE_FACTS) && !/_at_deg$/.test(name));
   byId("facts-list").replaceChildren(...known.flatMap((name) => fact(say(`machine.fact.${name}`), machineFactText(name, facts), String(facts.get(name)))),
     ...others.flatMap((name) => fact(factName(name), factText(facts.get(name), ""))));
+  showMore(byId("facts"), [...facts].filter(([name]) => isOfComputation(name)).map(([name, value]) => [name, say(`machine.fact.${name}`), errorText(value, 1, (x) => number(x, 3)), value]));
   byId("facts").hidden = facts.size === 0;
 }

@@ -12,8 +12,11 @@ import { showHead, showNotes, showWork } from "../head.js";
 import { jointsOf } from "../joints.js";
 import { Mechanism } from "../mechanism.js";
 import { MechanismScene } from "../mechanism_scene.js";
+import { Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
+import { offerNoEdit } from "../original.js";
 import { Trace } from "../trace.js";
+import { TracedPoints } from "../traced.js";
 import { say, term } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { showMachineFacts } from "./facts.js";
@@ -28,7 +31,8 @@ const mechanism = new Mechanism(data.mechanism ?? DRIVE_ALONE, data.drive ?? { f
 const state = { time: 0, motion: motions[0] };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => drive !== null && goTo(state.motion.timeAt(drive, state.time), true));
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
-const extras = new Extras(byId("extras"), [new Trace(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+const traced = new TracedPoints(byId("picture"), byId("ghosts"), () => extras.toggle(traced, traced.points.length > 0));
+const extras = new Extras(byId("extras"), [new Trace(), traced, ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
 const curves = new Curves(byId("plots"), (time) => goTo(time, true), (time) => extras.point(time === null ? null : driveAt(time)));
@@ -46,6 +50,7 @@ function goTo(time, byHand = false) {
   const drive = driveAt(state.time);
   scene.move(drive);
   extras.move(drive);
+  traced.see(scene, drive);
   curves.move(state.time);
   showTime(drive);
   byId("open").hidden = mechanism.places(drive).every(Boolean);
@@ -110,13 +115,16 @@ function listen() {
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
+  let stood = 0;
+  new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.time; goTo(share * (state.motion?.length ?? 0), true); }, back: () => goTo(stood) });
 }
 
 if (!data.mechanism) byId("stage-title").textContent = say("machine.drive");
+offerNoEdit(say("edit.by_file"));
 showHead(result, say("kind.machine"), [data.mechanism ? say("count.moving_bodies", { n: mechanism.bodies.length - 1 }) : "",
   say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"),
   { infeasible: "machine.incomplete" });
-showNotes(result.notes ?? []);
+showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 showMachineFacts(facts);
 followTheme(() => curves.redraw());

@@ -1,13 +1,33 @@
 // The columns of the study: numbers, or words as numbers of their levels; NaN where a row lacks one.
 
-import { number } from "../format.js";
-import { term } from "../words.js";
+import { factName, factParts, unitWord } from "../fact_text.js";
+import { number, sentence } from "../format.js";
+import { keyName, unitOfKey } from "../problem.js";
+import { LENGTH_UNIT, say, term } from "../words.js";
 
-const PREFIX = /^mechanism\./;
+// Numbers of these tables are lengths, but for those whose keys say something else.
+const LENGTH_TABLES = /^(mechanism|bounds|follower)\./;
+const NO_LENGTH = /(_deg|teeth|module|shift|ratio)$/;
+
+// The name of a column in words, with its unit: a key of the base file, or a metric.
+function columnLabel({ name, role, levels }) {
+  const isWord = typeof levels?.[0] === "string";
+  if (name === "status") return sentence(term(name));
+  if (role === "variable") {
+    const key = name.split(".").findLast((part) => !/^[\d[\]]+$/.test(part)) ?? name;
+    const place = /\[?(\d+)\]?$/.exec(name)?.[1];
+    const unit = unitOfKey(key, name.split(".")[0]).trim() || (LENGTH_UNIT && LENGTH_TABLES.test(name) && !NO_LENGTH.test(key) ? LENGTH_UNIT : "");
+    const words = sentence(keyName(key.replace(/\[\d+\]$/, ""), name.split(".")[0])) + (place === undefined ? "" : ` ${Number(place) + (/\[/.test(name) ? 0 : 1)}`);
+    return unit && !isWord ? say("unit.axis", { name: words, unit }) : words;
+  }
+  const { key, unit } = factParts(name);
+  const words = factName(key);
+  return unitWord(unit) && !isWord ? say("unit.axis", { name: words, unit: unitWord(unit) }) : words;
+}
 
 class Column {
   constructor(raw, index) {
-    Object.assign(this, { index, name: raw.name, role: raw.role, wanted: raw.wanted, label: raw.name.replace(PREFIX, "") });
+    Object.assign(this, { index, name: raw.name, role: raw.role, wanted: raw.wanted, label: columnLabel(raw) });
     this.words = raw.levels && typeof raw.levels[0] === "string" ? raw.levels : null;
     const value = (i) => raw.values ? raw.values[i] : raw.index[i] < 0 ? null : this.words ? raw.index[i] : raw.levels[raw.index[i]];
     this.values = Float64Array.from({ length: (raw.values ?? raw.index).length }, (_, i) => value(i) ?? NaN);

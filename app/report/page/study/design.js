@@ -1,11 +1,12 @@
 // The design of a row: all its values, its file, and its linkage in motion.
 
 import { Controls } from "../controls.js";
-import { breakable, byId, element, fact } from "../dom.js";
+import { byId, element, fact } from "../dom.js";
 import { Extras } from "../extras.js";
 import { degrees } from "../format.js";
 import { Ghost, GHOSTS } from "../ghosts.js";
 import { RADIANS } from "../sampling.js";
+import { Saves } from "../saves.js";
 import { Trace } from "../trace.js";
 import { Vectors } from "../vectors.js";
 import { say } from "../words.js";
@@ -31,6 +32,8 @@ export class DesignPanel {
     if (this.scene) {
       new ResizeObserver(() => this.#draw()).observe(byId("picture"));
       new Zoom(byId("linkage"), byId("picture"), () => this.scene, () => this.#draw());
+      let stood = 0;
+      new Saves(byId("linkage"), byId("picture"), { title: () => data.study.title, go: (share) => { if (!share) stood = this.phase; this.turn(TURN * share, true); }, back: () => this.turn(stood) });
       this.controls.start();
     }
   }
@@ -61,11 +64,11 @@ export class DesignPanel {
     if (row === null) return;
     byId("design-title").textContent = `${say("row.design", { n: ids[row] })}${best.has(row) ? " ★" : ""}`;
     byId("design-values").replaceChildren(...columns.flatMap((column) => {
-      const [name, value] = fact("", column.text(row, 7), column.written(row));
-      name.append(...breakable(column.name));
+      const [name, value] = fact(column.label, column.text(row, 7), column.written(row));
+      name.title = column.name;
       return [name, value];
     }));
-    byId("design-command").textContent = `cognate export ${databaseName()} --row ${ids[row]}`;
+    byId("design-command").textContent = `cognate export ${quoted(this.data.database ?? databaseName())} --row ${ids[row]}`;
     this.#showFile();
     this.#draw();
   }
@@ -102,8 +105,11 @@ export class DesignPanel {
 // The database stands beside the report, under the study's name.
 function databaseName() {
   const [, stem = "STUDY"] = /([^/\\]+)\.report\.html$/.exec(decodeURIComponent(location.pathname)) ?? [];
-  return /^[\w.+-]+$/.test(stem) ? `${stem}.study.db` : `'${stem.replaceAll("'", "'\\''")}.study.db'`;
+  return `${stem}.study.db`;
 }
+
+// A name as a shell takes it.
+const quoted = (name) => (/^[\w.+-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
 
 // Puts a text into the clipboard, or where that is refused selects it.
 async function copy(button) {

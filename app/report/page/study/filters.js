@@ -1,6 +1,6 @@
 // Which rows pass: of each column a range of its values, or a set of its words.
 
-import { breakable, byId, element } from "../dom.js";
+import { byId, element } from "../dom.js";
 import { number } from "../format.js";
 import { say } from "../words.js";
 
@@ -51,7 +51,7 @@ export class ColumnTable {
     const clear = element("button", { type: "button", class: "link", "aria-label": say("filters.clear_of", { name: column.name }) }, say("filters.clear"));
     clear.addEventListener("click", () => tell.filter(column, null));
     const wanted = column.wanted ? element("span", { class: "wanted" }, ` ${say(column.wanted === "least" ? "filters.least" : "filters.greatest")}`) : "";
-    const cells = [[element("code", {}, ...breakable(column.name)), wanted], [shown], [ends[0]], [ends[1]], [clear]];
+    const cells = [[element("span", { title: column.name }, column.label), wanted], [shown], [ends[0]], [ends[1]], [clear]];
     return { row: element("tr", {}, ...cells.map((parts) => element("td", {}, ...parts))), shown, ends, clear };
   }
 

@@ -1,7 +1,7 @@
 // What the study was, how far it came, and what is shown of it.
 
 import { saveText } from "../controls.js";
-import { breakable, byId, fact } from "../dom.js";
+import { byId, fact } from "../dom.js";
 import { duration, number } from "../format.js";
 import { showHead, showNotes, showWork } from "../head.js";
 import { language, say, term } from "../words.js";
@@ -29,14 +29,11 @@ function filterText({ min, max, words }) {
 }
 
 export function showStudy(columns, study) {
-  const rows = [[say("study.base"), study.base], ...columns.filter((c) => c.role === "variable").map((c) => [c.name, variedText(c, study)]),
-    ...study.filters.map((filter) => [say("study.filter", { name: filter.name }), filterText(filter)]),
-    ...columns.filter((c) => c.wanted).map((c) => [say("study.objective"), say(`study.wanted_${c.wanted}`, { name: c.name })])];
-  byId("study-list").replaceChildren(...rows.flatMap(([name, value]) => {
-    const [dt, dd] = fact("", value);
-    dt.append(...breakable(name));
-    return [dt, dd];
-  }));
+  const labelOf = (name) => columns.find((column) => column.name === name)?.label ?? name;
+  const rows = [[say("study.base"), study.base], ...columns.filter((c) => c.role === "variable").map((c) => [c.label, variedText(c, study)]),
+    ...study.filters.map((filter) => [say("study.filter", { name: labelOf(filter.name) }), filterText(filter)]),
+    ...columns.filter((c) => c.wanted).map((c) => [say("study.objective"), say(`study.wanted_${c.wanted}`, { name: c.label })])];
+  byId("study-list").replaceChildren(...rows.flatMap(([name, value]) => fact(name, value)));
 }
 
 export function showStudyHead(data) {

@@ -1,12 +1,13 @@
 // Parallel coordinates: an axis for each column and a line for each row. A brush on an axis filters
 // the page; axes are moved, turned over and hidden by their names.
 
-import { breakable, colour, element, set, svg } from "../dom.js";
+import { colour, element, set, svg } from "../dom.js";
 import { pathThrough, round } from "../shapes.js";
 import { say } from "../words.js";
 import { shorten, sized } from "./axes.js";
 
-const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, bins: 28, most: 14 };
+// `least`: pixels that an axis takes where there is room, `narrow` where there is little, and its name stands upright.
+const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, narrow: 44, phone: 560, bins: 28, most: 14 };
 
 // What is not drawn at first: columns of one value, and of many those that are least asked for.
 function firstHidden(columns) {
@@ -54,8 +55,11 @@ export class Parallel {
   // Axes, scales and brushes; then all rows.
   build() {
     const { shown } = this;
-    const width = Math.max(this.holder.clientWidth || 800, PARALLEL.least * shown.length);
+    const given = this.holder.clientWidth || 800;
+    const isNarrow = given < PARALLEL.phone;
+    const width = Math.max(given, (isNarrow ? PARALLEL.narrow : PARALLEL.least) * shown.length);
     const room = width / Math.max(1, shown.length);
+    this.frame.classList.toggle("narrow", isNarrow);
     this.frame.style.width = `${width}px`;
     const [top, bottom] = [PARALLEL.top, PARALLEL.height - PARALLEL.foot];
     this.axes = shown.map((column, i) => ({ column, x: room * (i + 0.5), room, scale: column.scale(this.turned.has(column) ? [top, bottom] : [bottom, top], column.words ? 0 : 0.01) }));
@@ -72,7 +76,7 @@ export class Parallel {
   #name({ column, x, room }) {
     const text = `${this.turned.has(column) ? "↓ " : ""}${column.label}`;
     const button = element("button", { type: "button", "data-column": column.index, style: `left:${x}px;width:${room - 6}px`,
-      title: say("parallel.axis_title", { name: column.name }) }, element("span", {}, ...breakable(text)));
+      title: say("parallel.axis_title", { name: column.name }) }, element("span", {}, text));
     const mark = { least: " ↓", greatest: " ↑" }[column.wanted];
     if (mark) button.firstChild.append(element("b", { title: say(`parallel.wanted_${column.wanted}`) }, mark));
     let start = null;
@@ -106,7 +110,7 @@ export class Parallel {
     const [top, bottom] = [PARALLEL.top, PARALLEL.height - PARALLEL.foot];
     axis.bars = svg("path", { class: "bars" });
     const group = svg("g", { transform: `translate(${round(x)} 0)` }, axis.bars, svg("path", { class: "axis-line", d: `M0 ${top}V${bottom}` }));
-    for (const v of column.ticks(scale, 44)) {
+    for (const v of axis.room < 60 ? column.ticks(scale, 300) : column.ticks(scale, 44)) {
       const y = round(scale(v));
       group.append(svg("path", { class: "tick", d: `M-4 ${y}H0` }), svg("text", { class: "tick-text", x: -7, y: y + 4, "text-anchor": "end" }, shorten(column.show(v, 4), 12)));
     }

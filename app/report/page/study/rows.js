@@ -1,6 +1,6 @@
 // The rows that pass as a table, sorted by a column and in pages.
 
-import { breakable, byId, element } from "../dom.js";
+import { byId, element } from "../dom.js";
 import { language, say } from "../words.js";
 import { Pager } from "./atlas.js";
 
@@ -21,7 +21,7 @@ export class RowTable {
       const th = element("th", column && !column.words ? { class: "number" } : {}, button);
       return { th, column };
     };
-    this.headers = [header(say("designs.design"), null), ...this.study.columns.map((column) => header(column.name, column, breakable(column.label)))];
+    this.headers = [header(say("designs.design"), null), ...this.study.columns.map((column) => header(column.name, column, [column.label]))];
     document.querySelector("#rows thead").replaceChildren(element("tr", {}, ...this.headers.map(({ th }) => th)));
   }
 
@@ -35,7 +35,9 @@ export class RowTable {
   filtered() {
     const values = this.sortedBy?.values ?? this.study.ids;
     const known = (row) => !Number.isNaN(values[row]);
-    this.rows = [...this.study.filters.rows].sort((a, b) => known(b) - known(a) || this.sense * (values[a] - values[b]) || a - b);
+    // The best first, as long as no column is chosen.
+    const first = (row) => (this.sortedBy === null && this.sense > 0 && this.study.best.has(row) ? 0 : 1);
+    this.rows = [...this.study.filters.rows].sort((a, b) => first(a) - first(b) || known(b) - known(a) || this.sense * (values[a] - values[b]) || a - b);
     for (const { th, column } of this.headers) {
       if (column === this.sortedBy) th.setAttribute("aria-sort", this.sense > 0 ? "ascending" : "descending");
       else th.removeAttribute("aria-sort");

@@ -1,0 +1,99 @@
+/// @file Analyses in a page: a problem as its result holds it is read and evaluated by the
+/// program's own reader and evaluator, and comes back as the data that its page is drawn from.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "app/report/analysis_report_data.hpp"
+#include "app/report/kernel/document.hpp"
+#include "app/report/kernel/numbers.hpp"
+#include "app/report/mechanism_json.hpp"
+#include "app/report/quantity_json.hpp"
+#include "problems/evaluation/motion_summary.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/evaluation/type_quantities.hpp"
+#include "problems/evaluation/whole_motion.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::page {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::AnalysisProblem;
+
+std::string text;
+
+/// Samples of a motion that is drawn while a joint is dragged.
+constexpr int kDraggedSamples = 181;
+
+/// The problem of a document, or what is wrong with it.
+AnalysisProblem problem_of(const problems::reading::Table& document,
+                           problems::reading::FaultList& faults) {
+  problems::reading::TableReader reader(document, faults);
+  reader.know({"kind"});
+  std::string title = reader.text("title").value_or("");
+  const auto unit = reader.choice<problems::LengthUnit>("length_unit");
+  auto problem = problems::KindTraits<AnalysisProblem>::read(reader, {});
+  reader.finish();
+  problem.title = std::move(title);
+  problem.length_unit = unit;
+  return problem;
+}
+
+/// The motion alone, and what follows from it.
+ordered_json motion_of(const AnalysisProblem& problem) {
+  const problems::Deadline none{problems::Run{}};
+  const auto& [start, end, steps, rate] = problem.drive;
+  auto quantities = problems::type_quantities(problem.mechanism, start);
+  const auto ranges = problems::follow_until(problem, start, end, none);
+  const auto of_motion = problems::quantities_of(problems::summarise(problem, ranges, none));
+  quantities.insert(quantities.end(), of_motion.begin(), of_motion.end());
+  return {
+      {"mechanism", app::mechanism_motion_json(problem.mechanism, {start, end}, kDraggedSamples)},
+      {"facts", app::quantities_json(quantities)}};
+}
+
+/// Everything: also the table, its extremes and the notes.
+ordered_json whole_of(const AnalysisProblem& problem) {
+  const auto result = problems::analyse(problem, {.threads = 1});
+  auto data = app::analysis_report_data(problem, result);
+  data["notes"] = result.notes;
+  data["closed_rows"] = result.closed_rows;
+  return data;
+}
+
+}  // namespace
+
+/// Makes room for a text of `size` bytes, which the page puts there.
+COGNATE_EXPORT(room) char* make_room(int size) {
+  text.assign(static_cast<std::size_t>(std::max(size, 0)), ' ');
+  return text.data();
+}
+
+/// Evaluates the problem in the text and the block of numbers: its motion alone, or all of it where
+/// `whole` is not 0. Returns the length of the JSON text, which begins at `text`: the data of the
+/// page, or `faults`, a list of sentences.
+COGNATE_EXPORT(analysis) int analyse_text(int whole) {
+  problems::reading::FaultList faults;
+  const auto document = document_of(text);
+  const AnalysisProblem problem = problem_of(document, faults);
+  ordered_json answer;
+  if (faults.empty()) {
+    answer = whole != 0 ? whole_of(problem) : motion_of(problem);
+  } else {
+    answer["faults"] = ordered_json::array();
+    for (const auto& fault : std::move(faults).sorted()) answer["faults"].push_back(fault.message);
+  }
+  text = answer.dump();
+  return static_cast<int>(text.size());
+}
+
+/// Where the text of the last call begins.
+COGNATE_EXPORT(text) const char* text_begin() {
+  return text.data();
+}
+
+}  // namespace cognate::page

@@ -1,0 +1,24 @@
+// The file of an edited design: the problem of the page with the dimensions as they are now. Where its
+// kind takes dimensions as given, `cognate solve` judges them by target and constraints, and finds those anew
+// whose lines are removed; else they stand in it as remarks.
+
+import { problemToml } from "../toml.js";
+import { say } from "../words.js";
+import { lengthOf, minus } from "./four_bar.js";
+
+const remark = (text) => `# ${text.replaceAll("\n", "\n# ")}\n`;
+
+// The mechanism's table of a problem with all of a four-bar given; nothing for kinds that take none so.
+function givenMechanism({ kind, mechanism: asked = {} }, m, starts) {
+  const { crank, coupler, rocker, assembly, coupler_point: point, fixed_pivots: [a, d] } = m;
+  if (kind === "path-generation") return { type: "four-bar", crank, coupler, rocker, pivot_a: a, pivot_d: d, coupler_point: point, assembly };
+  if (kind !== "function-generation" || asked.type === "slider-crank") return undefined;
+  return { type: "four-bar", crank, coupler, rocker, frame: lengthOf(minus(d, a)), assembly, ...(starts ? { input_start_deg: starts.input, output_start_deg: starts.output } : {}) };
+}
+
+export function editedFile(problem, title, mechanism, starts) {
+  const given = givenMechanism(problem, mechanism, starts);
+  if (given) return remark(say("edit.file.given")) + problemToml({ ...problem, title, mechanism: given });
+  const told = Object.entries(mechanism).map(([key, value]) => `${key} = ${JSON.stringify(value)}`).join("\n");
+  return problemToml({ ...problem, title }) + remark(`${say("edit.file.remark")}\n${told}`);
+}

@@ -1,0 +1,17 @@
+// Cards that still tell of the design as it was found while another is shown: grey, and saying so.
+
+import { byId, element } from "./dom.js";
+import { say } from "./words.js";
+
+export function markOriginal(ids, on) {
+  for (const card of ids.map((id) => byId(id))) {
+    card.classList.toggle("of-original", on);
+    const title = card.querySelector("h2");
+    if (on) title.dataset.original = ` · ${say("edit.of_original")}`; else delete title.dataset.original;
+  }
+}
+
+// In the place of the button that edits, where a page has nothing to edit with.
+export function offerNoEdit(why) {
+  document.querySelector("#stage .card-head").append(element("button", { type: "button", class: "edit-toggle", disabled: "", title: why }, say("edit.toggle")));
+}
