@@ -230,7 +230,10 @@ void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Resu
   }
   const std::string unit = is_angle ? "_deg" : "";
   Family family{"Robust front", {{"nominal_error" + unit, {}}, {"quantile" + unit, {}}}};
-  for (const RobustPoint& point : answer.front) {
+  for (RobustPoint& point : answer.front) {
+    // By these the page finds a design on the front.
+    point.design.metrics.quantities.push_back({family.columns[0].name, point.error});
+    point.design.metrics.quantities.push_back({family.columns[1].name, point.quantile});
     family.columns[0].values.push_back(point.error);
     family.columns[1].values.push_back(point.quantile);
   }
