@@ -15,7 +15,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::robust_test {
 namespace {
 
 double fact(const Result& result, std::string_view name) {
@@ -125,4 +125,4 @@ TEST(RobustReading, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::robust_test

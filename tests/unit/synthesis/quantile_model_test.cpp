@@ -12,7 +12,7 @@
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "synthesis/optimise/solver.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::quantile_model_test {
 namespace {
 
 /// Three points p(t) = (x₀ cos t, x₁ sin t) + x₂ (t, t²), each with a target and a parameter of its
@@ -153,4 +153,4 @@ TEST(QuantileModel, ADescentLowersTheQuantile) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::quantile_model_test
