@@ -206,9 +206,10 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   if (improves(along)) return along;
   found.minimum = start;
   found.minimum.confined_to = confined_to;
-  // A crank that turns fully satisfies no limits there: the descent stays in the class that it
-  // began in.
-  const auto own = turns ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
+  // Where the crank has come to turn fully and breaks the limits, the descent is repeated within
+  // the class that it began in.
+  const bool lost = turns && solution.violation > kPathFeasibility;
+  const auto own = lost ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
   if (!knows_limits || !own || own == side || own == confined_to) return solution;
   found.minimum.confined_to = own;
   along = in_order(model_of(problem, found.minimum));
