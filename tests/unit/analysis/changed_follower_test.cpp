@@ -12,7 +12,7 @@
 #include "analysis/cam/profile.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate::cam {
+namespace cognate::cam::changed_follower_test {
 namespace {
 
 using Dimensions = CamDimensions<double>;
@@ -125,4 +125,4 @@ TEST(ChangedFollower, NoChangeIsNoMisplacement) {
 }
 
 }  // namespace
-}  // namespace cognate::cam
+}  // namespace cognate::cam::changed_follower_test
