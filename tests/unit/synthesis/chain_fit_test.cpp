@@ -17,9 +17,9 @@
 namespace cognate::synthesis::chain_fit_test {
 namespace {
 
-using testing::kTracedLine;
-using testing::six_bars;
-using testing::SixBar;
+using planting::kTracedLine;
+using planting::six_bars;
+using planting::SixBar;
 
 struct Planted {
   ChainFit fit;

@@ -16,9 +16,9 @@ namespace cognate::synthesis::chain_sweep_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-using testing::kTracedLine;
-using testing::six_bars;
-using testing::SixBar;
+using planting::kTracedLine;
+using planting::six_bars;
+using planting::SixBar;
 
 constexpr int kPositions = 360;
 
