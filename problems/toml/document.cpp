@@ -138,12 +138,6 @@ std::string rule(std::string_view description) {
 
 }  // namespace
 
-std::string_view type_name(const Node& node) {
-  constexpr std::string_view kNames[] = {"a boolean",      "an integer", "a number", "a string",
-                                         "a date or time", "an array",   "a table"};
-  return kNames[node.value.index()];
-}
-
 tl::expected<Table, Fault> parse_document(std::string_view text) {
   try {
     Table document = convert_table(toml::parse(text));

@@ -23,6 +23,12 @@ std::optional<double> as_number(const Node& node) {
 
 }  // namespace
 
+std::string_view type_name(const Node& node) {
+  constexpr std::string_view kNames[] = {"a boolean",      "an integer", "a number", "a string",
+                                         "a date or time", "an array",   "a table"};
+  return kNames[node.value.index()];
+}
+
 TableReader::TableReader(const Table& document, FaultList& faults)
     : TableReader(&document, "", {}, faults) {}
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <span>
 

@@ -49,7 +49,8 @@ class TolerancedFourBar {
  private:
   bool closes() const {
     const auto at = quad_position(quad_, angle_, 1);
-    return isfinite(at.rocker) && isfinite(at.x);
+    return std::isfinite(static_cast<double>(at.rocker)) &&
+           std::isfinite(static_cast<double>(at.x));
   }
 
   FourBar linkage(int changed) const {
@@ -101,7 +102,7 @@ inline std::optional<DenseExtremes> dense_extremes(const TolerancedFourBar& link
   bool open = false;
   const auto consider = [&](const QuadDimensions& at) {
     const Quad angle = quad_position(at, linkage.angle(), linkage.side()).rocker;
-    open = open || !isfinite(angle);
+    open = open || !std::isfinite(static_cast<double>(angle));
     const double change =
         std::remainder(static_cast<double>(Quad(angle - nominal)), 2 * std::acos(-1.0));
     found.low = std::min(found.low, change);

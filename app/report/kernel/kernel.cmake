@@ -92,6 +92,7 @@ cognate_page_kernel(kernel
 set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
 cognate_page_kernel(analysis_kernel
   analysis/cam/extremes.cpp
+  analysis/cam/subdivision.cpp
   analysis/coupler_curve/circuit_samples.cpp
   analysis/coupler_curve/circuits.cpp
   analysis/coupler_curve/closed_segment.cpp
@@ -102,6 +103,7 @@ cognate_page_kernel(analysis_kernel
   analysis/coupler_curve/narrowest_strip.cpp
   analysis/coupler_curve/path_curvature.cpp
   analysis/coupler_curve/pole.cpp
+  analysis/coupler_curve/sampled_segment.cpp
   analysis/coupler_curve/stationary_curvature.cpp
   analysis/linkage/change_point.cpp
   analysis/linkage/cognates.cpp
@@ -128,15 +130,18 @@ cognate_page_kernel(analysis_kernel
   analysis/mechanism/sliding_pairs.cpp
   analysis/mechanism/transmission_extremes.cpp
   analysis/mechanism/travel.cpp
+  analysis/numbers/chebyshev_series.cpp
   app/drawing/convex_hull.cpp
   app/drawing/mechanism_poses.cpp
   app/drawing/mechanism_shapes.cpp
   app/report/analysis_report_data.cpp
   app/report/column_vectors.cpp
   app/report/drawn_rows.cpp
+  app/report/load_arrows.cpp
   app/report/kernel/analysis.cpp
   app/report/kernel/document.cpp
   app/report/kernel/format.cpp
+  app/report/kernel/left_out.cpp
   app/report/kernel/whole_numbers.cpp
   app/report/mechanism_json.cpp
   app/report/quantity_json.cpp
@@ -181,4 +186,5 @@ cognate_page_kernel(analysis_kernel
   problems/mechanism/read_whole_mechanism.cpp
   problems/toml/fault_list.cpp
   problems/toml/nearest.cpp
-  problems/toml/table_reader.cpp)
+  problems/toml/table_reader.cpp
+  problems/toml/table_reader_arrays.cpp)

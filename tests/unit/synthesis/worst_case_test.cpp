@@ -64,7 +64,6 @@ TEST(WorstCase, NoPointOfADenseSearchIsOutside) {
 }
 
 TEST(WorstCase, ABoxThatReachesADeadPointHasNone) {
-  std::mt19937_64 random(3);
   const TolerancedFourBar linkage({1, 3, 2, Quad("3.99"), 0, 0}, 178 * kPi / 180, 1, 0.01);
   EXPECT_FALSE(worst_case(linkage.mechanism(), rocker(), linkage.station(), linkage.box()));
 }

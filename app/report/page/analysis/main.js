@@ -204,7 +204,7 @@ function listen() {
 
 const editor = Kernel.available && result.problem?.mechanism && mechanism.closes
   ? new AnalysisEditor({ problem: result.problem, driving: () => driving, drive: () => state.drive, mechanism: () => mechanism, show: showAnalysis, move: showMotion }) : null;
-if (!editor && mechanism.closes) offerNoEdit(say("edit.too_large"));
+if (!editor && mechanism.closes) offerNoEdit(say(result.problem?.tolerance ? "edit.by_file" : "edit.too_large"));
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));

@@ -54,7 +54,8 @@ const missed = (d) => (d.constraints ?? []).filter((c) => !c.satisfied);
 
 export function originText(d) {
   const of = (index, words) => (index === undefined || index === null ? [] : [say(words, { n: index + 1 })]);
-  return [(d.origin ?? "").split(" + ").map(sentenceOf).join(" + "), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of")].join(say("list.semicolon"));
+  return [(d.origin ?? "").split(" + ").map(sentenceOf).join(" + "), ...of(d.cognate_of, "origin.cognate_of"), ...of(d.mirror_of, "origin.mirror_of"), ...of(d.twin_of, "origin.twin_of"),
+    ...(d.differs?.length ? [say("origin.differs", { list: d.differs.map(term).join(say("list.comma")) })] : [])].join(say("list.semicolon"));
 }
 
 // What is wrong with a design: its defects and the count of other constraints missed; empty for a
