@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "app/console/messages.hpp"
@@ -65,6 +67,9 @@ ExitStatus new_command(const std::string& kind, const Options& options);
 /// and every column with its unit; with `--json` as a document. With a `kind`, which may be empty,
 /// what is of that kind.
 ExitStatus list_command(const std::string& kind, bool metrics, const Options& options);
+
+/// The document `cognate-list/1` that `list_command` prints; nothing where there is no such kind.
+std::optional<nlohmann::ordered_json> list_document(const std::string& kind, bool metrics);
 
 /// That there is no such kind, and which there are.
 std::string unknown_kind(const std::string& kind);

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
+#include "app/commands/export_design.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/output_files.hpp"
@@ -75,7 +76,8 @@ ExportOutcome analysis_file(const ResultDesign& design, const ExportOptions& exp
   });
 }
 
-/// By the kind that has mechanisms of this type alone, or as a linkage.
+}  // namespace
+
 ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exporting,
                             const std::string& stem, const Options& options) {
   const std::string type = text_under(design.table["mechanism"], "type");
@@ -93,8 +95,6 @@ ExportOutcome export_design(const ResultDesign& design, const ExportOptions& exp
     return export_linkage(linkage, exporting, stem, options);
   });
 }
-
-}  // namespace
 
 ExitStatus export_command(const fs::path& file, const ExportOptions& exporting,
                           const Options& options) {

@@ -152,7 +152,7 @@ std::span<const KeyedEntry> common_tables() {
     std::vector<KeyedEntry> tables(std::begin(kCommon), std::end(kCommon));
     tables.push_back({"[raster]",
                       "dimensions that take single values only, the best of all combinations "
-                      "(paths and functions by least squares)",
+                      "(paths of four-bars and chains, functions by least squares)",
                       raster_entries()});
     return tables;
   }();
@@ -294,11 +294,21 @@ ordered_json document_of(const std::vector<ListSection>& sections) {
   return document;
 }
 
+/// Of all kinds where `kind` is empty.
+std::vector<ListSection> sections_of(const std::string& kind, bool metrics) {
+  if (!kind.empty()) return of_kind(kind, metrics);
+  return metrics ? listed(metric_lists()) : capabilities();
+}
+
 }  // namespace
 
+std::optional<ordered_json> list_document(const std::string& kind, bool metrics) {
+  const auto sections = sections_of(kind, metrics);
+  return sections.empty() ? std::nullopt : std::optional(document_of(sections));
+}
+
 ExitStatus list_command(const std::string& kind, bool metrics, const Options& options) {
-  const auto all = [&] { return metrics ? listed(metric_lists()) : capabilities(); };
-  const auto sections = kind.empty() ? all() : of_kind(kind, metrics);
+  const auto sections = sections_of(kind, metrics);
   if (sections.empty()) {
     complain(unknown_kind(kind));
     return exit_bad_input;

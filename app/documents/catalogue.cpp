@@ -99,6 +99,10 @@ constexpr Metric kKindMetrics[] = {
     {"speed_variation", "1", "(max - min)/mean of the speed along it at constant crank speed"},
     {"size_over_length", "1",
      "maximum dimension of a link, the coupler's with its point, over the straight length"},
+    {"nominal_error, quantile", "length",
+     "paths, solve.robust: root mean square error of the design itself; greatest error of that "
+     "share of what is made of it"},
+    {"nominal_error_deg, quantile_deg", "deg", "likewise of functions"},
     {"straight_length_over_box", "1",
      "over the diagonal of the box along the line that holds both moving pivots meanwhile"}};
 
@@ -144,6 +148,11 @@ constexpr Metric kQuantities[] = {
     {"continuous_error, rounded_error", "length or deg",
      "of the optimum without a raster, and of that with each dimension rounded"},
     {"rounded_feasible", "boolean", "whether the latter meets every constraint"},
+    {"robust_quantile, nominal_quantile", "length",
+     "paths, solve.robust: greatest error of that share of what is made of the robust design, of "
+     "the nominal optimum"},
+    {"robust_quantile_deg, nominal_quantile_deg", "deg", "likewise of functions"},
+    {"robust_samples", "1", "by which these are judged"},
     {"starts", "1", "local searches of a global one"},
     {"target_length", "length", "of a closed target curve (paths)"},
     {"best_hits", "1", "how many of them reached the best minimum"},

@@ -16,6 +16,7 @@
 #include "problems/cam/result.hpp"
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
+#include "problems/cam/tolerance_figures.hpp"
 #include "problems/cam/variables.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
@@ -350,6 +351,7 @@ CamResult solve(const CamProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No cam of these lengths can be put together with its follower; wider bounds may help.");
   }
+  add_tolerances(problem, run, deadline, result);
   result.work.seconds = deadline.spent();
   return result;
 }

@@ -88,7 +88,7 @@ void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types) {
   mechanism.choice_of("type", types);
   document.know({"target", "mechanism", "bounds", "constraints", "solve", "warnings", "pivot",
-                 "crank", "dyad", "point", "tolerance"});
+                 "crank", "dyad", "point", "raster", "tolerance"});
 }
 
 }  // namespace cognate::problems::reading

@@ -296,8 +296,8 @@ Result solve(const FunctionProblem& given, const Run& run) {
     };
     add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
+    merge_long_links(result);
   }
-  if (!exact) merge_long_links(result);
   note_motions(problem, function_samples(problem), result);
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);

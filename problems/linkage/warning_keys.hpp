@@ -10,18 +10,23 @@ inline constexpr NumberRule kWarnedAngle{[](double x) { return x >= 0 && x <= 90
                                          "an angle in degrees from 0 to 90"};
 
 inline constexpr Key<WarningLimits> kWarningKeys[] = {
-    {"transmission_angle_deg",
-     "designs whose transmission angle, or its supplement, falls below are warned of (default 30)",
-     &WarningLimits::transmission_angle, kWarnedAngle},
-    {"link_over_target",
-     "likewise with a link longer than so many times the target's diameter (default 10)",
-     &WarningLimits::link_over_target, kRatio},
-    {"pivot_over_target", "likewise with a fixed pivot so far from its centroid (default 10)",
-     &WarningLimits::pivot_over_target, kRatio},
-    {"link_ratio",
-     "likewise with the longest link over the shortest, where the target has no size (default 20)",
-     &WarningLimits::link_ratio, kRatio},
-    {"condition", "likewise with the condition number of an exact synthesis (default 1e4)",
-     &WarningLimits::condition, kRatio}};
+    key<&WarningLimits::transmission_angle>("transmission_angle_deg",
+                                            "designs whose transmission angle, or its supplement, "
+                                            "falls below are warned of (default 30)",
+                                            kWarnedAngle),
+    key<&WarningLimits::link_over_target>(
+        "link_over_target",
+        "likewise with a link longer than so many times the target's diameter (default 10)",
+        kRatio),
+    key<&WarningLimits::pivot_over_target>(
+        "pivot_over_target", "likewise with a fixed pivot so far from its centroid (default 10)",
+        kRatio),
+    key<&WarningLimits::link_ratio>("link_ratio",
+                                    "likewise with the longest link over the shortest, where the "
+                                    "target has no size (default 20)",
+                                    kRatio),
+    key<&WarningLimits::condition>(
+        "condition", "likewise with the condition number of an exact synthesis (default 1e4)",
+        kRatio)};
 
 }  // namespace cognate::problems::reading

@@ -202,11 +202,21 @@ class Explorer {
     // Half of the starts, of both kinds, are fitted within the limits on the way, of which the
     // lanes know nothing: what is found without them may hide better minima within them.
     for (std::size_t i = 0; limits_way_ && i < fresh.size(); ++i) {
+      if (i % 8 < 4) confine(fresh[i]);
       fresh[i].binds = i % 4 < 2 && !turns_fully(fresh[i].minimum.confined_to);
     }
     fit(fresh, {kDrawn, kFitted}, false);
     search_.add(std::move(fresh), kSameFit);
     deepen();
+  }
+
+  /// Keeps a start to the class that it is in. A descent without that limit may end where the crank
+  /// turns fully, of which the limits on the way say nothing.
+  void confine(PathFound& found) const {
+    if (!found.valid || turns_fully(found.minimum.confined_to)) return;
+    const PathModel model = model_of(problem_, found.minimum);
+    const auto own = open_class(problem_, lengths(model.linkage(found.minimum.solution.x)));
+    if (own) found.minimum.confined_to = own;
   }
 
   /// Fits the best to their end and keeps them.

@@ -36,7 +36,7 @@ bool share_valley(const PathMinimum& a, const PathMinimum& b) {
 bool is_same(const PathMinimum& a, const PathMinimum& b, double tolerance) {
   if (share_valley(a, b)) tolerance = kSameValley;
   if (a.assembly != b.assembly || a.clockwise != b.clockwise) return false;
-  if (a.confined_to != b.confined_to) return false;
+  if (turns_fully(a.confined_to) != turns_fully(b.confined_to)) return false;
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
     const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
     if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;
@@ -82,11 +82,22 @@ bool is_near_change_point(const Lengths<double>& links) {
   return std::abs(2 * (least + greatest) - sum) <= kNearChangePoint * sum;
 }
 
-/// The class of a linkage, unless the file demands one.
+double violation(const PathModel& model, std::span<const double> x) {
+  std::vector<double> values(model.constraint_count());
+  model.constraints(x, values, {});
+  double most = 0;
+  for (const double value : values) most = std::max(most, -value);
+  return most;
+}
+
+}  // namespace
+
 std::optional<RequiredClass> open_class(const PathProblem& problem, const Lengths<double>& links) {
   const auto& required = problem.constraints.required_class;
   if (required && *required != RequiredClass::grashof) return std::nullopt;
-  switch (mobility_class(links)) {
+  const MobilityClass mobility = mobility_class(links);
+  if (required && !is_of_class(mobility, *required)) return std::nullopt;
+  switch (mobility) {
     case MobilityClass::crank_rocker:
       return RequiredClass::crank_rocker;
     case MobilityClass::double_crank:
@@ -101,16 +112,6 @@ std::optional<RequiredClass> open_class(const PathProblem& problem, const Length
       return std::nullopt;
   }
 }
-
-double violation(const PathModel& model, std::span<const double> x) {
-  std::vector<double> values(model.constraint_count());
-  model.constraints(x, values, {});
-  double most = 0;
-  for (const double value : values) most = std::max(most, -value);
-  return most;
-}
-
-}  // namespace
 
 bool is_better(const PathFound& found, const PathFound& other) {
   if (found.strays != other.strays) return other.strays;
@@ -197,11 +198,22 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   const PathMinimum start = std::exchange(
       found.minimum,
       {found.minimum.assembly, found.minimum.clockwise, side, solution, found.minimum.from_exact});
+  const auto improves = [&](const synthesis::Solution& along) {
+    return along.stop != synthesis::Stop::no_value && along.violation <= kPathFeasibility &&
+           (along.objective < solution.objective || solution.violation > kPathFeasibility);
+  };
   synthesis::Solution along = in_order(knows_limits ? confined : model);
-  if (along.stop != synthesis::Stop::no_value && along.violation <= kPathFeasibility &&
-      (along.objective < solution.objective || solution.violation > kPathFeasibility))
-    return along;
+  if (improves(along)) return along;
   found.minimum = start;
+  found.minimum.confined_to = confined_to;
+  // Where the crank has come to turn fully and breaks the limits, the descent is repeated within
+  // the class that it began in.
+  const bool lost = turns && solution.violation > kPathFeasibility;
+  const auto own = lost ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
+  if (!knows_limits || !own || own == side || own == confined_to) return solution;
+  found.minimum.confined_to = own;
+  along = in_order(model_of(problem, found.minimum));
+  if (improves(along)) return along;
   found.minimum.confined_to = confined_to;
   return solution;
 }

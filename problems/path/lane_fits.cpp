@@ -4,10 +4,35 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/linkage/mobility.hpp"
+
 namespace cognate::problems {
 namespace {
 
 using synthesis::Solution;
+
+double largest_violation(const PathModel& model, std::span<const double> x) {
+  std::vector<double> limits(model.constraint_count());
+  model.constraints(x, limits, {});
+  double most = 0;
+  for (const double c : limits) most = std::max(most, -c);
+  return most;
+}
+
+/// Where the transmission angle is limited over the way of the crank, one that has come to turn
+/// fully has to keep it over the turn: it is then kept to its class, and to those limits.
+void confine_turning(const PathProblem& problem, const PathModel& model, double penalty,
+                     PathFound& found) {
+  const auto& x = found.minimum.solution.x;
+  const Lengths<double> links = lengths(model.linkage(x));
+  if (!model.transmission_on_the_way() || !crank_rotates(links)) return;
+  const auto own = open_class(problem, links);
+  if (!own) return;
+  found.minimum.confined_to = own;
+  double& violation = found.minimum.solution.violation;
+  violation = largest_violation(model_of(problem, found.minimum), x);
+  found.cost = found.minimum.solution.objective + penalty * violation * (penalty * violation);
+}
 
 /// The point where a fit in lanes has ended, as `model` sees it.
 void take_over(const PathModel& model, const synthesis::PathFitState& state, PathFound& found) {
@@ -22,14 +47,12 @@ void take_over(const PathModel& model, const synthesis::PathFitState& state, Pat
   found.evaluations += 2 * static_cast<std::uint64_t>(state.iterations);
   found.gradients += static_cast<std::uint64_t>(state.iterations);
   found.iterations += static_cast<std::uint64_t>(state.iterations);
-  std::vector<double> residuals(model.residual_count()), limits(model.constraint_count());
+  std::vector<double> residuals(model.residual_count());
   found.valid = std::isfinite(state.cost) && model.residuals(solution.x, residuals, {}, {});
   if (!found.valid) return;
   solution.objective = 0;
   for (const double r : residuals) solution.objective += r * r;
-  model.constraints(solution.x, limits, {});
-  solution.violation = 0;
-  for (const double c : limits) solution.violation = std::max(solution.violation, -c);
+  solution.violation = largest_violation(model, solution.x);
 }
 
 }  // namespace
@@ -62,7 +85,11 @@ void fit_in_lanes(const PathProblem& problem, std::span<PathFound> all,
     }
     fit_paths(model_of(problem, left.front()->minimum).lane_fit(), states, options);
     for (std::size_t i = 0; i < states.size(); ++i) {
-      take_over(model_of(problem, left[i]->minimum), states[i], *left[i]);
+      const PathModel model = model_of(problem, left[i]->minimum);
+      take_over(model, states[i], *left[i]);
+      if (left[i]->fitted && left[i]->valid) {
+        confine_turning(problem, model, options.penalty, *left[i]);
+      }
     }
     left.erase(left.begin(), others);
   }

@@ -42,6 +42,9 @@ synthesis::PathFit PathModel::lane_fit() const {
   fit.limits.assign(limits.begin(), limits.end());
   const Box& box = other_pivot_box_;
   fit.box = {box.min.x, box.max.x, box.min.y, box.max.y};
+  if (const auto limits_on_the_way = transmission_on_the_way()) {
+    fit.transmission_cosines = {std::cos(limits_on_the_way->max), std::cos(limits_on_the_way->min)};
+  }
   return fit;
 }
 

@@ -367,6 +367,7 @@ Result solve(const PathProblem& given, const Run& run) {
   if (problem.raster || problem.solve.robust) {
     Result result = problem.raster ? solve_on_raster(problem, run, deadline)
                                    : solve_robustly(problem, run, deadline);
+    add_path_tolerances(problem, run, result);
     finish(result);
     return result;
   }

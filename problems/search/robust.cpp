@@ -15,14 +15,18 @@ namespace cognate::problems {
 namespace {
 
 /// Samples of the search, of a point of the front, and of the figures that are told.
-constexpr std::size_t kSearchSamples = 2048, kFrontSamples = 100'000, kToldSamples = 1'000'000;
+constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 100'000, kToldSamples = 1'000'000;
 /// Points of the front between nominal optimum and least quantile.
-constexpr int kBetween = 6;
+constexpr int kBetween = 5;
 /// A search that has gained less than this begins anew no more; so often at most: the solver sees a
 /// function with edges and may stop on one.
 constexpr double kGain = 1e-4;
-constexpr int kRestarts = 8;
-constexpr int kIterations = 60;
+constexpr int kRestarts = 4;
+constexpr int kIterations = 50;
+/// Nominal minima that are starts.
+constexpr std::size_t kStarts = 4;
+/// Newton steps of a crank that follows: one is enough to see where a sample goes.
+constexpr int kSearchFollow = 1, kToldFollow = 2;
 /// Seeds of samples: those of the search are not those of the figures.
 constexpr std::uint64_t kSearchSeed = 0x526f62757374, kFrontSeed = 0x46726f6e74,
                         kToldSeed = 0x546f6c64;
@@ -87,10 +91,11 @@ class RobustSearch {
  private:
   bool is_over() const { return deadline_.reached(); }
 
-  synthesis::QuantileOptions options(std::optional<double> most) const {
+  synthesis::QuantileOptions options(int follow, std::optional<double> most) const {
     return {.share = task_.share,
             .components = task_.components,
             .scale = task_.scale,
+            .follow = follow,
             .most_sum_of_squares = most};
   }
 
@@ -98,7 +103,7 @@ class RobustSearch {
   double quantile(const RobustStart& start, std::span<const double> x, std::uint64_t seed,
                   std::size_t count) const {
     const DrawnPerturbation drawn(start, task_.distribution, seed + run_.seed, count);
-    const synthesis::QuantileModel model(*start.model, drawn, options({}));
+    const synthesis::QuantileModel model(*start.model, drawn, options(kToldFollow, {}));
     const auto errors = model.errors(x, run_.threads);
     const double place = std::ceil(task_.share * static_cast<double>(count));
     return task_.unit * errors[std::min(count, static_cast<std::size_t>(place)) - 1];
@@ -118,7 +123,7 @@ class RobustSearch {
   std::vector<double> descend(const RobustStart& start, std::vector<double> x,
                               std::optional<double> most) const {
     const DrawnPerturbation drawn(start, task_.distribution, kSearchSeed, kSearchSamples);
-    const synthesis::QuantileModel model(*start.model, drawn, options(most));
+    const synthesis::QuantileModel model(*start.model, drawn, options(kSearchFollow, most));
     const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kRestarts && !is_over(); ++round) {
@@ -138,7 +143,7 @@ class RobustSearch {
   }
 
   void add_least(std::vector<RobustFound>& all) const {
-    std::vector<std::optional<RobustFound>> found(task_.starts.size());
+    std::vector<std::optional<RobustFound>> found(std::min(kStarts, task_.starts.size()));
     parallel_for(static_cast<int>(found.size()), run_.threads, [&](int index, int) {
       const auto i = static_cast<std::size_t>(index);
       if (is_over()) return;
@@ -168,12 +173,12 @@ class RobustSearch {
                    std::vector<RobustFound>& all) const {
     const double low = std::sqrt(sum_of_squares(nominal)), high = std::sqrt(sum_of_squares(best));
     if (!(high > low)) return;
-    std::vector<std::optional<RobustFound>> found(2 * kBetween);
-    parallel_for(2 * kBetween, run_.threads, [&](int index, int) {
+    std::vector<std::optional<RobustFound>> found(kBetween);
+    parallel_for(kBetween, run_.threads, [&](int index, int) {
       if (is_over()) return;
-      const double share = double(index / 2 + 1) / (kBetween + 1);
+      const double share = double(index + 1) / (kBetween + 1);
       const double most = low + share * (high - low);
-      const RobustFound& from = index % 2 == 0 ? nominal : best;
+      const RobustFound& from = share < 0.5 ? nominal : best;
       found[static_cast<std::size_t>(index)] =
           known(*from.start, descend(*from.start, from.x, most * most));
     });
@@ -225,7 +230,10 @@ void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Resu
   }
   const std::string unit = is_angle ? "_deg" : "";
   Family family{"Robust front", {{"nominal_error" + unit, {}}, {"quantile" + unit, {}}}};
-  for (const RobustPoint& point : answer.front) {
+  for (RobustPoint& point : answer.front) {
+    // By these the page finds a design on the front.
+    point.design.metrics.quantities.push_back({family.columns[0].name, point.error});
+    point.design.metrics.quantities.push_back({family.columns[1].name, point.quantile});
     family.columns[0].values.push_back(point.error);
     family.columns[1].values.push_back(point.quantile);
   }

@@ -208,23 +208,6 @@ const ToleranceValue* tolerance_of(const MechanismDimension& dimension,
   return general ? &*general : nullptr;
 }
 
-tl::expected<Deviation, std::string> deviation_of(const MechanismDimension& dimension,
-                                                  const ToleranceValue& value,
-                                                  std::optional<LengthUnit> unit) {
-  if (const auto* deviation = std::get_if<Deviation>(&value)) return *deviation;
-  const auto grade = std::get<ToleranceGrade>(value);
-  const double millimetres = unit ? kMillimetresInMetre * metres(unit) : 1;
-  const double nominal = std::abs(dimension.nominal) * millimetres;
-  if (nominal == 0) return Deviation{};  // a place on an axis has no size
-  const auto deviation = deviation_mm(grade, nominal);
-  if (!deviation) {
-    return tl::unexpected(fmt::format(
-        "{} is {:.6g} mm long, for which {} has no tolerance: it has them for lengths {}",
-        dimension.name, nominal, to_string(grade), sizes_of(grade)));
-  }
-  return Deviation{*deviation / millimetres, *deviation / millimetres};
-}
-
 }  // namespace
 
 std::vector<MechanismDimension> dimensions(const NamedMechanism& mechanism) {
@@ -245,6 +228,23 @@ std::vector<std::string> dimension_groups(const NamedMechanism& mechanism) {
   return groups;
 }
 
+tl::expected<Deviation, std::string> deviation_of(const std::string& name, double nominal,
+                                                  const ToleranceValue& value,
+                                                  std::optional<LengthUnit> unit) {
+  if (const auto* deviation = std::get_if<Deviation>(&value)) return *deviation;
+  const auto grade = std::get<ToleranceGrade>(value);
+  const double millimetres = unit ? kMillimetresInMetre * metres(unit) : 1;
+  const double length = std::abs(nominal) * millimetres;
+  if (length == 0) return Deviation{};  // a place on an axis has no size
+  const auto deviation = deviation_mm(grade, length);
+  if (!deviation) {
+    return tl::unexpected(fmt::format(
+        "{} is {:.6g} mm long, for which {} has no tolerance: it has them for lengths {}", name,
+        length, to_string(grade), sizes_of(grade)));
+  }
+  return Deviation{*deviation / millimetres, *deviation / millimetres};
+}
+
 tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& mechanism,
                                                           const Tolerances& tolerances,
                                                           std::optional<LengthUnit> unit) {
@@ -260,7 +260,7 @@ tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& 
   for (const MechanismDimension& dimension : dimensions(mechanism)) {
     const ToleranceValue* value = tolerance_of(dimension, tolerances);
     if (!value) continue;
-    const auto deviation = deviation_of(dimension, *value, unit);
+    const auto deviation = deviation_of(dimension.name, dimension.nominal, *value, unit);
     if (!deviation) return tl::unexpected(deviation.error());
     if (deviation->plus == 0 && deviation->minus == 0) continue;
     slopes.push_back(slopes_of(mechanism, dimension, nominal));

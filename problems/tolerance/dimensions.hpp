@@ -41,6 +41,12 @@ struct TolerancedDimension {
   double half_width() const { return (deviation.plus + deviation.minus) / 2; }
 };
 
+/// The deviation that `value` gives the dimension `name` of this nominal value; or that its
+/// standard has none. Of a place on an axis, nominally 0, a grade has none either: no deviation.
+tl::expected<Deviation, std::string> deviation_of(const std::string& name, double nominal,
+                                                  const ToleranceValue& value,
+                                                  std::optional<LengthUnit> unit);
+
 /// What may be off, and the mechanism as a function of it. Points are those of the mechanism.
 struct TolerancedMechanism {
   std::vector<TolerancedDimension> dimensions;  ///< whose tolerance is not 0

@@ -62,7 +62,18 @@ void add_histogram(const std::vector<double>& sorted, ToleranceFigures& figures)
   }
 }
 
-void add_extremes(ResponseType type, std::vector<double> extremes, ToleranceFigures& figures) {
+void note_open(ToleranceResult& result) {
+  if (result.assembled == result.samples) return;
+  const double open =
+      static_cast<double>(result.samples - result.assembled) / static_cast<double>(result.samples);
+  result.notes.push_back(
+      fmt::format("{:.3g} % of the samples cannot be assembled at every position", 100 * open));
+}
+
+}  // namespace
+
+void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,
+                             ToleranceFigures& figures) {
   if (extremes.empty()) return;
   const bool acute = type == ResponseType::transmission;
   if (acute) {
@@ -78,7 +89,7 @@ void add_extremes(ResponseType type, std::vector<double> extremes, ToleranceFigu
   }
 }
 
-void add_yield(const Tolerances& tolerances, bool angle, const std::vector<double>& extremes,
+void set_yield(const Tolerances& tolerances, bool angle, const std::vector<double>& extremes,
                ToleranceResult& result) {
   if (!tolerances.max_error || result.samples == 0) return;
   const double limit = *tolerances.max_error * (angle ? kPi / 180 : 1);
@@ -88,16 +99,6 @@ void add_yield(const Tolerances& tolerances, bool angle, const std::vector<doubl
   result.yield = yield;
   result.yield_standard_error = std::sqrt(yield * (1 - yield) / count);
 }
-
-void note_open(ToleranceResult& result) {
-  if (result.assembled == result.samples) return;
-  const double open =
-      static_cast<double>(result.samples - result.assembled) / static_cast<double>(result.samples);
-  result.notes.push_back(
-      fmt::format("{:.3g} % of the samples cannot be assembled at every position", 100 * open));
-}
-
-}  // namespace
 
 void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolerances,
                  const ToleranceQuestion& question, const ToleranceRun& run,
@@ -128,10 +129,10 @@ void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolera
       figures.positions[s].sigma = drawn.responses[q].stations[s].standard_deviation;
     }
     if (question.quantities[q].judged) {
-      add_yield(tolerances, figures.angle, drawn.responses[q].extremes, result);
+      set_yield(tolerances, figures.angle, drawn.responses[q].extremes, result);
     }
-    add_extremes(question.quantities[q].response.type, std::move(drawn.responses[q].extremes),
-                 figures);
+    set_extremes_of_samples(question.quantities[q].response.type,
+                            std::move(drawn.responses[q].extremes), figures);
   }
 }
 

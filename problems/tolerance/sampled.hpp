@@ -6,6 +6,15 @@
 
 namespace cognate::problems {
 
+/// Sets quantiles, mean and histogram by the greatest error of each sample; of a transmission angle
+/// by its difference from a right angle.
+void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,
+                             ToleranceFigures& figures);
+
+/// Sets yield and its standard error by the greatest errors of the samples, in radians or a length.
+void set_yield(const Tolerances& tolerances, bool angle, const std::vector<double>& extremes,
+               ToleranceResult& result);
+
 /// Sets mean, standard deviation, quantiles, histogram and yield; where there are no figures of
 /// first order, how many samples can be assembled alone.
 void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolerances,

@@ -93,6 +93,11 @@ PathFitTask task_of(const PathFit& problem, const PathFitOptions& options) {
   task.limit_count = static_cast<int>(problem.limits.size());
   std::copy(problem.box.begin(), problem.box.end(), task.box);
   task.boxed = std::ranges::any_of(problem.box, [](double side) { return std::isfinite(side); });
+  task.limits_transmission = problem.transmission_cosines.has_value();
+  if (problem.transmission_cosines) {
+    task.least_cosine = problem.transmission_cosines->front();
+    task.greatest_cosine = problem.transmission_cosines->back();
+  }
   task.penalty = options.penalty;
   task.most_iterations = options.most_iterations;
   task.tolerance = options.tolerance;

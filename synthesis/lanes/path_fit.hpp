@@ -27,6 +27,8 @@ struct PathFit {
   bool anchored_at_d = false;   ///< the anchor is the pivot D, not A
   std::vector<LinkLimit> limits;
   std::array<double, 4> box;  ///< of the other pivot: least and greatest x, then y; may be infinite
+  /// Least and greatest cosine of the transmission angle at every point.
+  std::optional<std::array<double, 2>> transmission_cosines;
 };
 
 /// Where a fit starts, and where it ends.

@@ -42,8 +42,11 @@ struct PathFitTask {
   bool anchored_at_d;   ///< the anchor is D, not A
   const LinkLimit* limits;
   int limit_count;
-  double box[4];   ///< x and y limits of the pivot that is not the anchor: min, max of each
-  bool boxed;      ///< whether one of them is finite
+  double box[4];  ///< x and y limits of the pivot that is not the anchor: min, max of each
+  bool boxed;     ///< whether one of them is finite
+  /// Limits of cos μ at each point, μ being the transmission angle, and whether there are any.
+  double least_cosine, greatest_cosine;
+  bool limits_transmission;
   double penalty;  ///< weight of the violation of a limit, as a residual
   int most_iterations;
   double tolerance;

@@ -77,14 +77,15 @@ class PathLanes {
     equations.clear(task_.unknowns);
     const Linkage linkage(task_, here_);
     for (int j = 0; j < task_.points; ++j) {
-      Real residual[2], row[2][path_unknowns], local[2];
-      const Vec2<Real> error = differentiate(linkage, j, row, local);
+      Real residual[kRows], row[kRows][path_unknowns], local[kRows];
+      const Place at(linkage, crank_half(j, here_, half_), assembly_);
+      const Vec2<Real> error = differentiate(linkage, at, j, row, local);
       residual[0] = error.x;
       residual[1] = error.y;
-      for (int axis = 0; axis < 2; ++axis) {
-        equations.add(residual[axis], row[axis], task_.unknowns);
-      }
-      if (!task_.is_timed[j]) store_local(j, residual, row, local);
+      const int rows = task_.limits_transmission ? kRows : 2;
+      if (rows > 2) residual[2] = limit_transmission(linkage, at, j, row[2], local[2]);
+      for (int k = 0; k < rows; ++k) equations.add(residual[k], row[k], task_.unknowns);
+      if (!task_.is_timed[j]) store_local(j, rows, residual, row, local);
     }
     for (int i = 0; i < task_.limit_count; ++i) add_limit(task_.limits[i], equations);
     if (task_.boxed) add_box(equations);
@@ -134,6 +135,10 @@ class PathLanes {
     for (int j = 0; j < task_.points; ++j) {
       const Place at(linkage, crank_half(j, next_, next_half_), assembly_);
       sum = sum + squared_norm(Real(task_.root_weight[j]) * (linkage.to_target(j) + at.arm));
+      if (task_.limits_transmission) {
+        const Real miss = Real(task_.penalty) * beyond(at.transmission_cosine());
+        sum = sum + miss * miss;
+      }
     }
     for (int i = 0; i < task_.limit_count; ++i) {
       sum = sum + squared_penalty(evaluate(task_.limits[i], next_.value).value);
@@ -163,6 +168,9 @@ class PathLanes {
   };
 
   static constexpr double kNoBound = 1e3;
+  /// Residuals of a point: its distance in two axes, and how far its transmission angle is beyond
+  /// the limits.
+  static constexpr int kRows = 3;
 
   /// Angles have no bounds here: what the file says of them is left to whoever takes the fit on.
   Real step_to(int i, double bound, double of_angles) const {
@@ -211,6 +219,11 @@ class PathLanes {
       swing = links.coupler * linkage.point;
       arm = linkage.links.crank * crank + swing;
     }
+
+    /// Of the angle between coupler and rocker.
+    Real transmission_cosine() const {
+      return links.coupler.x * links.rocker.x + links.coupler.y * links.rocker.y;
+    }
   };
 
   Direction crank_half(int j, const State& state, const double* halves) const {
@@ -218,9 +231,8 @@ class PathLanes {
     return task_.is_timed[j] ? half * state.half_phase : half;
   }
 
-  Vec2<Real> differentiate(const Linkage& linkage, int j, Real (&row)[2][path_unknowns],
-                           Real (&local)[2]) const {
-    const Place at(linkage, crank_half(j, here_, half_), assembly_);
+  Vec2<Real> differentiate(const Linkage& linkage, const Place& at, int j,
+                           Real (&row)[kRows][path_unknowns], Real (&local)[kRows]) const {
     const auto phi = closure_gradient(linkage.links, at.crank, at.links).coupler;
     const Vec2<Real> by_phi = perp(at.swing);
     const Vec2<Real> by_theta = linkage.links.crank * perp(at.crank) + phi.crank_angle * by_phi;
@@ -251,13 +263,49 @@ class PathLanes {
     return weight * (linkage.to_target(j) + at.arm);
   }
 
-  void store_local(int j, const Real (&residual)[2], const Real (&row)[2][path_unknowns],
-                   const Real (&local)[2]) {
-    store(local[0] * local[0] + local[1] * local[1], local_square_ + j * kLanes);
-    store(local[0] * residual[0] + local[1] * residual[1], local_rhs_ + j * kLanes);
+  /// How far cos μ is above its greatest value, or, negative, below its least.
+  Real beyond(const Real& cosine) const {
+    const Real zero(0.0);
+    return larger(cosine - Real(task_.greatest_cosine), zero) +
+           smaller(cosine - Real(task_.least_cosine), zero);
+  }
+
+  /// The penalty of a transmission angle beyond its limits, as a residual with its derivatives:
+  /// 2 l₂ l₃ cos μ = l₂² + l₃² − l₁² − l₄² + 2 l₁ l₄ cos θ.
+  Real limit_transmission(const Linkage& linkage, const Place& at, int j,
+                          Real (&row)[path_unknowns], Real& local) const {
+    const auto& [crank, coupler, rocker, frame] = linkage.links;
+    const Real cosine = at.transmission_cosine(), zero(0.0);
+    const Real miss = beyond(cosine);
+    const Real weight = choose(miss == zero, zero, Real(task_.penalty));
+    const Real scale = weight / (coupler * rocker);
+    const bool is_timed = task_.is_timed[j], against = is_timed && task_.counted_from_x;
+    Real all[path_unknowns];
+    for (Real& slope : all) slope = zero;
+    local = -(scale * crank * frame * at.crank.y);
+    all[path_crank] = scale * (frame * at.crank.x - crank);
+    all[path_coupler] = scale * (coupler - cosine * rocker);
+    all[path_rocker] = scale * (rocker - cosine * coupler);
+    all[path_frame] = scale * (crank * at.crank.x - frame);
+    if (against) all[path_frame_angle] = -local;
+    if (is_timed) all[path_phase] = local;
+    for (int i = 0; i < task_.unknowns; ++i) row[i] = all[task_.unknown[i]];
+    return Real(task_.penalty) * miss;
+  }
+
+  void store_local(int j, int rows, const Real (&residual)[kRows],
+                   const Real (&row)[kRows][path_unknowns], const Real (&local)[kRows]) {
+    Real square(0.0), rhs(0.0);
+    for (int k = 0; k < rows; ++k) {
+      square = square + local[k] * local[k];
+      rhs = rhs + local[k] * residual[k];
+    }
+    store(square, local_square_ + j * kLanes);
+    store(rhs, local_rhs_ + j * kLanes);
     for (int i = 0; i < task_.unknowns; ++i) {
-      store(local[0] * row[0][i] + local[1] * row[1][i],
-            local_row_ + (j * path_unknowns + i) * kLanes);
+      Real along(0.0);
+      for (int k = 0; k < rows; ++k) along = along + local[k] * row[k][i];
+      store(along, local_row_ + (j * path_unknowns + i) * kLanes);
     }
   }
 

@@ -32,7 +32,7 @@ PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "ca
                    "analysis_tables": ["analysis"],
                    "study_tables": ["studies"]}
 # What stands for something else.
-NO_KEY = {"METRIC or KEY", "[crank] or [slider]"}
+NO_KEY = {"METRIC or KEY", "DIMENSION", "[crank] or [slider]"}
 
 
 def pages():

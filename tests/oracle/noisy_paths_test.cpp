@@ -114,5 +114,14 @@ TEST(NoisyPaths, EverySeedFindsTheBestOfATripleRockerWithLimits) {
   }
 }
 
+// The points of a triple-rocker that keeps all limits, to rounding. Descents of most starts lead to
+// cranks that turn fully, on whose way the transmission angle leaves its limits.
+TEST(NoisyPaths, EverySeedFindsTheLinkageOfAnExactArcWithLimits) {
+  const PathProblem problem = problem_of("exact_arc_of_a_triple_rocker.toml");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_LE(least(problem, seed), 11 * std::pow(1e-8 * 0.148, 2)) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace cognate::problems::noisy_paths_test

@@ -72,7 +72,7 @@ extern "C" int rename(const char* from, const char* to) noexcept {
   return of_the_system<int(const char*, const char*)>("rename")(from, to);
 }
 
-namespace cognate {
+namespace cognate::whole_file_test {
 namespace {
 
 class WholeFile : public testing::Test {
@@ -187,4 +187,4 @@ TEST_F(WholeFile, TryingAFolderLeavesItAsItWas) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::whole_file_test

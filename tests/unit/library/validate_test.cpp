@@ -16,7 +16,7 @@
 #include "tests/support/folders.hpp"
 #include "tests/unit/library/corruption.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::validate_test {
 namespace {
 
 std::vector<std::filesystem::path> worked_files() {
@@ -241,4 +241,4 @@ TEST(Validate, CorruptedProblemsAreRefusedOrAnswered) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::validate_test

@@ -7,7 +7,7 @@
 
 #include "problems/linkage/cycle_quantities.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::constraint_words_test {
 namespace {
 
 constexpr double kOpen = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ TEST(ConstraintWords, GivePeaksTheUnitOfTheirOutput) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::constraint_words_test

@@ -21,7 +21,7 @@
 #include "problems/read.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::raster_test {
 namespace {
 
 template <class Problem>
@@ -280,4 +280,4 @@ TEST(RasterReading, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::raster_test

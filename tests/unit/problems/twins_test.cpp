@@ -13,7 +13,7 @@
 #include "problems/linkage/long_links.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::twins_test {
 namespace {
 
 Design design_with(const FourBar& linkage) {
@@ -140,4 +140,4 @@ TEST(LongLinks, LeaveOneDesignWithANote) {
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::twins_test

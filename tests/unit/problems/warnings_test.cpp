@@ -12,7 +12,7 @@
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/read.hpp"
 
-namespace cognate::problems {
+namespace cognate::problems::warnings_test {
 namespace {
 
 /// A four-bar with both pivots on the x axis, judged over its whole motion.
@@ -211,4 +211,4 @@ rocker = 1
 }
 
 }  // namespace
-}  // namespace cognate::problems
+}  // namespace cognate::problems::warnings_test

@@ -187,6 +187,55 @@ TEST(PathFit, CostsLimitsAsPenalties) {
   EXPECT_EQ(states.size(), 12u);
 }
 
+/// The limits of the transmission angle at every point, of a crank that need not turn fully: the
+/// angle from the motion, the derivatives by differences, for each way of timing.
+TEST(PathFit, CostsTransmissionAnglesAtThePoints) {
+  const Range limits{0.9, 1.5};
+  const PathFitOptions options{.most_iterations = 2000, .tolerance = 1e-16};
+  int tested = 0;
+  for (const auto& [timing, reference] : {std::pair(Timing::free, CrankReference::first),
+                                          {Timing::mixed, CrankReference::first},
+                                          {Timing::mixed, CrankReference::frame},
+                                          {Timing::mixed, CrankReference::global}}) {
+    PathProblem problem = noisy(timing, reference);
+    problem.constraints.transmission_angle = limits;
+    const PathModel model(problem, linkage.assembly, false);
+    const auto penalised = [&](const std::vector<double>& x) {
+      double sum = objective(model, x);
+      const Motion motion(model.linkage(x));
+      for (const double angle : model.crank_angles(x)) {
+        const double cosine = std::cos(motion.at(angle)->transmission_angle);
+        const double over = std::max(0.0, cosine - std::cos(limits.min));
+        const double under = std::max(0.0, std::cos(limits.max) - cosine);
+        sum += std::pow(options.penalty * (over + under), 2);
+      }
+      return sum;
+    };
+    const auto from = starts(model, 6);
+    const auto states = fitted(model, from, options);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const auto x = model.variables_of(states[i], from[i]);
+      const double cost = penalised(x);
+      EXPECT_NEAR(states[i].cost, cost, 1e-9 * cost);
+      EXPECT_GT(cost, objective(model, x)) << "no limit is active: the test shows nothing";
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        const auto& variable = model.variables()[k];
+        if (x[k] - variable.lower < 1e-4 || variable.upper - x[k] < 1e-4) continue;
+        const double h = 1e-6;
+        auto left = x, right = x;
+        left[k] -= h;
+        right[k] += h;
+        const double slope = (penalised(right) - penalised(left)) / (2 * h);
+        const double bend = std::abs(penalised(right) - 2 * cost + penalised(left)) / (h * h);
+        EXPECT_LT(slope * slope / (bend + 1e-12), 1e-4 * cost)
+            << "start " << i << ", " << variable.name;
+        ++tested;
+      }
+    }
+  }
+  EXPECT_GE(tested, 200);
+}
+
 TEST(PathFit, StartsWithinItsBounds) {
   PathProblem problem = noisy(Timing::prescribed, CrankReference::frame);
   const PathModel free(problem, linkage.assembly, false);

@@ -12,7 +12,7 @@
 
 #include "synthesis/raster/model_raster.hpp"
 
-namespace cognate::synthesis {
+namespace cognate::synthesis::raster_test {
 namespace {
 
 /// ‖A x − b‖², within bounds and, on request, with one linear constraint n·x ≥ c.
@@ -231,4 +231,4 @@ TEST(RasterValues, AreTheDoublesNearestToTheMultiples) {
 }
 
 }  // namespace
-}  // namespace cognate::synthesis
+}  // namespace cognate::synthesis::raster_test

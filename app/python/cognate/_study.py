@@ -1,0 +1,117 @@
+"""Studies: any problem with other numbers, any number of times."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Iterator, Mapping, Optional, Sequence, Union
+
+from . import _core, _show
+from ._problems import Problem
+from ._progress import Progress, shown
+from ._result import Values, _values, write_whole
+
+
+class Study:
+    """The rows of a study, kept in its file NAME.study.db; they are read when they are wanted."""
+
+    def __init__(self, file: Union[str, "os.PathLike[str]"], document: Optional[dict[str, Any]] = None,
+                 page: str = "") -> None:
+        self.file = Path(os.fspath(file))
+        """The study file, an SQLite database."""
+        self.document = document or {}
+        """``cognate-study/1``: what it varies, counts, and the best rows; empty where it was opened."""
+        self._page = page
+
+    @property
+    def counts(self) -> Any:
+        """How many designs were evaluated, kept, solved, ..."""
+        found = {key: value for key, value in self.document.items() if isinstance(value, int)}
+        return _values({**found, **self.document.get("counts", {})})
+
+    def columns(self, names: Sequence[str] = (), *, first: int = 0,
+                most: Optional[int] = None) -> dict[str, Any]:
+        """The rows by columns: ``id``, ``status``, the varied keys and the metrics.
+
+        Numbers are arrays (n,), NaN where a row has none; words are lists. ``names`` chooses
+        columns, ``first`` the least id, ``most`` the number of rows.
+        """
+        return _core.read_rows(str(self.file), first, -1 if most is None else most, [*names])
+
+    def blocks(self, rows: int = 100_000, names: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
+        """The same in blocks of so many rows, for studies that are larger than the memory."""
+        first = 0
+        while True:
+            block = self.columns(names, first=first, most=rows)
+            if not len(block["id"]):
+                return
+            yield block
+            first = int(block["id"][-1]) + 1
+
+    def to_frame(self, names: Sequence[str] = ()) -> Any:
+        """The rows as a DataFrame of pandas, which must be installed, by ``id``."""
+        try:
+            import pandas
+        except ImportError:
+            raise ImportError("to_frame needs pandas; columns() gives the same columns without "
+                              "it") from None
+        frame = pandas.DataFrame(self.columns(names))
+        frame["id"] = frame["id"].astype("int64")
+        return frame.set_index("id")
+
+    def report(self, path: Union[str, "os.PathLike[str]", None] = None) -> Path:
+        """Writes the report page of the sweep, NAME.report.html without a path."""
+        name = self.file.name.removesuffix(".study.db")
+        target = Path(os.fspath(path)) if path is not None else Path(f"{name}.report.html")
+        if not self._page:
+            raise ValueError("this study was opened; sweep() makes the report")
+        write_whole(target, self._page.encode())
+        return target
+
+    def __repr__(self) -> str:
+        return f"<Study {self.file}>"
+
+    def _repr_html_(self) -> str:
+        columns = self.columns(most=10)
+        names = list(columns)
+        rows = [{name: columns[name][i] for name in names} for i in range(len(columns["id"]))]
+        return f"<p><b>{self.file.name}</b></p>" + _show._table(rows)
+
+
+def sweep(
+    study: Problem = None,
+    *,
+    out: Union[str, "os.PathLike[str]"] = ".",
+    name: Optional[str] = None,
+    seed: int = 1,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Progress = None,
+    **tables: Any,
+) -> Study:
+    """Evaluates the designs of a study that are not yet in its file, as ``cognate sweep`` does.
+
+    ``study`` is the name of a study file or a dictionary with its keys; ``tables`` are its keys as
+    keywords: ``vary=[{...}]``, ``output={...}``, ``filter={...}``, ``objective={...}``. ``base`` is
+    the name of a file, relative to the study file or to the working folder, or a dictionary, which
+    is written to NAME.base.toml in the folder ``out``. Rows are stored in NAME.study.db there;
+    Ctrl-C and the time limit lose none of them, and the same call goes on.
+    """
+    is_file = isinstance(study, (str, os.PathLike))
+    stem = name or (Path(os.fspath(study)).stem if is_file else "study")  # type: ignore[arg-type]
+    folder = Path(os.fspath(out))
+    keys = dict(tables)
+    if isinstance(study, Mapping):
+        keys, study = {**study, **keys}, None
+    if isinstance(keys.get("base"), Mapping):
+        folder.mkdir(parents=True, exist_ok=True)
+        base = folder / f"{stem}.base.toml"
+        write_whole(base, _core.toml_text(dict(keys["base"])).encode())
+        keys["base"] = str(base.resolve())
+    run = {"seed": seed, "threads": threads, "time_limit": time_limit}
+    with shown(progress) as report:
+        document, page, file = _core.sweep(study, keys, stem, str(folder), {**run, "progress": report})
+    return Study(file, document, page)
+
+
+__all__ = ["Study", "Values", "sweep"]

@@ -1,0 +1,122 @@
+#include "app/python/watch.hpp"
+
+#include <chrono>
+#include <exception>
+#include <set>
+#include <thread>
+
+namespace cognate::python {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The computations that run now, for the end of the interpreter alone.
+struct Running {
+  std::mutex guard;
+  std::condition_variable left;
+  std::set<Watch*> watches;
+};
+
+Running& running() {
+  static Running all;
+  return all;
+}
+
+}  // namespace
+
+Watch::Watch() {
+  const std::scoped_lock lock(running().guard);
+  running().watches.insert(this);
+}
+
+Watch::~Watch() {
+  {
+    const std::scoped_lock lock(running().guard);
+    running().watches.erase(this);
+  }
+  running().left.notify_all();
+}
+
+void Watch::report(double share, double best) {
+  const std::scoped_lock lock(guard_);
+  share_ = share;
+  best_ = best;
+  has_news_ = true;
+}
+
+bool Watch::wait() {
+  std::unique_lock lock(guard_);
+  return change_.wait_for(lock, 50ms, [&] { return is_done_; });
+}
+
+void Watch::keep(py::object& raised) {
+  interrupted_ = true;
+  PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
+  PyErr_Fetch(&type, &value, &trace);
+  PyErr_NormalizeException(&type, &value, &trace);
+  if (trace != nullptr) PyException_SetTraceback(value, trace);
+  Py_XDECREF(type);
+  Py_XDECREF(trace);
+  raised = py::reinterpret_steal<py::object>(value);
+}
+
+void Watch::listen(const py::object& progress, py::object& raised) {
+  if (PyErr_CheckSignals() != 0) {
+    const bool is_first = !interrupted_ && PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0;
+    if (is_first) {
+      PyErr_Clear();
+      interrupted_ = true;
+    } else {
+      keep(raised);
+    }
+  }
+  if (progress.is_none() || !raised.is_none()) return;
+  double share = 0, best = 0;
+  {
+    const std::scoped_lock lock(guard_);
+    if (!std::exchange(has_news_, false)) return;
+    share = share_;
+    best = best_;
+  }
+  const auto shown =
+      py::reinterpret_steal<py::object>(PyObject_CallFunction(progress.ptr(), "dd", share, best));
+  if (!shown) keep(raised);
+}
+
+void Watch::run(const py::object& progress, const std::function<void()>& work) {
+  std::exception_ptr thrown;
+  py::object raised = py::none();
+  {
+    const py::gil_scoped_release unlocked;
+    std::thread worker([&] {
+      try {
+        work();
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+      {
+        const std::scoped_lock lock(guard_);
+        is_done_ = true;
+      }
+      change_.notify_one();
+    });
+    while (!wait()) {
+      const py::gil_scoped_acquire locked;
+      listen(progress, raised);
+    }
+    worker.join();
+  }
+  if (thrown) std::rethrow_exception(thrown);
+  if (raised.is_none()) return;
+  PyErr_SetObject(py::type::handle_of(raised).ptr(), raised.ptr());
+  throw py::error_already_set();
+}
+
+void end_all() {
+  const py::gil_scoped_release unlocked;
+  std::unique_lock lock(running().guard);
+  for (Watch* watch : running().watches) watch->interrupt();
+  running().left.wait_for(lock, 30s, [] { return running().watches.empty(); });
+}
+
+}  // namespace cognate::python

@@ -1,0 +1,314 @@
+#include "problems/cam/tolerance_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "analysis/cam/changed_follower.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/golden_section.hpp"
+#include "analysis/numbers/parallel.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/basics/names.hpp"
+#include "problems/linkage/design_tolerances.hpp"
+#include "problems/tolerance/dimensions.hpp"
+#include "problems/tolerance/draws.hpp"
+#include "problems/tolerance/sampled.hpp"
+#include "synthesis/tolerance/allocation.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr int kPositions = 360;
+constexpr std::size_t kMostCams = 10;
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+using Dimensions = cam::CamDimensions<double>;
+constexpr std::array<double Dimensions::*, kCamDimensions> kMembers = {
+    &Dimensions::base_radius,     &Dimensions::offset, &Dimensions::roller_radius,
+    &Dimensions::centre_distance, &Dimensions::arm,    &Dimensions::face_offset};
+
+/// A cam whose dimensions may be off, and where its follower then stands.
+class ChangedCam {
+ public:
+  ChangedCam(const CamProblem& problem, const cam::Cam& cam) : problem_(problem), cam_(cam) {}
+
+  /// Takes the dimensions that have a tolerance; what is wrong with it.
+  std::optional<std::string> take(const Tolerances& tolerances) {
+    for (std::size_t k = 0; k < kMembers.size(); ++k) {
+      const auto dimension = static_cast<CamDimension>(k);
+      if (!problem_.length(dimension).used) continue;
+      const std::string name(to_string(dimension));
+      const auto named = std::ranges::find(tolerances.dimensions, name, &NamedTolerance::dimension);
+      const bool is_named = named != tolerances.dimensions.end();
+      if (!is_named && !tolerances.length) continue;
+      const double nominal = cam_.system.follower.dimensions.*kMembers[k];
+      const auto deviation = deviation_of(
+          name, nominal, is_named ? named->value : *tolerances.length, problem_.length_unit);
+      if (!deviation) return deviation.error();
+      if (deviation->plus == 0 && deviation->minus == 0) continue;
+      dimensions_.push_back({name, nominal, *deviation});
+      members_.push_back(k);
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<TolerancedDimension>& dimensions() const { return dimensions_; }
+
+  double place(std::span<const double> changes, double angle) const {
+    Dimensions change{};
+    for (std::size_t i = 0; i < members_.size(); ++i) change.*kMembers[members_[i]] = changes[i];
+    return cam::misplacement(cam_, change, angle).value_or(kMissing);
+  }
+
+  std::vector<double> rates(double angle) const {
+    const auto all = cam::misplacement_rates(cam_, angle);
+    std::vector<double> own;
+    for (const std::size_t member : members_) own.push_back(all[member]);
+    return own;
+  }
+
+ private:
+  const CamProblem& problem_;
+  const cam::Cam& cam_;
+  std::vector<TolerancedDimension> dimensions_;
+  std::vector<std::size_t> members_;
+};
+
+/// The greatest of `sense`·place over the box: each dimension at one of its ends, or between them
+/// where the golden section finds more.
+double greatest(const ChangedCam& cam, double angle, double sense, std::vector<double>& changes,
+                std::size_t dimension) {
+  constexpr int kSteps = 40;
+  const auto& dimensions = cam.dimensions();
+  if (dimension == dimensions.size()) return sense * cam.place(changes, angle);
+  const auto at = [&](double change) {
+    changes[dimension] = change;
+    return greatest(cam, angle, sense, changes, dimension + 1);
+  };
+  const double low = -dimensions[dimension].deviation.minus;
+  const double high = dimensions[dimension].deviation.plus;
+  const double from = at(low), to = at(high);
+  const double most = std::max(from, to);
+  // Between the ends only where the place turns back: then both rise from their ends.
+  const double step = (high - low) / 64;
+  if (!(at(low + step) > from && at(high - step) > to)) return most;
+  const auto best = golden_section([&](double change) { return -at(change); }, low, high, kSteps);
+  return std::max(most, -best.least());
+}
+
+PositionFigures figures_at(const ChangedCam& cam, const std::vector<double>& rates, double angle) {
+  PositionFigures at;
+  double high = 0, low = 0, squares = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const auto& dimension = cam.dimensions()[i];
+    const auto& [plus, minus] = dimension.deviation;
+    high += std::max(rates[i] * plus, -rates[i] * minus);
+    low += std::min(rates[i] * plus, -rates[i] * minus);
+    squares += rates[i] * rates[i] * dimension.half_width() * dimension.half_width();
+  }
+  at.linear = std::max(high, -low);
+  at.rss = std::sqrt(squares);
+  std::vector<double> changes(rates.size());
+  at.high = greatest(cam, angle, 1, changes, 0);
+  at.low = -greatest(cam, angle, -1, changes, 0);
+  return at;
+}
+
+std::size_t worst_of(const ToleranceFigures& figures,
+                     const std::function<double(const PositionFigures&)>& of) {
+  const auto worst = std::ranges::max_element(figures.positions, {}, of);
+  return static_cast<std::size_t>(worst - figures.positions.begin());
+}
+
+void contribute(const ChangedCam& cam, const std::vector<std::vector<double>>& rates,
+                ToleranceFigures& figures) {
+  double total = 0;
+  for (std::size_t i = 0; i < cam.dimensions().size(); ++i) {
+    Contribution one{.dimension = cam.dimensions()[i].name};
+    for (std::size_t s = 0; s < rates.size(); ++s) {
+      if (std::abs(rates[s][i]) > std::abs(one.largest)) {
+        one.largest = rates[s][i];
+        one.largest_at = s;
+      }
+    }
+    one.sensitivity = rates[figures.worst][i];
+    one.amount = std::abs(one.sensitivity) * cam.dimensions()[i].half_width();
+    total += one.amount;
+    figures.contributions.push_back(std::move(one));
+  }
+  for (Contribution& one : figures.contributions) one.share = total > 0 ? one.amount / total : 0;
+  std::ranges::stable_sort(figures.contributions, std::greater{}, &Contribution::amount);
+}
+
+/// Places of samples, in pieces whose sums are added in their order.
+struct CamSums {
+  std::vector<double> sum = std::vector<double>(kPositions), square = sum;
+  std::vector<double> extremes;
+};
+
+void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vector<double>& angles,
+            const Run& run, const Deadline& deadline, ToleranceResult& result) {
+  constexpr std::size_t kPiece = 1024;
+  const auto count = static_cast<std::size_t>(tolerances.samples);
+  const std::size_t pieces = (count + kPiece - 1) / kPiece;
+  std::vector<CamSums> sums(pieces);
+  std::vector<std::size_t> drawn(pieces);
+  const std::size_t dimensions = cam.dimensions().size();
+  parallel_for(static_cast<int>(pieces), run.threads, [&](int index, int /*thread*/) {
+    if (deadline.reached()) return;
+    const auto piece = static_cast<std::size_t>(index);
+    CamSums& own = sums[piece];
+    const std::size_t first = piece * kPiece, size = std::min(kPiece, count - first);
+    std::vector<double> changes(dimensions * size), one(dimensions), places(angles.size());
+    draw_changes(cam.dimensions(), tolerances.distribution, run.seed, first, size, changes);
+    drawn[piece] = size;
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t d = 0; d < dimensions; ++d) one[d] = changes[d * size + i];
+      double extreme = 0;
+      for (std::size_t s = 0; s < angles.size(); ++s) {
+        places[s] = cam.place(one, angles[s]);
+        extreme = std::isnan(places[s]) ? kMissing : std::max(std::abs(places[s]), extreme);
+        if (std::isnan(extreme)) break;
+      }
+      if (std::isnan(extreme)) continue;
+      own.extremes.push_back(extreme);
+      for (std::size_t s = 0; s < angles.size(); ++s) {
+        own.sum[s] += places[s];
+        own.square[s] += places[s] * places[s];
+      }
+    }
+  });
+  CamSums all;
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    result.samples += drawn[piece];
+    std::ranges::copy(sums[piece].extremes, std::back_inserter(all.extremes));
+    for (std::size_t s = 0; s < angles.size(); ++s) {
+      all.sum[s] += sums[piece].sum[s];
+      all.square[s] += sums[piece].square[s];
+    }
+  }
+  result.assembled = all.extremes.size();
+  const auto assembled = static_cast<double>(all.extremes.size());
+  ToleranceFigures& figures = result.quantities.front();
+  for (std::size_t s = 0; s < angles.size() && assembled > 1; ++s) {
+    PositionFigures& at = figures.positions[s];
+    at.mean = all.sum[s] / assembled;
+    at.sigma = std::sqrt(std::max(0.0, (all.square[s] - all.sum[s] * at.mean) / (assembled - 1)));
+  }
+  set_yield(tolerances, figures.angle, all.extremes, result);
+  set_extremes_of_samples(ResponseType::displacement, std::move(all.extremes), figures);
+}
+
+void allocate(const ChangedCam& cam, const Tolerances& tolerances,
+              const std::vector<std::vector<double>>& rates, bool angle, ToleranceResult& result) {
+  if (!tolerances.allocation) return;
+  const Allocation& allocation = *tolerances.allocation;
+  const int power = allocation.basis == AllocationBasis::rss ? 2 : 1;
+  const double limit = allocation.limit * (angle ? kPi / 180 : 1);
+  std::vector<double> costs;
+  for (const TolerancedDimension& dimension : cam.dimensions()) {
+    const auto named = std::ranges::find(allocation.costs, dimension.name, &CostFactor::dimension);
+    costs.push_back(named == allocation.costs.end() ? 1 : named->factor);
+  }
+  std::vector<synthesis::ToleranceDemand> demands;
+  for (const auto& row : rates) {
+    synthesis::ToleranceDemand demand{{}, std::pow(limit, power)};
+    for (const double rate : row) demand.factors.push_back(std::pow(std::abs(rate), power));
+    demands.push_back(std::move(demand));
+  }
+  const auto worst = [&](const std::vector<double>& t) {
+    const auto spent = [&](const synthesis::ToleranceDemand& demand) {
+      double sum = 0;
+      for (std::size_t i = 0; i < t.size(); ++i) sum += demand.factors[i] * std::pow(t[i], power);
+      return sum;
+    };
+    return *std::ranges::max_element(demands, {}, spent);
+  };
+  const auto cheapest = synthesis::cheapest_tolerances(costs, worst, power);
+  if (!cheapest) return;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const double t = cheapest->tolerances[i];
+    result.allocation.push_back({cam.dimensions()[i].name, t, costs[i] / t});
+  }
+  result.allocation_cost = cheapest->cost;
+  result.allocation_error = allocation.limit;
+}
+
+void to_degrees(ToleranceFigures& figures) {
+  constexpr double k = 180 / kPi;
+  for (PositionFigures& at : figures.positions) {
+    for (double PositionFigures::*of :
+         {&PositionFigures::linear, &PositionFigures::low, &PositionFigures::high,
+          &PositionFigures::rss, &PositionFigures::mean, &PositionFigures::sigma}) {
+      at.*of *= k;
+    }
+  }
+  for (Contribution& one : figures.contributions) {
+    one.sensitivity *= k;
+    one.largest *= k;
+    one.amount *= k;
+  }
+  for (Quantile& quantile : figures.quantiles) quantile.error *= k;
+  for (double& edge : figures.histogram_edges) edge *= k;
+  figures.mean_extreme *= k;
+}
+
+ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design, const Run& run,
+                              const Deadline& deadline) {
+  const Tolerances& tolerances = *problem.tolerances;
+  const bool angle = cam::is_oscillating(problem.follower);
+  ToleranceResult result;
+  ChangedCam cam(problem, design.cam);
+  if (const auto fault = cam.take(tolerances)) {
+    result.refused = *fault;
+    return result;
+  }
+  for (const auto& [name, nominal, deviation] : cam.dimensions()) {
+    result.dimensions.push_back({name, nominal, deviation.plus, deviation.minus});
+  }
+  ToleranceFigures figures{.name = "follower", .angle = angle, .judged = true};
+  std::vector<double> angles;
+  std::vector<std::vector<double>> rates;
+  for (int k = 0; k < kPositions; ++k) {
+    angles.push_back(kTurn * k / kPositions);
+    result.drive.push_back(360.0 * k / kPositions);
+    rates.push_back(cam.rates(angles.back()));
+    figures.positions.push_back(figures_at(cam, rates.back(), angles.back()));
+  }
+  figures.worst = worst_of(figures, [](const PositionFigures& at) { return at.linear; });
+  figures.worst_exact = worst_of(figures, [](const PositionFigures& at) {
+    const double size = std::max(at.high, -at.low);
+    return std::isfinite(size) ? size : -1;
+  });
+  figures.exact = std::isfinite(figures.positions[figures.worst_exact].high);
+  figures.exact_everywhere = true;
+  contribute(cam, rates, figures);
+  result.quantities.push_back(std::move(figures));
+  allocate(cam, tolerances, rates, angle, result);
+  if (tolerances.samples > 0) sample(cam, tolerances, angles, run, deadline, result);
+  if (angle) to_degrees(result.quantities.front());
+  return result;
+}
+
+}  // namespace
+
+void add_tolerances(const CamProblem& problem, const Run& run, const Deadline& deadline,
+                    CamResult& result) {
+  if (!problem.tolerances) return;
+  for (std::size_t i = 0; i < std::min(result.designs.size(), kMostCams); ++i) {
+    CamDesign& design = result.designs[i];
+    design.tolerance = tolerances_of(problem, design, run, deadline);
+    std::ranges::move(tolerance_quantities(*design.tolerance), std::back_inserter(design.metrics));
+  }
+  if (problem.second.closure != cam::Closure::force) {
+    result.notes.emplace_back(
+        "Tolerances are of the first contact: the play of the second is not looked at.");
+  }
+}
+
+}  // namespace cognate::problems

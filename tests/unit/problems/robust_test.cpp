@@ -1,0 +1,128 @@
+/// Robust designs judged by samples of the test's own: triangles by the law of cosines, a generator
+/// and a nearest point that share nothing with the search.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/basics/quantity_key.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::problems::robust_test {
+namespace {
+
+double fact(const Result& result, std::string_view name) {
+  return find_quantity(result.quantities, QuantityKey<double>{name}).value_or(-1);
+}
+
+/// The coupler point with every length changed by `changes`: crank, coupler, rocker, frame, u, v.
+Vec2d changed_point(const FourBar& bar, const std::vector<double>& changes, double angle) {
+  const Vec2d way = bar.pivot_d - bar.pivot_a;
+  const double frame = std::hypot(way.x, way.y);
+  const Vec2d d = bar.pivot_a + ((frame + changes[3]) / frame) * way;
+  const double crank = bar.crank + changes[0], coupler = bar.coupler + changes[1];
+  const double rocker = bar.rocker + changes[2];
+  const Vec2d b = bar.pivot_a + crank * Vec2d{std::cos(angle), std::sin(angle)};
+  const double diagonal = std::hypot(d.x - b.x, d.y - b.y);
+  const double at_b = std::acos((coupler * coupler + diagonal * diagonal - rocker * rocker) /
+                                (2 * coupler * diagonal));
+  const double to =
+      std::atan2(d.y - b.y, d.x - b.x) + (bar.assembly == Assembly::open ? at_b : -at_b);
+  return b +
+         Vec2d{std::cos(to), std::sin(to)} * (*bar.coupler_point + Vec2d{changes[4], changes[5]});
+}
+
+/// 99 % of the samples have no target farther than this from the curve near its crank angle.
+double quantile(const FourBar& bar, const std::vector<double>& angles,
+                const std::vector<Vec2d>& targets, double tolerance, bool timed) {
+  constexpr int kSamples = 20'000;
+  std::mt19937_64 random(99);
+  std::normal_distribution<double> normal(0, tolerance / 3);
+  std::vector<double> errors;
+  for (int k = 0; k < kSamples; ++k) {
+    std::vector<double> changes(6);
+    for (double& change : changes) change = normal(random);
+    double greatest = 0;
+    for (std::size_t j = 0; j < targets.size(); ++j) {
+      const auto from = [&](double angle) {
+        const Vec2d off = changed_point(bar, changes, angle) - targets[j];
+        return std::hypot(off.x, off.y);
+      };
+      double low = angles[j] - 0.15, high = angles[j] + 0.15;
+      for (int i = 0; !timed && i < 26; ++i) {
+        const double one = low + 0.381966 * (high - low), two = high - 0.381966 * (high - low);
+        (from(one) < from(two) ? high : low) = from(one) < from(two) ? two : one;
+      }
+      greatest = std::max(greatest, from(0.5 * (low + high)));
+    }
+    errors.push_back(greatest);
+  }
+  std::ranges::sort(errors);
+  return errors[static_cast<std::size_t>(0.99 * kSamples)];
+}
+
+TEST(RobustPaths, EllipseErrsByLessThanTheNominalOptimum) {
+  const auto read =
+      read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "path/ellipse-robust.toml");
+  ASSERT_TRUE(read);
+  const auto& problem = std::get<PathProblem>(*read);
+  const Result result = solve(problem, {});
+  ASSERT_EQ(result.status, Status::solved);
+  const double robust = fact(result, "robust_quantile"), nominal = fact(result, "nominal_quantile");
+  EXPECT_LT(robust, 0.7 * nominal);
+  const Design &first = result.designs.front(), &last = result.designs.back();
+  // Of 20 000 samples the 99 % quantile is known to some percent.
+  EXPECT_NEAR(quantile(four_bar(first), first.crank_angles, problem.points, 0.05, false), robust,
+              0.04 * robust);
+  EXPECT_NEAR(quantile(four_bar(last), last.crank_angles, problem.points, 0.05, false), nominal,
+              0.04 * nominal);
+  ASSERT_EQ(result.families.size(), 1U);
+  const auto& columns = result.families.front().columns;
+  EXPECT_TRUE(std::ranges::is_sorted(columns[0].values));
+  EXPECT_TRUE(std::ranges::is_sorted(columns[1].values, std::ranges::greater{}));
+}
+
+TEST(RobustPaths, TimedPathsAreNoWorseThanTheNominalOptimum) {
+  const auto read = parse_task(
+      "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1.9, 0.4], [3.1, 1.4], [3.4, 2.6], "
+      "[2.8, 3.6], [1.5, 3.9]]\ntiming = \"prescribed\"\ncrank_deg = [0, 30, 60, 90, 120, 150]\n"
+      "[bounds]\nlength = [0.5, 12]\n[tolerance]\nlength = 0.1\n[solve]\nrobust = 0.99\n"
+      "starts = 100\n");
+  ASSERT_TRUE(read);
+  const auto& problem = std::get<PathProblem>(*read);
+  const Result result = solve(problem, {});
+  ASSERT_EQ(result.status, Status::solved);
+  const double robust = fact(result, "robust_quantile"), nominal = fact(result, "nominal_quantile");
+  EXPECT_LE(robust, nominal);
+  const Design& first = result.designs.front();
+  EXPECT_NEAR(quantile(four_bar(first), first.crank_angles, problem.points, 0.1, true), robust,
+              0.04 * robust);
+}
+
+TEST(RobustReading, RefusesWhatMakesNoSense) {
+  const std::string head =
+      "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 0.4], [1.5, 1]]\n";
+  const auto fault = [](const std::string& text) {
+    const auto problem = parse_task(text);
+    return problem ? std::string() : problem.error().front().message;
+  };
+  EXPECT_NE(fault(head + "[solve]\nrobust = 0.99\n").find("tolerance"), std::string::npos);
+  EXPECT_NE(fault(head + "[tolerance]\nlength = 0.1\n[solve]\nrobust = 1.2\n").find("robust"),
+            std::string::npos);
+  EXPECT_NE(fault(head + "[tolerance]\nlength = 0.1\npivots = 0.1\n[solve]\nrobust = 0.9\n")
+                .find("pivots"),
+            std::string::npos);
+  EXPECT_NE(fault(head + "[tolerance]\nlength = 0.1\n[raster]\nlength = 1\n[solve]\nrobust = 0.9\n")
+                .find("raster"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace cognate::problems::robust_test
