@@ -81,9 +81,9 @@ TEST(Mobility, ChangePointsAreRecognisedThroughRounding) {
       EXPECT_EQ(mobility_class(scaled(links, scale)), expected) << testing::PrintToString(links);
     }
   }
-  EXPECT_FALSE(is_change_point({0.1, 0.3, 0.5, 0.7 + 1e-14}));
-  EXPECT_FALSE(crank_rotates({0.1, 0.3, 0.5, 0.7 + 1e-14}));
-  EXPECT_TRUE(crank_rotates({0.1, 0.3, 0.5, 0.7 - 1e-14}));
+  EXPECT_FALSE(is_change_point(Lengths<double>{0.1, 0.3, 0.5, 0.7 + 1e-14}));
+  EXPECT_FALSE(crank_rotates(Lengths<double>{0.1, 0.3, 0.5, 0.7 + 1e-14}));
+  EXPECT_TRUE(crank_rotates(Lengths<double>{0.1, 0.3, 0.5, 0.7 - 1e-14}));
 }
 
 /// Independent of sums by pairs: in a Grashof linkage, ties included, the joints at the ends of a
@@ -371,7 +371,7 @@ TEST(Mobility, WhatCannotBeAssembledIsSaid) {
   EXPECT_TRUE(crank_ranges(links).empty());
   EXPECT_TRUE(std::isnan(transmission_angles(links).min));
   EXPECT_FALSE(outer_limit(links) || inner_limit(links) || time_ratio(links));
-  EXPECT_TRUE(can_assemble({1, 1, 1, 3}));
+  EXPECT_TRUE(can_assemble(Lengths<double>{1, 1, 1, 3}));
   // C on A: the coupler covers the crank, which may point anywhere.
   EXPECT_FALSE(inner_limit({1, 1, 2, 2}));
 }
