@@ -28,8 +28,8 @@ Vec2<Jet> dual_point(const SampleDesign& design, double theta) {
 }
 
 template <class Real>
-class BatchGradient : public testing::Test {};
-using Reals = testing::Types<double, float>;
+class BatchGradient : public ::testing::Test {};
+using Reals = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchGradient, Reals);
 
 /// Compares one row of one design; false where the derivatives are too large to compare.

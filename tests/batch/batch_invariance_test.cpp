@@ -9,8 +9,8 @@ namespace cognate {
 namespace {
 
 template <class Real>
-class BatchInvariance : public testing::Test {};
-using Reals = testing::Types<double, float>;
+class BatchInvariance : public ::testing::Test {};
+using Reals = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchInvariance, Reals);
 
 /// Bitwise equality, NaN included.

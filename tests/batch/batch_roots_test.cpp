@@ -53,8 +53,8 @@ double ulps(Real value, const Quad& exact) {
 }
 
 template <class Real>
-class BatchRoots : public testing::Test {};
-using Reals = testing::Types<double, float>;
+class BatchRoots : public ::testing::Test {};
+using Reals = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchRoots, Reals);
 
 TYPED_TEST(BatchRoots, AreWithinTheStatedUnits) {

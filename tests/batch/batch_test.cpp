@@ -43,8 +43,8 @@ struct Worst {
 };
 
 template <class Real>
-class Batch : public testing::Test {};
-using Reals = testing::Types<double, float>;
+class Batch : public ::testing::Test {};
+using Reals = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(Batch, Reals);
 
 TYPED_TEST(Batch, AgreesWithTheTextbookIn113BitsOnEveryInstructionSet) {

@@ -103,7 +103,7 @@ struct HoekenRow {
 
 /// Norton's table for Hoeken's linkage, and the best of symmetric four-bars found by Nelder and
 /// Mead's method from 40 starts each, all links within ten cranks.
-class HoekenRange : public testing::TestWithParam<HoekenRow> {};
+class HoekenRange : public ::testing::TestWithParam<HoekenRow> {};
 
 TEST_P(HoekenRange, IsReachedAtLeast) {
   const auto [range, published, best_known] = GetParam();
@@ -117,8 +117,8 @@ TEST_P(HoekenRange, IsReachedAtLeast) {
 }
 
 INSTANTIATE_TEST_SUITE_P(StraightLineSearch, HoekenRange,
-                         testing::Values(HoekenRow{120, 0.01, 0.0053507758},
-                                         HoekenRow{180, 0.096, 0.027562524}));
+                         ::testing::Values(HoekenRow{120, 0.01, 0.0053507758},
+                                           HoekenRow{180, 0.096, 0.027562524}));
 
 /// Frame 4, cranks 5, coupler 2, its middle between x = ±2: 0.24384 % of the stroke from side to
 /// side.

@@ -125,7 +125,7 @@ TEST(MotionLeastSquares, PlantedFourBarsComeBack) {
   std::mt19937_64 random(11);
   for (int trial = 0; trial < seeds(5); ++trial) {
     const int count = 6 + 6 * trial;
-    SCOPED_TRACE(testing::Message() << "trial " << trial << ", " << count << " poses");
+    SCOPED_TRACE(::testing::Message() << "trial " << trial << ", " << count << " poses");
     const auto [linkage, problem] = planted(random, count);
     const Result result = solve(problem, {.seed = 1});
     ASSERT_EQ(result.status, Status::solved);

@@ -65,7 +65,7 @@ double miss(const PathSystem& system, const PathRoot& root, std::size_t k) {
       {length_error(root.first), length_error(root.second), std::abs(std::abs(turn) - 1)});
 }
 
-class NinePointOracle : public testing::TestWithParam<Published> {};
+class NinePointOracle : public ::testing::TestWithParam<Published> {};
 
 TEST_P(NinePointOracle, HasThePublishedNumberOfSolutions) {
   std::vector<PathPose> positions;
@@ -85,7 +85,7 @@ TEST_P(NinePointOracle, HasThePublishedNumberOfSolutions) {
   EXPECT_EQ(real, GetParam().real);
 }
 
-INSTANTIATE_TEST_SUITE_P(Published, NinePointOracle, testing::ValuesIn(kPublished),
+INSTANTIATE_TEST_SUITE_P(Published, NinePointOracle, ::testing::ValuesIn(kPublished),
                          [](const auto& info) {
                            std::string name = info.param.name;
                            name[name.find(' ')] = '_';

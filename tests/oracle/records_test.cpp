@@ -147,7 +147,7 @@ void check(const Record& record, const MotionProblem& problem, const Design& des
   expect_reached(record, textbook_error(problem, design));
 }
 
-class Records : public testing::TestWithParam<int> {};
+class Records : public ::testing::TestWithParam<int> {};
 
 TEST_P(Records, AreReachedFromEverySeed) {
   const Record record = read_records()[static_cast<std::size_t>(GetParam())];
@@ -181,7 +181,7 @@ std::string test_name(const Record& record) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Published, Records,
-                         testing::Range(0, static_cast<int>(read_records().size())),
+                         ::testing::Range(0, static_cast<int>(read_records().size())),
                          [](const auto& info) { return test_name(read_records()[info.param]); });
 
 }  // namespace

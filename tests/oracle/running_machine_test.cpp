@@ -72,9 +72,9 @@ struct Centre {
   double at;
 };
 
-class CoupledMass : public testing::TestWithParam<Centre> {};
+class CoupledMass : public ::testing::TestWithParam<Centre> {};
 INSTANTIATE_TEST_SUITE_P(Example, CoupledMass,
-                         testing::Values(Centre{"centre_0_2", 0.2}, Centre{"centre_0_25", 0.25}));
+                         ::testing::Values(Centre{"centre_0_2", 0.2}, Centre{"centre_0_25", 0.25}));
 
 TEST_P(CoupledMass, HasTheInertiaOfExample61) {
   const auto given = data()["equivalent_inertia"];
@@ -114,8 +114,8 @@ TEST_P(CoupledMass, RunsAtTheSpeedsOfExample62) {
   EXPECT_LE(steady.least.omega, *std::ranges::min_element(speeds));
 }
 
-class MotorLine : public testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Example, MotorLine, testing::Values(26500, 25400));
+class MotorLine : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Example, MotorLine, ::testing::Values(26500, 25400));
 
 TEST_P(MotorLine, StartsAsInExample63) {
   const auto given = data()["motor_line"];
@@ -168,8 +168,8 @@ struct Shaper {
   }
 };
 
-class ShaperExample : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Example, ShaperExample, testing::Values("bare", "flywheel"));
+class ShaperExample : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Example, ShaperExample, ::testing::Values("bare", "flywheel"));
 
 TEST_P(ShaperExample, HasTheSteadySpeeds) {
   const auto given = data()["shaper"][GetParam()];

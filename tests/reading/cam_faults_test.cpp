@@ -354,13 +354,13 @@ const std::vector<FaultCase> kCases = {
      {{3, 13, "so is every other length, and angles alone do not say how large a cam is"}}},
 };
 
-class CamFaults : public testing::TestWithParam<FaultCase> {};
+class CamFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(CamFaults, AreFound) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(CamProblem, CamFaults, testing::ValuesIn(kCases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(CamProblem, CamFaults, ::testing::ValuesIn(kCases), name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::cam_faults_test

@@ -114,7 +114,7 @@ TEST(ChainProblem, WhatIsWrittenIsRead) {
   }
 }
 
-class ChainFaults : public testing::TestWithParam<FaultCase> {};
+class ChainFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(ChainFaults, AreFoundInTheirPlace) {
   expect_faults(GetParam());
@@ -174,7 +174,7 @@ const FaultCase kFaults[] = {
      {{4, 1, "pivot is missing"}, {4, 1, "crank is missing"}, {4, 1, "dyad is missing"}}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Files, ChainFaults, testing::ValuesIn(kFaults), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Files, ChainFaults, ::testing::ValuesIn(kFaults), name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::chain_problem_test

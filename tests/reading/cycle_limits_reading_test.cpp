@@ -126,7 +126,7 @@ objectives = ["error", "flywheel_inertia"]
   EXPECT_EQ(as_path(*task).constraints.operation.fluctuation, 0.05);
 }
 
-class CycleLimitsFaults : public testing::TestWithParam<FaultCase> {};
+class CycleLimitsFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(CycleLimitsFaults, AreAllReported) {
   expect_faults(GetParam());
@@ -136,7 +136,7 @@ const std::string kRods = "[[link]]\nname = \"crank\"\nmass_per_length = 1\n";
 
 INSTANTIATE_TEST_SUITE_P(
     CycleLimits, CycleLimitsFaults,
-    testing::ValuesIn(std::vector<FaultCase>{
+    ::testing::ValuesIn(std::vector<FaultCase>{
         {"NoClass",
          kPath + "[constraints]\npeak_acceleration_max = 1\n",
          {{5, 25, "class = \"crank-rocker\" or \"double-crank\" as well"}}},

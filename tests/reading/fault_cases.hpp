@@ -52,7 +52,7 @@ inline void expect_faults(const FaultCase& c) {
   }
 }
 
-inline std::string name_of_case(const testing::TestParamInfo<FaultCase>& info) {
+inline std::string name_of_case(const ::testing::TestParamInfo<FaultCase>& info) {
   return info.param.name;
 }
 

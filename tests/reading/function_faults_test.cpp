@@ -243,13 +243,14 @@ const std::vector<FaultCase> kFunctionCases = {
      {{8, 1, "unknown key \"pivot_a\" in [mechanism]; allowed are"}}},
 };
 
-class FunctionFaults : public testing::TestWithParam<FaultCase> {};
+class FunctionFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(FunctionFaults, EachAtItsPlace) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Function, FunctionFaults, testing::ValuesIn(kFunctionCases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Function, FunctionFaults, ::testing::ValuesIn(kFunctionCases),
+                         name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::function_faults_test

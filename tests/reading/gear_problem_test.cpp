@@ -101,7 +101,7 @@ TEST(GearProblemTest, AWorm) {
   EXPECT_TRUE(is_whole(*read));
 }
 
-class GearFaultTest : public testing::TestWithParam<FaultCase> {};
+class GearFaultTest : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(GearFaultTest, IsFoundAtItsPlace) {
   expect_faults(GetParam());
@@ -109,7 +109,7 @@ TEST_P(GearFaultTest, IsFoundAtItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Gears, GearFaultTest,
-    testing::Values(
+    ::testing::Values(
         FaultCase{"NothingGiven",
                   "kind = \"gear\"",
                   {{1, 1, "mechanism.teeth is missing"}, {1, 1, "mechanism.module is missing"}}},
@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Pairs, GearFaultTest,
-    testing::Values(
+    ::testing::Values(
         FaultCase{"NothingOfAPair",
                   "kind = \"gear-pair\"",
                   {{1, 1, "mechanism.teeth is missing"}, {1, 1, "mechanism.module is missing"}}},

@@ -205,7 +205,7 @@ TEST(MachineProblem, AMotorsTableIsConstantBeyondItsEnds) {
   EXPECT_NEAR(straight.motor->torque.value(0, 57, 0), 6, 1e-13);
 }
 
-class MachineFault : public testing::TestWithParam<FaultCase> {};
+class MachineFault : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(MachineFault, IsFoundAtItsPlace) {
   expect_faults(GetParam());
@@ -313,7 +313,7 @@ const FaultCase kFaults[] = {
      of_crank("[[load]]\non = \"slider\"\nforce = [1, 0]\nvalue = \"2*x\"\n"),
      {{13, 12, "known are the variables phi, w, t, s and v"}}}};
 
-INSTANTIATE_TEST_SUITE_P(Machines, MachineFault, testing::ValuesIn(kFaults), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Machines, MachineFault, ::testing::ValuesIn(kFaults), name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::machine_problem_test

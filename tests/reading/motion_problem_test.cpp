@@ -173,13 +173,14 @@ const std::vector<FaultCase> kCases = {
      {{7, 16, "does not contain the given pivot [9, 9]"}}},
 };
 
-class MotionFaults : public testing::TestWithParam<FaultCase> {};
+class MotionFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(MotionFaults, AreFound) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(MotionProblemTest, MotionFaults, testing::ValuesIn(kCases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(MotionProblemTest, MotionFaults, ::testing::ValuesIn(kCases),
+                         name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::motion_problem_test

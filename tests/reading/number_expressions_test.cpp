@@ -50,7 +50,7 @@ TEST(NumberExpressions, SpeedsMayBeGivenInTurnsAMinute) {
   EXPECT_DOUBLE_EQ(speed, 170 * 2 * kPi / 60);
 }
 
-class NumberExpressionFaults : public testing::TestWithParam<FaultCase> {};
+class NumberExpressionFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(NumberExpressionFaults, AreFound) {
   expect_faults(GetParam());
@@ -58,7 +58,7 @@ TEST_P(NumberExpressionFaults, AreFound) {
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, NumberExpressionFaults,
-    testing::Values(
+    ::testing::Values(
         FaultCase{
             "Unfinished", rocker("\"2*\"", ""), {{4, 9, "is \"2*\", which is no expression"}}},
         FaultCase{"Unknown", rocker("\"2*pie\"", ""), {{4, 9, "cannot be read from \"pie\" on"}}},

@@ -124,13 +124,13 @@ const std::vector<FaultCase> kCases = {
      {{5, 14, "expected mechanism.dyads = [\"RR\"]"}}},
 };
 
-class ObjectivesFaultsTest : public testing::TestWithParam<FaultCase> {};
+class ObjectivesFaultsTest : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(ObjectivesFaultsTest, EachAtItsPlace) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ObjectivesFaultsTest, testing::ValuesIn(kCases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(All, ObjectivesFaultsTest, ::testing::ValuesIn(kCases), name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::objectives_test

@@ -128,20 +128,20 @@ const FaultCase kFaults[] = {
      {{6, 17, "place = \"similar\""}, {8, 11, "remove it"}, {10, 16, "remove it"}}},
 };
 
-class PathCurveFaults : public testing::TestWithParam<FaultCase> {};
+class PathCurveFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(PathCurveFaults, AreToldAtTheirPlace) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PathCurveFaults, testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(All, PathCurveFaults, ::testing::ValuesIn(kFaults),
                          [](const auto& info) { return info.param.name; });
 
 /// A folder with a problem file and a drawing.
-class Drawings : public testing::Test {
+class Drawings : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder =
         std::filesystem::temp_directory_path() / (std::string("cognate_drawings_") + test->name());
     std::filesystem::create_directories(folder);

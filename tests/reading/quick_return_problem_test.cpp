@@ -126,7 +126,7 @@ struct Nothing {
   std::string name, text, says;
 };
 
-class FindsNothing : public testing::TestWithParam<Nothing> {};
+class FindsNothing : public ::testing::TestWithParam<Nothing> {};
 
 TEST_P(FindsNothing, AndSaysWhy) {
   const Result result = solved(GetParam().text);
@@ -140,7 +140,7 @@ const std::string kSlider = "type = \"slider-crank\"\nstroke = 100\n";
 
 INSTANTIATE_TEST_SUITE_P(
     QuickReturnProblem, FindsNothing,
-    testing::Values(
+    ::testing::Values(
         Nothing{"Crank", file("1.25", kRocker + "crank = 200\n"), "A crank of 200 is not possible"},
         Nothing{"Coupler", file("1.25", kRocker + "coupler = 2\n"), "more than 84.7878"},
         Nothing{"Frame", file("1.25", kRocker + "frame = 2000\n"), "beyond them"},
@@ -220,13 +220,13 @@ const std::vector<FaultCase> kCases = {
      {{8, 11, "is given beside crank"}}},
 };
 
-class QuickReturnFaults : public testing::TestWithParam<FaultCase> {};
+class QuickReturnFaults : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(QuickReturnFaults, AreFound) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(QuickReturnProblem, QuickReturnFaults, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(QuickReturnProblem, QuickReturnFaults, ::testing::ValuesIn(kCases),
                          name_of_case);
 
 }  // namespace

@@ -282,15 +282,15 @@ const std::vector<FaultCase> kChainCases = {
      {{6, 1, "drive.end is missing"}, {7, 13, "a slider drives this mechanism; expected start"}}},
 };
 
-class ReadAnalysisFaultsTest : public testing::TestWithParam<FaultCase> {};
+class ReadAnalysisFaultsTest : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(ReadAnalysisFaultsTest, EachAtItsPlace) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Simple, ReadAnalysisFaultsTest, testing::ValuesIn(kSimpleCases),
+INSTANTIATE_TEST_SUITE_P(Simple, ReadAnalysisFaultsTest, ::testing::ValuesIn(kSimpleCases),
                          name_of_case);
-INSTANTIATE_TEST_SUITE_P(Chain, ReadAnalysisFaultsTest, testing::ValuesIn(kChainCases),
+INSTANTIATE_TEST_SUITE_P(Chain, ReadAnalysisFaultsTest, ::testing::ValuesIn(kChainCases),
                          name_of_case);
 
 TEST(ReadAnalysisFaults, ValuesOfMillionsOfRowsMustFitIntoMemory) {

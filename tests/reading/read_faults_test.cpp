@@ -314,14 +314,15 @@ const std::vector<FaultCase> kPathCases = {
       {11, 1, "\"x\""}}},
 };
 
-class ReadFaultsTest : public testing::TestWithParam<FaultCase> {};
+class ReadFaultsTest : public ::testing::TestWithParam<FaultCase> {};
 
 TEST_P(ReadFaultsTest, EachAtItsPlace) {
   expect_faults(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Document, ReadFaultsTest, testing::ValuesIn(kDocumentCases), name_of_case);
-INSTANTIATE_TEST_SUITE_P(Path, ReadFaultsTest, testing::ValuesIn(kPathCases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Document, ReadFaultsTest, ::testing::ValuesIn(kDocumentCases),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Path, ReadFaultsTest, ::testing::ValuesIn(kPathCases), name_of_case);
 
 }  // namespace
 }  // namespace cognate::problems::read_faults_test

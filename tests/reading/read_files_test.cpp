@@ -12,7 +12,7 @@
 namespace cognate::problems::read_files_test {
 namespace {
 
-class ReadFilesTest : public testing::Test {
+class ReadFilesTest : public ::testing::Test {
  protected:
   ReadFilesTest()
       : folder_(std::filesystem::temp_directory_path() /

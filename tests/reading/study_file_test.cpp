@@ -134,7 +134,7 @@ std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
   return out << wrong.text;
 }
 
-class StudyFaults : public testing::TestWithParam<Wrong> {};
+class StudyFaults : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(StudyFaults, IsTheOnlyOneAndWhereItStands) {
   const auto read = parse(GetParam().text);
@@ -264,7 +264,7 @@ const std::vector<Wrong> kWrong = {
     {"ObjectiveTwice", with("[objective]\nminimize = \"time_ratio\"\nmaximize = \"time_ratio\"\n"),
      10, 12, "a second time"}};
 
-INSTANTIATE_TEST_SUITE_P(All, StudyFaults, testing::ValuesIn(kWrong),
+INSTANTIATE_TEST_SUITE_P(All, StudyFaults, ::testing::ValuesIn(kWrong),
                          [](const auto& info) { return info.param.name; });
 
 TEST(StudyFile, AllFaultsAreFoundInOneRun) {

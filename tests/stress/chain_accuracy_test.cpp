@@ -13,7 +13,7 @@ static std::ostream& operator<<(std::ostream& out, const ChainFamily& family) {
 
 namespace {
 
-class ChainAccuracyOf : public testing::TestWithParam<ChainFamily> {};
+class ChainAccuracyOf : public ::testing::TestWithParam<ChainFamily> {};
 
 TEST_P(ChainAccuracyOf, KeepsItsBounds) {
   std::mt19937_64 random(3);
@@ -30,7 +30,7 @@ TEST_P(ChainAccuracyOf, KeepsItsBounds) {
   EXPECT_LE(worst.velocities.per_condition, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dyads, ChainAccuracyOf, testing::ValuesIn(chain_families()));
+INSTANTIATE_TEST_SUITE_P(Dyads, ChainAccuracyOf, ::testing::ValuesIn(chain_families()));
 
 }  // namespace
 }  // namespace cognate::stress

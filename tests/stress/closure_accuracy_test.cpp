@@ -30,7 +30,7 @@ Accuracy measure(const Family& family, Answer (*form)(const Configuration&)) {
 }
 
 /// One test for each family.
-class ClosureAccuracy : public testing::TestWithParam<Family> {};
+class ClosureAccuracy : public ::testing::TestWithParam<Family> {};
 
 TEST_P(ClosureAccuracy, KeepsItsBounds) {
   const Accuracy kernel_here = measure(GetParam(), kernel);
@@ -40,7 +40,7 @@ TEST_P(ClosureAccuracy, KeepsItsBounds) {
   EXPECT_LE(kernel_here.wrong_flag_distance, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, ClosureAccuracy, testing::ValuesIn(closure_families()));
+INSTANTIATE_TEST_SUITE_P(Families, ClosureAccuracy, ::testing::ValuesIn(closure_families()));
 
 TEST(ClosureAccuracy, CommonFormsLoseHalfTheirDigitsAtChangePoints) {
   int tested = 0;

@@ -28,7 +28,7 @@ void PrintTo(const FourBar& m, std::ostream* out) {
 namespace {
 
 using test::Quad;
-using testing::PrintToString;
+using ::testing::PrintToString;
 constexpr double pi = kPi;
 
 FourBar random_linkage(std::mt19937_64& random) {

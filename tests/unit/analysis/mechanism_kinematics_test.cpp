@@ -94,7 +94,7 @@ class Misfit {
   int n_;
 };
 
-class Chains : public testing::TestWithParam<int> {};
+class Chains : public ::testing::TestWithParam<int> {};
 
 /// Derivatives of all bodies up to the third order against the Taylor series of the positions.
 TEST_P(Chains, DerivativesEqualTaylorCoefficients) {
@@ -173,7 +173,7 @@ TEST_P(Chains, TheUnitOfLengthDoesNotMatter) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Drives, Chains, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(Drives, Chains, ::testing::Values(0, 1, 2));
 
 }  // namespace
 }  // namespace cognate::mechanism_kinematics_test

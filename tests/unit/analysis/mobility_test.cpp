@@ -54,7 +54,7 @@ TEST(Mobility, CrankTurnsFullyExactlyWhereGrashofSays) {
     const auto links = random_lengths(random);
     const auto type = mobility_class(links);
     const bool turns = type == MobilityClass::crank_rocker || type == MobilityClass::double_crank;
-    EXPECT_EQ(crank_rotates(links), turns) << testing::PrintToString(links);
+    EXPECT_EQ(crank_rotates(links), turns) << ::testing::PrintToString(links);
     turning += turns;
   }
   EXPECT_GT(turning, 1000);
@@ -77,8 +77,8 @@ TEST(Mobility, ChangePointsAreRecognisedThroughRounding) {
     for (const auto& [links, expected] : cases) {
       const bool turns = expected == crank_rocker || expected == double_crank;
       EXPECT_TRUE(is_change_point(scaled(links, scale)));
-      EXPECT_EQ(crank_rotates(scaled(links, scale)), turns) << testing::PrintToString(links);
-      EXPECT_EQ(mobility_class(scaled(links, scale)), expected) << testing::PrintToString(links);
+      EXPECT_EQ(crank_rotates(scaled(links, scale)), turns) << ::testing::PrintToString(links);
+      EXPECT_EQ(mobility_class(scaled(links, scale)), expected) << ::testing::PrintToString(links);
     }
   }
   EXPECT_FALSE(is_change_point(Lengths<double>{0.1, 0.3, 0.5, 0.7 + 1e-14}));
@@ -114,15 +114,15 @@ TEST(Mobility, ClassesOfAllSmallIntegersIncludingTies) {
         2 * (std::ranges::min(l) + std::ranges::max(l)) - (l[0] + l[1] + l[2] + l[3]);
     ++checked;
     ties += excess == 0;
-    ASSERT_EQ(mobility_class(links), expected) << testing::PrintToString(links);
-    ASSERT_EQ(mobility_class(scaled(links, 0.1)), expected) << testing::PrintToString(links);
-    ASSERT_EQ(is_change_point(scaled(links, 0.1)), excess == 0) << testing::PrintToString(links);
+    ASSERT_EQ(mobility_class(links), expected) << ::testing::PrintToString(links);
+    ASSERT_EQ(mobility_class(scaled(links, 0.1)), expected) << ::testing::PrintToString(links);
+    ASSERT_EQ(is_change_point(scaled(links, 0.1)), excess == 0) << ::testing::PrintToString(links);
     const bool crank =
         expected == MobilityClass::crank_rocker || expected == MobilityClass::double_crank;
     const bool rocker =
         expected == MobilityClass::rocker_crank || expected == MobilityClass::double_crank;
-    ASSERT_EQ(crank_rotates(links), crank) << testing::PrintToString(links);
-    ASSERT_EQ(rocker_rotates(links), rocker) << testing::PrintToString(links);
+    ASSERT_EQ(crank_rotates(links), crank) << ::testing::PrintToString(links);
+    ASSERT_EQ(rocker_rotates(links), rocker) << ::testing::PrintToString(links);
   }
   EXPECT_GT(checked, 8000);
   EXPECT_GT(ties, 500);
@@ -148,13 +148,15 @@ TEST(Mobility, RangesOfTheCrankAreWhereTheKernelCloses) {
     for (int k = 0; k < 50; ++k) {
       const double angle = 2 * pi * (k + 0.37) / 50;
       EXPECT_EQ(motion.at(angle).has_value(), is_inside(angle))
-          << testing::PrintToString(links) << " at " << angle;
+          << ::testing::PrintToString(links) << " at " << angle;
     }
     for (const auto& [from, to] : ranges) {
       if (to - from > 6.28 || to - from < 1e-3) continue;
       ++tested;
-      EXPECT_TRUE(motion.at(from + 1e-9) && motion.at(to - 1e-9)) << testing::PrintToString(links);
-      EXPECT_FALSE(motion.at(from - 1e-9) || motion.at(to + 1e-9)) << testing::PrintToString(links);
+      EXPECT_TRUE(motion.at(from + 1e-9) && motion.at(to - 1e-9))
+          << ::testing::PrintToString(links);
+      EXPECT_FALSE(motion.at(from - 1e-9) || motion.at(to + 1e-9))
+          << ::testing::PrintToString(links);
     }
   }
   EXPECT_GT(std::ranges::min(count), 50);
@@ -179,13 +181,13 @@ TEST(Mobility, TransmissionAnglesBoundTheSampledOnes) {
       greatest = std::max(greatest, pose->transmission_angle);
     }
     // From inside, and within a sample's step: of square-root kind where μ reaches 0 or π.
-    EXPECT_LE(min, least + 1e-12) << testing::PrintToString(links);
-    EXPECT_GE(max, greatest - 1e-12) << testing::PrintToString(links);
-    EXPECT_NEAR(min, least, 0.08) << testing::PrintToString(links);
-    EXPECT_NEAR(max, greatest, 0.08) << testing::PrintToString(links);
+    EXPECT_LE(min, least + 1e-12) << ::testing::PrintToString(links);
+    EXPECT_GE(max, greatest - 1e-12) << ::testing::PrintToString(links);
+    EXPECT_NEAR(min, least, 0.08) << ::testing::PrintToString(links);
+    EXPECT_NEAR(max, greatest, 0.08) << ::testing::PrintToString(links);
     if (crank_rotates(links)) {
-      EXPECT_NEAR(min, least, 1e-4) << testing::PrintToString(links);
-      EXPECT_NEAR(max, greatest, 1e-4) << testing::PrintToString(links);
+      EXPECT_NEAR(min, least, 1e-4) << ::testing::PrintToString(links);
+      EXPECT_NEAR(max, greatest, 1e-4) << ::testing::PrintToString(links);
     }
     EXPECT_NEAR(acute, std::min(min, pi - max), 1e-14);
   }
@@ -218,10 +220,10 @@ TEST(Mobility, TransmissionAnglesOverARangeBoundTheSampledOnes) {
                  last_end = motion.at(range.to)->transmission_angle;
     inside += least < std::min(first_end, last_end) - 1e-3 ||
               greatest > std::max(first_end, last_end) + 1e-3;
-    EXPECT_NEAR(min, least, 1e-4) << testing::PrintToString(links);
-    EXPECT_NEAR(max, greatest, 1e-4) << testing::PrintToString(links);
-    EXPECT_LE(min, least + 1e-12) << testing::PrintToString(links);
-    EXPECT_GE(max, greatest - 1e-12) << testing::PrintToString(links);
+    EXPECT_NEAR(min, least, 1e-4) << ::testing::PrintToString(links);
+    EXPECT_NEAR(max, greatest, 1e-4) << ::testing::PrintToString(links);
+    EXPECT_LE(min, least + 1e-12) << ::testing::PrintToString(links);
+    EXPECT_GE(max, greatest - 1e-12) << ::testing::PrintToString(links);
     EXPECT_NEAR(acute, std::min(min, pi - max), 1e-14);
   }
   EXPECT_GT(std::min(checked, inside), 100);
@@ -244,7 +246,7 @@ TEST(Mobility, TransmissionAnglesKeepTheirDigitsAtAnyScale) {
       // The lengths times 10^±100 are rounded, by which μ² moves by ε relative to the gap.
       const double tolerance = scale == 1.0 ? 1e-15 : 1e-15 / gap;
       const double min = transmission_angles(scaled(links, scale)).min;
-      EXPECT_NEAR(min / double(expected), 1, tolerance) << testing::PrintToString(links);
+      EXPECT_NEAR(min / double(expected), 1, tolerance) << ::testing::PrintToString(links);
     }
   }
   EXPECT_GE(tested, 1800);
@@ -293,7 +295,7 @@ TEST(Mobility, LimitsAreTheExtremesOfTheSampledRocker) {
     ++checked;
     for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
       const auto outer = outer_limit(links), inner = inner_limit(links);
-      ASSERT_TRUE(outer && inner) << testing::PrintToString(links);
+      ASSERT_TRUE(outer && inner) << ::testing::PrintToString(links);
       const double mirror = sign(assembly);
       const Motion motion(linkage_of(links, assembly));
       // At its limits the rocker stands where it should, …
@@ -312,8 +314,8 @@ TEST(Mobility, LimitsAreTheExtremesOfTheSampledRocker) {
         least = std::min(least, share);
         greatest = std::max(greatest, share);
       }
-      EXPECT_NEAR(least, 0, 1e-4) << testing::PrintToString(links);
-      EXPECT_NEAR(greatest, 1, 1e-4) << testing::PrintToString(links);
+      EXPECT_NEAR(least, 0, 1e-4) << ::testing::PrintToString(links);
+      EXPECT_NEAR(greatest, 1, 1e-4) << ::testing::PrintToString(links);
       EXPECT_GE(least, -1e-9);
       EXPECT_LE(greatest, 1 + 1e-9);
     }
@@ -327,7 +329,7 @@ TEST(Mobility, TimeRatioIsThatOfTheSampledSwing) {
   for (int i = 0; i < 2000 && checked < 60; ++i) {
     const auto links = random_lengths(random);
     if (mobility_class(links) != MobilityClass::crank_rocker) {
-      EXPECT_FALSE(time_ratio(links)) << testing::PrintToString(links);
+      EXPECT_FALSE(time_ratio(links)) << ::testing::PrintToString(links);
       continue;
     }
     ++checked;
@@ -343,7 +345,7 @@ TEST(Mobility, TimeRatioIsThatOfTheSampledSwing) {
     }
     const double longer = std::max(advance, samples - advance);
     const double sampled = longer / (samples - longer);
-    EXPECT_NEAR(*time_ratio(links) / sampled, 1, 2e-3) << testing::PrintToString(links);
+    EXPECT_NEAR(*time_ratio(links) / sampled, 1, 2e-3) << ::testing::PrintToString(links);
   }
   EXPECT_EQ(checked, 60);
 }
@@ -359,7 +361,7 @@ TEST(Mobility, TimeRatioOfChangePointsIsNeverInfinite) {
     for (const Lengths<double>& links : {Lengths<double>{near(a), near(a), near(b), near(b)},
                                          Lengths<double>{near(a), near(b), near(b), near(a)},
                                          Lengths<double>{near(a), near(b), near(a), near(b)}}) {
-      EXPECT_TRUE(std::isfinite(time_ratio(links).value_or(1))) << testing::PrintToString(links);
+      EXPECT_TRUE(std::isfinite(time_ratio(links).value_or(1))) << ::testing::PrintToString(links);
     }
   }
 }

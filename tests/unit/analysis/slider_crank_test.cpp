@@ -22,7 +22,7 @@ namespace {
 
 using test::Quad;
 using test::QuadMotion;
-using testing::PrintToString;
+using ::testing::PrintToString;
 constexpr double pi = kPi;
 constexpr double degree = pi / 180;
 

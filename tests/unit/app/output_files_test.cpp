@@ -18,7 +18,7 @@ std::string text_of(const fs::path& file) {
 }
 
 /// A folder of each test's own, removed at its end.
-class OutputFiles : public testing::Test {
+class OutputFiles : public ::testing::Test {
  protected:
   OutputFiles() {
     std::string name = (fs::temp_directory_path() / "cognate-test-XXXXXX").string();

@@ -41,10 +41,10 @@ void expect_cell(const ordered_json& written, const Cell& cell, bool exact) {
   }
 }
 
-class EachSample : public testing::TestWithParam<const char*> {};
+class EachSample : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Studies, EachSample,
-                         testing::Values("grid", "sobol", "atlas", "hostile", "empty"));
+                         ::testing::Values("grid", "sobol", "atlas", "hostile", "empty"));
 
 TEST_P(EachSample, ColumnsHoldTheCellsOfTheRows) {
   const auto& [name, study, rows, document] = sample(GetParam());

@@ -16,9 +16,9 @@ namespace {
 using problems::planted_path;
 using problems::planted_result;
 using problems::Status;
-using testing::AssertionFailure;
-using testing::AssertionResult;
-using testing::AssertionSuccess;
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
 
 [[nodiscard]] AssertionResult contains(const std::string& text, const std::string& part) {
   if (text.find(part) != std::string::npos) return AssertionSuccess();

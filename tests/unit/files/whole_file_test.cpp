@@ -75,7 +75,7 @@ extern "C" int rename(const char* from, const char* to) noexcept {
 namespace cognate::whole_file_test {
 namespace {
 
-class WholeFile : public testing::Test {
+class WholeFile : public ::testing::Test {
  protected:
   WholeFile() {
     std::string name = (fs::temp_directory_path() / "cognate-test-XXXXXX").string();

@@ -20,7 +20,7 @@ Result solved(const std::string& text) {
   return solve(std::get<MotionProblem>(*task), {});
 }
 
-class Doubt : public testing::TestWithParam<const char*> {};
+class Doubt : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Doubt, IsSmallWhereTheTargetIsMet) {
   const Result result = solved(GetParam());
@@ -34,14 +34,14 @@ TEST_P(Doubt, IsSmallWhereTheTargetIsMet) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, Doubt,
-    testing::Values("kind = \"path-generation\"\n[target]\n"
-                    "points = [[20, 20], [20, 25], [20, 30], [20, 35], [20, 40], [20, 45]]\n"
-                    "[bounds]\nlength = [5, 60]\ncoupler_point = [[-60, -60], [60, 60]]\n"
-                    "pivot_a = [[-60, -60], [60, 60]]\npivot_d = [[-60, -60], [60, 60]]\n",
-                    "kind = \"function-generation\"\n[target]\n"
-                    "pairs_deg = [[0, 0], [30, 20], [60, 45]]\nobjective = \"least-squares\"\n",
-                    "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\n"
-                    "poses = [[0, 0, 0], [2, 1, 20], [4, 1, 50], [5, 0, 70]]\n"));
+    ::testing::Values("kind = \"path-generation\"\n[target]\n"
+                      "points = [[20, 20], [20, 25], [20, 30], [20, 35], [20, 40], [20, 45]]\n"
+                      "[bounds]\nlength = [5, 60]\ncoupler_point = [[-60, -60], [60, 60]]\n"
+                      "pivot_a = [[-60, -60], [60, 60]]\npivot_d = [[-60, -60], [60, 60]]\n",
+                      "kind = \"function-generation\"\n[target]\n"
+                      "pairs_deg = [[0, 0], [30, 20], [60, 45]]\nobjective = \"least-squares\"\n",
+                      "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\n"
+                      "poses = [[0, 0, 0], [2, 1, 20], [4, 1, 50], [5, 0, 70]]\n"));
 
 }  // namespace
 }  // namespace cognate::problems::doubt_test

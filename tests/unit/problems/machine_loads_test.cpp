@@ -299,12 +299,13 @@ struct Damped {
   double inertia, load, stall_torque, no_load_speed;
 };
 
-class DampedMachine : public testing::TestWithParam<Damped> {};
+class DampedMachine : public ::testing::TestWithParam<Damped> {};
 INSTANTIATE_TEST_SUITE_P(Slow, DampedMachine,
-                         testing::Values(Damped{10, -1, 10, 1e-4}, Damped{1e-6, -1e-3, 1e-2, 1e-4},
-                                         Damped{0.5, -1000, 2000, 0.02},
-                                         Damped{1e30, -1e29, 1e30, 1e10},
-                                         Damped{1e-20, -1, 3, 1e-15}));
+                         ::testing::Values(Damped{10, -1, 10, 1e-4},
+                                           Damped{1e-6, -1e-3, 1e-2, 1e-4},
+                                           Damped{0.5, -1000, 2000, 0.02},
+                                           Damped{1e30, -1e29, 1e30, 1e10},
+                                           Damped{1e-20, -1, 3, 1e-15}));
 
 TEST_P(DampedMachine, RunsWhereMotorAndLoadBalance) {
   const auto [inertia, load, stall, no_load] = GetParam();

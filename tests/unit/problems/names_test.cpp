@@ -9,12 +9,12 @@ namespace cognate::problems::names_test {
 namespace {
 
 template <class Enum>
-class EnumNamesTest : public testing::Test {};
+class EnumNamesTest : public ::testing::Test {};
 
-using Enums = testing::Types<Assembly, MobilityClass, RequiredClass, synthesis::Solver,
-                             synthesis::Loss, Timing, CrankReference, CrankSense, PointOrder,
-                             FunctionStart, FunctionObjective, Status, Defect, cam::FollowerType,
-                             cam::ArmSide, cam::Closure, cam::MotionLaw, CamObjective>;
+using Enums = ::testing::Types<Assembly, MobilityClass, RequiredClass, synthesis::Solver,
+                               synthesis::Loss, Timing, CrankReference, CrankSense, PointOrder,
+                               FunctionStart, FunctionObjective, Status, Defect, cam::FollowerType,
+                               cam::ArmSide, cam::Closure, cam::MotionLaw, CamObjective>;
 TYPED_TEST_SUITE(EnumNamesTest, Enums);
 
 TYPED_TEST(EnumNamesTest, EveryNameLeadsBackToItsValue) {

@@ -13,7 +13,7 @@
 namespace cognate::problems::solver_choice_test {
 namespace {
 
-class SolverChoiceTest : public testing::TestWithParam<synthesis::Solver> {
+class SolverChoiceTest : public ::testing::TestWithParam<synthesis::Solver> {
  protected:
   template <class Problem>
   Result solved(Problem problem) const {
@@ -121,7 +121,7 @@ std::vector<synthesis::Solver> all_solvers() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Solver, SolverChoiceTest, testing::ValuesIn(all_solvers()),
+INSTANTIATE_TEST_SUITE_P(Solver, SolverChoiceTest, ::testing::ValuesIn(all_solvers()),
                          [](const auto& info) {
                            std::string out(to_string(info.param));
                            std::erase(out, '-');

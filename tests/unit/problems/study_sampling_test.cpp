@@ -32,15 +32,15 @@ std::vector<double> column(const std::vector<double>& points, std::size_t dimens
 }
 
 /// Whether of `values` each of as many equal parts of [0, 1) holds one.
-testing::AssertionResult one_in_each_part(const std::vector<double>& values) {
+::testing::AssertionResult one_in_each_part(const std::vector<double>& values) {
   std::set<std::size_t> parts;
   for (const double value : values) {
     parts.insert(static_cast<std::size_t>(value * static_cast<double>(values.size())));
   }
   if (parts.size() == values.size() && *parts.rbegin() < values.size()) {
-    return testing::AssertionSuccess();
+    return ::testing::AssertionSuccess();
   }
-  return testing::AssertionFailure() << parts.size() << " of " << values.size() << " parts";
+  return ::testing::AssertionFailure() << parts.size() << " of " << values.size() << " parts";
 }
 
 /// The L2 star discrepancy (Warnock 1972).

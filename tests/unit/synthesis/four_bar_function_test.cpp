@@ -94,7 +94,7 @@ struct Planting {
   bool input = false, output = false;
 };
 
-class FourBarFunctionTest : public testing::TestWithParam<Planting> {};
+class FourBarFunctionTest : public ::testing::TestWithParam<Planting> {};
 
 TEST_P(FourBarFunctionTest, EveryPlantedLinkageIsRecovered) {
   const Planting& c = GetParam();
@@ -105,16 +105,16 @@ TEST_P(FourBarFunctionTest, EveryPlantedLinkageIsRecovered) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Plantings, FourBarFunctionTest,
-                         testing::Values(Planting{"Five", {1, 1, 1, 1, 1}},
-                                         Planting{"FourWithInput", {1, 1, 1, 1}, true},
-                                         Planting{"FourWithOutput", {1, 1, 1, 1}, false, true},
-                                         Planting{"Three", {1, 1, 1}, true, true},
-                                         Planting{"ThreeByOnePoint", {3}, true, true},
-                                         Planting{"ThreeByTwoPoints", {2, 1}, true, true},
-                                         Planting{"FourByOnePoint", {4}, true},
-                                         Planting{"FourByTwoPoints", {2, 2}, false, true},
-                                         Planting{"FiveByTwoPoints", {4, 1}},
-                                         Planting{"FiveByThreePoints", {2, 1, 2}}),
+                         ::testing::Values(Planting{"Five", {1, 1, 1, 1, 1}},
+                                           Planting{"FourWithInput", {1, 1, 1, 1}, true},
+                                           Planting{"FourWithOutput", {1, 1, 1, 1}, false, true},
+                                           Planting{"Three", {1, 1, 1}, true, true},
+                                           Planting{"ThreeByOnePoint", {3}, true, true},
+                                           Planting{"ThreeByTwoPoints", {2, 1}, true, true},
+                                           Planting{"FourByOnePoint", {4}, true},
+                                           Planting{"FourByTwoPoints", {2, 2}, false, true},
+                                           Planting{"FiveByTwoPoints", {4, 1}},
+                                           Planting{"FiveByThreePoints", {2, 1, 2}}),
                          [](const auto& info) { return info.param.name; });
 
 // Li Bincheng, Xu Chao, Mechanism Theory with MATLAB (2011), example 3-6.

@@ -93,7 +93,7 @@ double distance(const PathSystem& system, const PathRoot& root, const Planted& p
 
 /// Checks that one of the real roots, or a cognate of it, is the planted linkage as nearly as its
 /// condition allows.
-testing::AssertionResult comes_back(const ExactPathSolutions& found, const Planted& planted) {
+::testing::AssertionResult comes_back(const ExactPathSolutions& found, const Planted& planted) {
   double least = std::numeric_limits<double>::infinity();
   for (const PathRoot& root : found.roots) {
     if (!root.real) continue;
@@ -107,8 +107,9 @@ testing::AssertionResult comes_back(const ExactPathSolutions& found, const Plant
       least = std::min(least, distance(found.system, one, planted) / allowed);
     }
   }
-  if (least < 1) return testing::AssertionSuccess();
-  auto failure = testing::AssertionFailure() << "nearest at " << least << " times the tolerance; ";
+  if (least < 1) return ::testing::AssertionSuccess();
+  auto failure = ::testing::AssertionFailure()
+                 << "nearest at " << least << " times the tolerance; ";
   for (const PathPose& at : planted.positions) {
     failure << "{{" << at.at.x << ", " << at.at.y << "}, " << at.angle.value_or(NAN) << "}, ";
   }

@@ -77,12 +77,12 @@ TEST(NinePointStart, StopsWhenAsked) {
   EXPECT_LT(asked, 40);
 }
 
-class StartFile : public testing::Test {
+class StartFile : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() /
               ("cognate-start-" + std::to_string(getpid()) + "-" +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
     file_ = folder_ / "within" / "set";
     set_ = *find_start_set(kKind, means_of(1));
   }

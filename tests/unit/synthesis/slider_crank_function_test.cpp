@@ -34,7 +34,7 @@ struct Planting {
   bool input = false, output = false;
 };
 
-class SliderCrankFunctionTest : public testing::TestWithParam<Planting> {};
+class SliderCrankFunctionTest : public ::testing::TestWithParam<Planting> {};
 
 TEST_P(SliderCrankFunctionTest, EveryPlantedMechanismIsRecovered) {
   const Planting& c = GetParam();
@@ -71,15 +71,15 @@ TEST_P(SliderCrankFunctionTest, EveryPlantedMechanismIsRecovered) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Plantings, SliderCrankFunctionTest,
-                         testing::Values(Planting{"Five", {1, 1, 1, 1, 1}},
-                                         Planting{"FourWithInput", {1, 1, 1, 1}, true},
-                                         Planting{"FourWithOutput", {1, 1, 1, 1}, false, true},
-                                         Planting{"Three", {1, 1, 1}, true, true},
-                                         Planting{"ThreeByOnePoint", {3}, true, true},
-                                         Planting{"FourByTwoPoints", {2, 2}, true},
-                                         Planting{"FourByOnePoint", {4}, false, true},
-                                         Planting{"FiveByTwoPoints", {3, 2}},
-                                         Planting{"FiveByThreePoints", {1, 2, 2}}),
+                         ::testing::Values(Planting{"Five", {1, 1, 1, 1, 1}},
+                                           Planting{"FourWithInput", {1, 1, 1, 1}, true},
+                                           Planting{"FourWithOutput", {1, 1, 1, 1}, false, true},
+                                           Planting{"Three", {1, 1, 1}, true, true},
+                                           Planting{"ThreeByOnePoint", {3}, true, true},
+                                           Planting{"FourByTwoPoints", {2, 2}, true},
+                                           Planting{"FourByOnePoint", {4}, false, true},
+                                           Planting{"FiveByTwoPoints", {3, 2}},
+                                           Planting{"FiveByThreePoints", {1, 2, 2}}),
                          [](const auto& info) { return info.param.name; });
 
 // The same problem in another unit, with displacements counted from elsewhere.
