@@ -40,11 +40,11 @@ Lengths<double> random_lengths(std::mt19937_64& random) {
 TEST(Mobility, HasThePublishedClasses) {
   // Li & Xu 2011, example 3-1; the second set of lengths 10, 30, 35, 50 with each link as the
   // shortest.
-  EXPECT_EQ(mobility_class({100, 150, 170, 110}), MobilityClass::triple_rocker);
-  EXPECT_EQ(mobility_class({10, 50, 35, 30}), MobilityClass::crank_rocker);
-  EXPECT_EQ(mobility_class({30, 50, 35, 10}), MobilityClass::double_crank);
-  EXPECT_EQ(mobility_class({30, 10, 35, 50}), MobilityClass::double_rocker);
-  EXPECT_EQ(mobility_class({30, 50, 10, 35}), MobilityClass::rocker_crank);
+  EXPECT_EQ(mobility_class(Lengths<double>{100, 150, 170, 110}), MobilityClass::triple_rocker);
+  EXPECT_EQ(mobility_class(Lengths<double>{10, 50, 35, 30}), MobilityClass::crank_rocker);
+  EXPECT_EQ(mobility_class(Lengths<double>{30, 50, 35, 10}), MobilityClass::double_crank);
+  EXPECT_EQ(mobility_class(Lengths<double>{30, 10, 35, 50}), MobilityClass::double_rocker);
+  EXPECT_EQ(mobility_class(Lengths<double>{30, 50, 10, 35}), MobilityClass::rocker_crank);
 }
 
 TEST(Mobility, CrankTurnsFullyExactlyWhereGrashofSays) {

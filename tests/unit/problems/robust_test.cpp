@@ -14,6 +14,7 @@
 #include "problems/basics/quantity_key.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/folders.hpp"
 
 namespace cognate::problems::robust_test {
 namespace {
@@ -69,8 +70,7 @@ double quantile(const FourBar& bar, const std::vector<double>& angles,
 }
 
 TEST(RobustPaths, EllipseErrsByLessThanTheNominalOptimum) {
-  const auto read =
-      read_task(std::filesystem::path(COGNATE_LIBRARY_DIR) / "path/ellipse-robust.toml");
+  const auto read = read_task(std::filesystem::path(kLibraryFolder) / "path/ellipse-robust.toml");
   ASSERT_TRUE(read);
   const auto& problem = std::get<PathProblem>(*read);
   const Result result = solve(problem, {});
