@@ -13,15 +13,15 @@ inline constexpr NumberRule kRunTurns{[](double x) { return x >= 1e-6 && x <= 1e
 inline constexpr NumberRule kRunSpeed{[](double x) { return x >= 0 && is_quantity(x); },
                                       "a speed in rad/s, 0 or from 1e-30 to 1e30,"};
 inline constexpr NumberRule kRunTolerance{[](double x) { return x >= 1e-13 && x <= 1e-3; },
-                                               "a relative tolerance from 1e-13 to 1e-3"};
+                                          "a relative tolerance from 1e-13 to 1e-3"};
 inline constexpr NumberRule kPositiveTorque{is_positive_quantity, "a torque from 1e-30 to 1e30"};
 inline constexpr NumberRule kUnevenness{[](double x) { return x >= 1e-6 && x <= 1; },
                                         "(greatest - least speed)/mean from 1e-6 to 1"};
 inline constexpr NumberRule kMotorNumber{is_positive_quantity, "a number from 1e-30 to 1e30"};
 inline constexpr NumberRule kMotorRatio{[](double x) { return x >= 1e-6 && x <= 1e6; },
-                                       "motor speed over drive speed, from 1e-6 to 1e6,"};
+                                        "motor speed over drive speed, from 1e-6 to 1e6,"};
 inline constexpr NumberRule kMotorEfficiency{[](double x) { return x >= 1e-6 && x <= 1; },
-                                            "a fraction above 0, up to 1,"};
+                                             "a fraction above 0, up to 1,"};
 
 /// `[run]`.
 inline constexpr Key<MachineRunRequest> kRunKeys[] = {
@@ -46,8 +46,7 @@ inline constexpr Key<MachineRunRequest> kRunKeys[] = {
         "(default 360)",
         IntegerRule{12, 100'000}),
     key<&MachineRunRequest::tolerance>(
-        "tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)",
-        kRunTolerance)};
+        "tolerance", "relative, of the integration, 1e-13 to 1e-3 (default 1e-10)", kRunTolerance)};
 
 /// `[motor]`.
 inline constexpr Key<Motor> kMotorKeys[] = {

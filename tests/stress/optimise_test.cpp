@@ -105,9 +105,9 @@ TEST(Numbering, DoesNotMatterWhereAnyOrderWillDo) {
   }
 }
 
-PathProblem drawn_by(const testing::PlantedPath& planted, Timing timing) {
+PathProblem drawn_by(const test::PlantedPath& planted, Timing timing) {
   PathProblem problem;
-  for (const auto& position : testing::positions_of(planted, 0)) {
+  for (const auto& position : test::positions_of(planted, 0)) {
     problem.points.push_back(position.at);
   }
   problem.timing = timing;
@@ -127,7 +127,7 @@ TEST(PlantedPaths, ComeBackToThePrecisionOfTheData) {
   std::mt19937_64 random(5);
   for (const Timing timing : {Timing::prescribed, Timing::free, Timing::mixed}) {
     for (int i = 0; i < cases(12); ++i) {
-      const auto planted = testing::random_crank_rocker(random, 12, 1.0);
+      const auto planted = test::random_crank_rocker(random, 12, 1.0);
       const Result result = solve(drawn_by(planted, timing), {});
       ASSERT_FALSE(result.designs.empty());
       EXPECT_LT(rms(result.designs.front()), 1e-8)
@@ -142,7 +142,7 @@ TEST(PlantedPaths, DegradeSmoothlyWithNoise) {
   std::mt19937_64 random(6);
   for (const double noise : {1e-6, 1e-4, 1e-2}) {
     for (int i = 0; i < cases(4); ++i) {
-      const auto planted = testing::random_crank_rocker(random, 14, 1.0);
+      const auto planted = test::random_crank_rocker(random, 14, 1.0);
       PathProblem problem = drawn_by(planted, Timing::prescribed);
       std::normal_distribution<double> disturbance(0, noise);
       double squares = 0;

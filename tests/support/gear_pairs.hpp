@@ -10,12 +10,12 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/gear/result.hpp"
 
-namespace cognate::problems::test {
+namespace cognate::test {
 
 inline constexpr double kAlpha = kPi / 9;
 
-inline GearPairProblem spur_problem(GearObjective objective) {
-  GearPairProblem problem;
+inline problems::GearPairProblem spur_problem(problems::GearObjective objective) {
+  problems::GearPairProblem problem;
   problem.rack.pressure_angle = kAlpha;
   problem.objective = objective;
   problem.constraints.contact_ratio_min = 1.2;
@@ -24,8 +24,8 @@ inline GearPairProblem spur_problem(GearObjective objective) {
   return problem;
 }
 
-inline GearPairProblem given_pair(int z1, int z2, double module, double centre_distance) {
-  GearPairProblem problem;
+inline problems::GearPairProblem given_pair(int z1, int z2, double module, double centre_distance) {
+  problems::GearPairProblem problem;
   problem.teeth = {z1, z2};
   problem.module = module;
   problem.profile_shift = {0, 0};
@@ -33,12 +33,12 @@ inline GearPairProblem given_pair(int z1, int z2, double module, double centre_d
   return problem;
 }
 
-inline double quantity(const std::vector<Quantity>& quantities, const std::string& name) {
-  for (const Quantity& each : quantities) {
+inline double quantity(const std::vector<problems::Quantity>& quantities, const std::string& name) {
+  for (const problems::Quantity& each : quantities) {
     if (each.name == name) return std::get<double>(each.value);
   }
   ADD_FAILURE() << "no fact " << name;
   return NAN;
 }
 
-}  // namespace cognate::problems::test
+}  // namespace cognate::test

@@ -10,7 +10,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
-namespace cognate::testing {
+namespace cognate::test {
 
 /// A four-bar and crank angles from the x axis, in order.
 struct PlantedPath {
@@ -55,4 +55,4 @@ inline std::vector<synthesis::PathPose> positions_of(const PlantedPath& planted,
   return positions;
 }
 
-}  // namespace cognate::testing
+}  // namespace cognate::test

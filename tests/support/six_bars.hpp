@@ -7,7 +7,7 @@
 
 #include "synthesis/chain/chain.hpp"
 
-namespace cognate::testing {
+namespace cognate::test {
 
 struct SixBar {
   std::string_view name;
@@ -69,4 +69,4 @@ inline std::array<SixBar, 4> six_bars() {
         {-1.905244440, -4.087419589}}}};
 }
 
-}  // namespace cognate::testing
+}  // namespace cognate::test

@@ -16,13 +16,13 @@
 namespace cognate::synthesis {
 namespace {
 
-using testing::kTracedLine;
+using test::kTracedLine;
 
 constexpr int kPositions = 180;
 
 /// Stephenson III a, and directions of its crank.
 struct Posed {
-  testing::SixBar six_bar = testing::six_bars()[0];
+  test::SixBar six_bar = test::six_bars()[0];
   std::vector<PlacedLine> lines = placed_lines(six_bar.chain);
   std::vector<double> side{six_bar.design.side.begin(), six_bar.design.side.end()};
   std::vector<Vec2d> cranks;

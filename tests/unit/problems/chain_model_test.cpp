@@ -14,11 +14,11 @@
 namespace cognate::problems::chain_model_test {
 namespace {
 
-using testing::six_bars;
-using testing::SixBar;
+using test::six_bars;
+using test::SixBar;
 
 Topology topology_of(const SixBar& six_bar) {
-  Topology topology{.name = std::string(six_bar.name), .trace = testing::kTracedLine};
+  Topology topology{.name = std::string(six_bar.name), .trace = test::kTracedLine};
   for (const auto& line : six_bar.chain.lines) {
     topology.lines.push_back(
         {.name = std::string(1, char('a' + topology.lines.size())), .line = line});
@@ -41,7 +41,7 @@ ChainPathProblem path_of(const SixBar& six_bar, bool timed) {
                                                   six_bar.design.parameters.data(), side.data()},
                      unit_vector(angle), place);
     const Vec2d off{0.03 * std::sin(5.0 * j), 0.02 * std::cos(3.0 * j)};
-    problem.points.push_back(place.at[testing::kTracedLine] + off);
+    problem.points.push_back(place.at[test::kTracedLine] + off);
     if (timed) problem.crank_angles.push_back(angle);
   }
   return problem;

@@ -17,9 +17,9 @@ double difference(const FourBar& a, const FourBar& b) {
                    std::abs(a.rocker - b.rocker), norm(*a.coupler_point - *b.coupler_point)});
 }
 
-PathProblem planted_problem(const testing::PlantedPath& planted) {
+PathProblem planted_problem(const test::PlantedPath& planted) {
   PathProblem problem;
-  for (const auto& position : testing::positions_of(planted, 0)) {
+  for (const auto& position : test::positions_of(planted, 0)) {
     problem.points.push_back(position.at);
   }
   return problem;
@@ -27,7 +27,7 @@ PathProblem planted_problem(const testing::PlantedPath& planted) {
 
 TEST(ExactStarts, HoldThePlantedLinkage) {
   std::mt19937_64 random(11);
-  const auto planted = testing::random_crank_rocker(random, 13, 1.0);
+  const auto planted = test::random_crank_rocker(random, 13, 1.0);
   const PathProblem problem = planted_problem(planted);
   ASSERT_TRUE(has_exact_starts(problem));
   const problems::Run run;
@@ -46,7 +46,7 @@ TEST(ExactStarts, HoldThePlantedLinkage) {
 
 TEST(ExactStarts, AreForPathsThatNothingLimits) {
   std::mt19937_64 random(12);
-  PathProblem problem = planted_problem(testing::random_crank_rocker(random, 9, 1.0));
+  PathProblem problem = planted_problem(test::random_crank_rocker(random, 9, 1.0));
   EXPECT_TRUE(has_exact_starts(problem));
   PathProblem other = problem;
   other.points.pop_back();

@@ -17,9 +17,9 @@
 namespace cognate::synthesis::chain_fit_test {
 namespace {
 
-using testing::kTracedLine;
-using testing::six_bars;
-using testing::SixBar;
+using test::kTracedLine;
+using test::six_bars;
+using test::SixBar;
 
 struct Planted {
   ChainFit fit;

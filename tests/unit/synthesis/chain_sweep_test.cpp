@@ -16,9 +16,9 @@ namespace cognate::synthesis::chain_sweep_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-using testing::kTracedLine;
-using testing::six_bars;
-using testing::SixBar;
+using test::kTracedLine;
+using test::six_bars;
+using test::SixBar;
 
 constexpr int kPositions = 360;
 

@@ -77,7 +77,7 @@ struct PlantedPoses {
 };
 
 PlantedPoses planted_poses(std::mt19937_64& random, int count) {
-  const auto planted = testing::random_crank_rocker(random, count, 0.9);
+  const auto planted = test::random_crank_rocker(random, count, 0.9);
   const Motion motion(planted.linkage);
   PlantedPoses result;
   cognate::Pose first;
