@@ -132,12 +132,20 @@ TEST(FivePoints, WithGivenPivotsHaveTheFifteenRealSolutionsThatArePublished) {
   }
 }
 
+<<<<<<< HEAD
+PathProblem problem_of(const planting::PlantedPath& planted, int oriented) {
+=======
 PathProblem problem_of(const test::PlantedPath& planted, int oriented) {
+>>>>>>> 4d5ca09
   PathProblem problem;
   problem.method = PathMethod::exact;
   problem.order = PointOrder::any;
   problem.solve.designs = 10'000;
+<<<<<<< HEAD
+  for (const auto& position : planting::positions_of(planted, oriented)) {
+=======
   for (const auto& position : test::positions_of(planted, oriented)) {
+>>>>>>> 4d5ca09
     problem.points.push_back(position.at);
     if (position.angle) problem.pose_angles.push_back(*position.angle);
   }
@@ -148,7 +156,11 @@ PathProblem problem_of(const test::PlantedPath& planted, int oriented) {
 TEST(PosesAndPoints, GiveBackTheLinkageThatWasPlanted) {
   std::mt19937_64 random(31);
   for (int poses = 2; poses <= 5; ++poses) {
+<<<<<<< HEAD
+    const auto planted = planting::random_crank_rocker(random, 10 - poses, 0.9);
+=======
     const auto planted = test::random_crank_rocker(random, 10 - poses, 0.9);
+>>>>>>> 4d5ca09
     const Result result = solve(problem_of(planted, poses), {});
     EXPECT_EQ(result.status, Status::solved) << poses;
     EXPECT_TRUE(std::ranges::any_of(result.designs, [&](const Design& design) {
@@ -170,7 +182,11 @@ TEST(PosesAndPoints, GiveBackTheLinkageThatWasPlanted) {
 /// difference.
 TEST(PosesAndPoints, TellWhatTheLinkageMissesOfAnAngle) {
   std::mt19937_64 random(34);
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, 6, 0.9);
+=======
   const auto planted = test::random_crank_rocker(random, 6, 0.9);
+>>>>>>> 4d5ca09
   PathProblem problem = problem_of(planted, 4);
   ExactRoots roots;
   auto found = synthesis::solve_exact_path(positions_of(problem));
@@ -191,7 +207,11 @@ TEST(PosesAndPoints, TellWhatTheLinkageMissesOfAnAngle) {
 
 TEST(FixedParts, OfAnyKindGiveBackTheLinkageThatWasPlanted) {
   std::mt19937_64 random(32);
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, 4, 0.9);
+=======
   const auto planted = test::random_crank_rocker(random, 4, 0.9);
+>>>>>>> 4d5ca09
   const FourBar& linkage = planted.linkage;
   const Lengths<double> links = lengths(linkage);
   PathProblem problem = problem_of(planted, 0);
@@ -213,7 +233,11 @@ TEST(FixedParts, OfAnyKindGiveBackTheLinkageThatWasPlanted) {
 /// Each with as many points as make eight conditions.
 TEST(FixedParts, ComeBackWithTheirLinkageInEachCombination) {
   std::mt19937_64 random(37);
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, 5, 0.9);
+=======
   const auto planted = test::random_crank_rocker(random, 5, 0.9);
+>>>>>>> 4d5ca09
   const FourBar& linkage = planted.linkage;
   const Lengths<double> links = lengths(linkage);
   const Given frame_and_pivot{
@@ -249,7 +273,11 @@ TEST(FixedParts, ComeBackWithTheirLinkageInEachCombination) {
 TEST(ShortArcs, KeepEveryLinkageThatIsProvedReal) {
   std::mt19937_64 random(33);
   for (int trial = 0; trial < 2; ++trial) {
+<<<<<<< HEAD
+    const auto planted = planting::random_crank_rocker(random, 5, 3.0 / 360);
+=======
     const auto planted = test::random_crank_rocker(random, 5, 3.0 / 360);
+>>>>>>> 4d5ca09
     PathProblem problem = problem_of(planted, 0);
     problem.given.pivot_a = planted.linkage.pivot_a;
     problem.given.pivot_d = planted.linkage.pivot_d;
@@ -389,7 +417,11 @@ TEST(Degenerate, PointsOnALineOrCircleAreNamedAtOnce) {
 
 TEST(Degenerate, PosesWithoutATurnAreNamed) {
   std::mt19937_64 random(35);
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, 5, 0.9);
+=======
   const auto planted = test::random_crank_rocker(random, 5, 0.9);
+>>>>>>> 4d5ca09
   PathProblem problem = problem_of(planted, 5);
   for (double& angle : problem.pose_angles) angle = 0.3;
   const Result result = solve(problem, {});
@@ -400,7 +432,11 @@ TEST(Degenerate, PosesWithoutATurnAreNamed) {
 /// Time that ends before the generic problem is solved leaves nothing to count.
 TEST(ExactPaths, SayThatTheGenericProblemTookAllTheTime) {
   std::mt19937_64 random(36);
+<<<<<<< HEAD
+  PathProblem problem = problem_of(planting::random_crank_rocker(random, 8, 0.9), 0);
+=======
   PathProblem problem = problem_of(test::random_crank_rocker(random, 8, 0.9), 0);
+>>>>>>> 4d5ca09
   problem.given.crank = 0.5;
   problems::Run run;
   run.time_limit = 0.2;

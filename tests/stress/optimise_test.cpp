@@ -105,9 +105,15 @@ TEST(Numbering, DoesNotMatterWhereAnyOrderWillDo) {
   }
 }
 
+<<<<<<< HEAD
+PathProblem drawn_by(const planting::PlantedPath& planted, Timing timing) {
+  PathProblem problem;
+  for (const auto& position : planting::positions_of(planted, 0)) {
+=======
 PathProblem drawn_by(const test::PlantedPath& planted, Timing timing) {
   PathProblem problem;
   for (const auto& position : test::positions_of(planted, 0)) {
+>>>>>>> 4d5ca09
     problem.points.push_back(position.at);
   }
   problem.timing = timing;
@@ -127,7 +133,11 @@ TEST(PlantedPaths, ComeBackToThePrecisionOfTheData) {
   std::mt19937_64 random(5);
   for (const Timing timing : {Timing::prescribed, Timing::free, Timing::mixed}) {
     for (int i = 0; i < cases(12); ++i) {
+<<<<<<< HEAD
+      const auto planted = planting::random_crank_rocker(random, 12, 1.0);
+=======
       const auto planted = test::random_crank_rocker(random, 12, 1.0);
+>>>>>>> 4d5ca09
       const Result result = solve(drawn_by(planted, timing), {});
       ASSERT_FALSE(result.designs.empty());
       EXPECT_LT(rms(result.designs.front()), 1e-8)
@@ -142,7 +152,11 @@ TEST(PlantedPaths, DegradeSmoothlyWithNoise) {
   std::mt19937_64 random(6);
   for (const double noise : {1e-6, 1e-4, 1e-2}) {
     for (int i = 0; i < cases(4); ++i) {
+<<<<<<< HEAD
+      const auto planted = planting::random_crank_rocker(random, 14, 1.0);
+=======
       const auto planted = test::random_crank_rocker(random, 14, 1.0);
+>>>>>>> 4d5ca09
       PathProblem problem = drawn_by(planted, Timing::prescribed);
       std::normal_distribution<double> disturbance(0, noise);
       double squares = 0;

@@ -10,7 +10,11 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
+<<<<<<< HEAD
+namespace cognate::planting {
+=======
 namespace cognate::test {
+>>>>>>> 4d5ca09
 
 /// A four-bar and crank angles from the x axis, in order.
 struct PlantedPath {
@@ -55,4 +59,8 @@ inline std::vector<synthesis::PathPose> positions_of(const PlantedPath& planted,
   return positions;
 }
 
+<<<<<<< HEAD
+}  // namespace cognate::planting
+=======
 }  // namespace cognate::test
+>>>>>>> 4d5ca09

@@ -7,7 +7,11 @@
 
 #include "synthesis/chain/chain.hpp"
 
+<<<<<<< HEAD
+namespace cognate::planting {
+=======
 namespace cognate::test {
+>>>>>>> 4d5ca09
 
 struct SixBar {
   std::string_view name;
@@ -69,4 +73,8 @@ inline std::array<SixBar, 4> six_bars() {
         {-1.905244440, -4.087419589}}}};
 }
 
+<<<<<<< HEAD
+}  // namespace cognate::planting
+=======
 }  // namespace cognate::test
+>>>>>>> 4d5ca09

@@ -37,45 +37,45 @@ class Mechanism(_core.Mechanism):
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 class FourBar(Mechanism):
-        def __init__(self, *, fixed_pivots: _Points, crank: float, coupler: float, rocker: float,
-                 assembly: str = ..., coupler_point: _Point = ..., point: Sequence[Mapping[str,
-                 Any]] = ...) -> None: ...
+    def __init__(self, *, fixed_pivots: _Points, crank: float, coupler: float, rocker: float,
+                 assembly: str = ..., coupler_point: _Point = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class SliderCrank(Mechanism):
-        def __init__(self, *, pivot: _Point = ..., crank: float, coupler: float, offset: float =
-                 ..., direction_deg: float = ..., assembly: str = ..., point: Sequence[Mapping[str,
-                 Any]] = ...) -> None: ...
+    def __init__(self, *, pivot: _Point = ..., crank: float, coupler: float, offset: float = ...,
+                 direction_deg: float = ..., assembly: str = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class FixedBlock(Mechanism):
-        def __init__(self, *, pivot: _Point = ..., crank: float, coupler: float, offset: float =
-                 ..., direction_deg: float = ..., assembly: str = ..., point: Sequence[Mapping[str,
-                 Any]] = ...) -> None: ...
+    def __init__(self, *, pivot: _Point = ..., crank: float, coupler: float, offset: float = ...,
+                 direction_deg: float = ..., assembly: str = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class GuideBar(Mechanism):
-        def __init__(self, *, fixed_pivots: _Points, crank: float, offset: float = ..., assembly:
-                 str = ..., point: Sequence[Mapping[str, Any]] = ...) -> None: ...
+    def __init__(self, *, fixed_pivots: _Points, crank: float, offset: float = ...,
+                 assembly: str = ..., point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class OscillatingBlock(Mechanism):
-        def __init__(self, *, fixed_pivots: _Points, crank: float, offset: float = ..., assembly:
-                 str = ..., point: Sequence[Mapping[str, Any]] = ...) -> None: ...
+    def __init__(self, *, fixed_pivots: _Points, crank: float, offset: float = ...,
+                 assembly: str = ..., point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class ScotchYoke(Mechanism):
-        def __init__(self, *, pivot: _Point = ..., crank: float, offset: float = ..., direction_deg:
-                 float = ..., slot_deg: float = ..., point: Sequence[Mapping[str, Any]] = ...) ->
-                 None: ...
+    def __init__(self, *, pivot: _Point = ..., crank: float, offset: float = ...,
+                 direction_deg: float = ..., slot_deg: float = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class TangentGenerator(Mechanism):
-        def __init__(self, *, pivot: _Point = ..., offset: float, direction_deg: float = ..., point:
-                 Sequence[Mapping[str, Any]] = ...) -> None: ...
+    def __init__(self, *, pivot: _Point = ..., offset: float, direction_deg: float = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class EllipticTrammel(Mechanism):
-        def __init__(self, *, centre: _Point = ..., length: float, direction_deg: float = ...,
-                 second_line_deg: float = ..., point: Sequence[Mapping[str, Any]] = ...) -> None:
-                 ...
+    def __init__(self, *, centre: _Point = ..., length: float, direction_deg: float = ...,
+                 second_line_deg: float = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class OldhamCoupling(Mechanism):
-        def __init__(self, *, fixed_pivots: _Points, slot_deg: float = ..., point:
-                 Sequence[Mapping[str, Any]] = ...) -> None: ...
+    def __init__(self, *, fixed_pivots: _Points, slot_deg: float = ...,
+                 point: Sequence[Mapping[str, Any]] = ...) -> None: ...
 
 class Chain(Mechanism): ...
 

@@ -52,7 +52,7 @@ def _build(folder):
     build = pathlib.Path(os.environ.get("COGNATE_WHEEL_BUILD", ROOT / "build" / "wheel"))
     launcher = shutil.which("ccache")
     _cmake("-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-           "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={sys.executable}", "-DCOGNATE_PYTHON_DIR=.",
+           "-DBUILD_TESTING=OFF", "-DCOGNATE_BUILD_PYTHON=ON", f"-DPython3_EXECUTABLE={sys.executable}", "-DCOGNATE_PYTHON_DIR=.",
            f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher or ''}", *_pybind11())
     _cmake("--build", build, "--target", "cognate_python", "-j", os.cpu_count() or 1)
     for part in ("python", "python_libraries"):

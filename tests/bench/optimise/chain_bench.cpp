@@ -16,13 +16,21 @@
 namespace cognate::synthesis {
 namespace {
 
+<<<<<<< HEAD
+using planting::kTracedLine;
+=======
 using test::kTracedLine;
+>>>>>>> 4d5ca09
 
 constexpr int kPositions = 180;
 
 /// Stephenson III a, and directions of its crank.
 struct Posed {
+<<<<<<< HEAD
+  planting::SixBar six_bar = planting::six_bars()[0];
+=======
   test::SixBar six_bar = test::six_bars()[0];
+>>>>>>> 4d5ca09
   std::vector<PlacedLine> lines = placed_lines(six_bar.chain);
   std::vector<double> side{six_bar.design.side.begin(), six_bar.design.side.end()};
   std::vector<Vec2d> cranks;

@@ -1,5 +1,7 @@
 // What the C++ library needs for what ratios.py measures from Python: batches of four-bars, in
-// seconds for one call, the least of several. Prints one line: DESIGNS ANGLES SECONDS.
+// seconds for one call, the least of several.
+//
+//     python_batch_bench DESIGNS ANGLES CALLS
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

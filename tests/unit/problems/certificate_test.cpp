@@ -31,7 +31,11 @@ Dyad<Complex> real_dyad(Complex moving, Complex fixed) {
 }
 
 /// The system of a planted path, its first position the reference, with its root to double.
+<<<<<<< HEAD
+PlantedRoot plant(const planting::PlantedPath& path, int poses) {
+=======
 PlantedRoot plant(const test::PlantedPath& path, int poses) {
+>>>>>>> 4d5ca09
   const Motion motion(path.linkage);
   std::vector<cognate::Pose> at;
   for (const double angle : path.crank_angles) at.push_back(motion.at(angle).value());
@@ -114,7 +118,11 @@ TEST_P(PlantedCertificates, HoldForTheLinkageThatWasPlanted) {
   int certified = 0;
   constexpr int kTries = 40;
   for (int i = 0; i < kTries; ++i) {
+<<<<<<< HEAD
+    const PlantedRoot planted = plant(planting::random_crank_rocker(random, count, 1), poses);
+=======
     const PlantedRoot planted = plant(test::random_crank_rocker(random, count, 1), poses);
+>>>>>>> 4d5ca09
     const RootCertificate found = certify(planted.system, planted.root);
     certified += found.certified;
     if (!found.certified) continue;
@@ -133,7 +141,11 @@ TEST(Certificate, IsRefusedToWhatIsNoRoot) {
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 50; ++i) {
+<<<<<<< HEAD
+    PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
     PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
     const auto any = [&] {
       return real_dyad({normal(random), normal(random)}, {normal(random), normal(random)});
     };
@@ -146,7 +158,11 @@ TEST(Certificate, IsRefusedToWhatIsNoRoot) {
 TEST(Certificate, IsRefusedOutsideOfItsPolydisc) {
   std::mt19937_64 random(9);
   for (int i = 0; i < 20; ++i) {
+<<<<<<< HEAD
+    const PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
     const PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
     const RootCertificate proof = certify(planted.system, planted.root);
     ASSERT_TRUE(proof.certified);
     const auto moved = [&](double by) {
@@ -167,7 +183,11 @@ TEST(Certificate, IsRefusedOutsideOfItsPolydisc) {
 
 TEST(Certificate, IsRefusedWithoutNumbers) {
   std::mt19937_64 random(10);
+<<<<<<< HEAD
+  PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
   PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
   PathRoot broken = planted.root;
   broken.second.moving = std::nan("");
   EXPECT_FALSE(certify(planted.system, broken).certified);
@@ -182,21 +202,33 @@ TEST(Certificate, IsRefusedWithoutNumbers) {
 /// Both dyads in one place: a link that turns about a fixed pivot, its equations doubled.
 TEST(Certificate, IsRefusedToSingularRoots) {
   std::mt19937_64 random(11);
+<<<<<<< HEAD
+  PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
   PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
   planted.root.second = planted.root.first;
   EXPECT_FALSE(certify(planted.system, planted.root).certified);
 }
 
 TEST(Certificate, HoldsForCognates) {
   std::mt19937_64 random(12);
+<<<<<<< HEAD
+  const PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
   const PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
   const PathRoot cognate = next_cognate(planted.system, planted.root);
   EXPECT_TRUE(certify(planted.system, cognate).real);
 }
 
 TEST(Overlap, NamesOneRootGivenTwiceAndCognates) {
   std::mt19937_64 random(13);
+<<<<<<< HEAD
+  const PlantedRoot planted = plant(planting::random_crank_rocker(random, 9, 1), 1);
+=======
   const PlantedRoot planted = plant(test::random_crank_rocker(random, 9, 1), 1);
+>>>>>>> 4d5ca09
   const PathRoot second = next_cognate(planted.system, planted.root);
   const PathRoot third = next_cognate(planted.system, second);
   PathRoot swapped = planted.root;

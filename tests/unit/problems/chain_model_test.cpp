@@ -14,11 +14,19 @@
 namespace cognate::problems::chain_model_test {
 namespace {
 
+<<<<<<< HEAD
+using planting::six_bars;
+using planting::SixBar;
+
+Topology topology_of(const SixBar& six_bar) {
+  Topology topology{.name = std::string(six_bar.name), .trace = planting::kTracedLine};
+=======
 using test::six_bars;
 using test::SixBar;
 
 Topology topology_of(const SixBar& six_bar) {
   Topology topology{.name = std::string(six_bar.name), .trace = test::kTracedLine};
+>>>>>>> 4d5ca09
   for (const auto& line : six_bar.chain.lines) {
     topology.lines.push_back(
         {.name = std::string(1, char('a' + topology.lines.size())), .line = line});
@@ -41,7 +49,11 @@ ChainPathProblem path_of(const SixBar& six_bar, bool timed) {
                                                   six_bar.design.parameters.data(), side.data()},
                      unit_vector(angle), place);
     const Vec2d off{0.03 * std::sin(5.0 * j), 0.02 * std::cos(3.0 * j)};
+<<<<<<< HEAD
+    problem.points.push_back(place.at[planting::kTracedLine] + off);
+=======
     problem.points.push_back(place.at[test::kTracedLine] + off);
+>>>>>>> 4d5ca09
     if (timed) problem.crank_angles.push_back(angle);
   }
   return problem;

@@ -17,9 +17,15 @@ double difference(const FourBar& a, const FourBar& b) {
                    std::abs(a.rocker - b.rocker), norm(*a.coupler_point - *b.coupler_point)});
 }
 
+<<<<<<< HEAD
+PathProblem planted_problem(const planting::PlantedPath& planted) {
+  PathProblem problem;
+  for (const auto& position : planting::positions_of(planted, 0)) {
+=======
 PathProblem planted_problem(const test::PlantedPath& planted) {
   PathProblem problem;
   for (const auto& position : test::positions_of(planted, 0)) {
+>>>>>>> 4d5ca09
     problem.points.push_back(position.at);
   }
   return problem;
@@ -27,7 +33,11 @@ PathProblem planted_problem(const test::PlantedPath& planted) {
 
 TEST(ExactStarts, HoldThePlantedLinkage) {
   std::mt19937_64 random(11);
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, 13, 1.0);
+=======
   const auto planted = test::random_crank_rocker(random, 13, 1.0);
+>>>>>>> 4d5ca09
   const PathProblem problem = planted_problem(planted);
   ASSERT_TRUE(has_exact_starts(problem));
   const problems::Run run;
@@ -46,7 +56,11 @@ TEST(ExactStarts, HoldThePlantedLinkage) {
 
 TEST(ExactStarts, AreForPathsThatNothingLimits) {
   std::mt19937_64 random(12);
+<<<<<<< HEAD
+  PathProblem problem = planted_problem(planting::random_crank_rocker(random, 9, 1.0));
+=======
   PathProblem problem = planted_problem(test::random_crank_rocker(random, 9, 1.0));
+>>>>>>> 4d5ca09
   EXPECT_TRUE(has_exact_starts(problem));
   PathProblem other = problem;
   other.points.pop_back();

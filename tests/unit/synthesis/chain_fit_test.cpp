@@ -17,9 +17,15 @@
 namespace cognate::synthesis::chain_fit_test {
 namespace {
 
+<<<<<<< HEAD
+using planting::kTracedLine;
+using planting::six_bars;
+using planting::SixBar;
+=======
 using test::kTracedLine;
 using test::six_bars;
 using test::SixBar;
+>>>>>>> 4d5ca09
 
 struct Planted {
   ChainFit fit;

@@ -16,9 +16,15 @@ namespace cognate::synthesis::chain_sweep_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
+<<<<<<< HEAD
+using planting::kTracedLine;
+using planting::six_bars;
+using planting::SixBar;
+=======
 using test::kTracedLine;
 using test::six_bars;
 using test::SixBar;
+>>>>>>> 4d5ca09
 
 constexpr int kPositions = 360;
 

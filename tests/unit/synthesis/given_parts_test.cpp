@@ -77,7 +77,11 @@ struct PlantedPoses {
 };
 
 PlantedPoses planted_poses(std::mt19937_64& random, int count) {
+<<<<<<< HEAD
+  const auto planted = planting::random_crank_rocker(random, count, 0.9);
+=======
   const auto planted = test::random_crank_rocker(random, count, 0.9);
+>>>>>>> 4d5ca09
   const Motion motion(planted.linkage);
   PlantedPoses result;
   cognate::Pose first;
