@@ -57,7 +57,7 @@ async function copied(page) {
   await page.locator('[data-edit="copy"]').click();
   const { problem, designs: [design] } = answered(await page.locator("#edit-toml").inputValue(), "solve");
   const { problem: before } = await result(page);
-  assert.deepEqual([problem.kind, problem.target, problem.bounds, problem.constraints], [before.kind, before.target, before.bounds, before.constraints]);
+  assert.deepEqual([problem.kind, problem.target.points, problem.target.function, problem.constraints], [before.kind, before.target.points, before.target.function, before.constraints]);
   assert.equal(await value(page, "class"), design.metrics.class);
   for (const [row, key] of [["error.sum", "sum_of_squares"], ["error.rms", "rms"], ["error.max", "max"]]) {
     near(await value(page, row), design.error[key], 1e-7 * (1 + design.error[key]), row);
