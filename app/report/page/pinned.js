@@ -9,7 +9,7 @@ export class Pinned {
   // its lines in the plane, each a list of points, and its curve.
   constructor(head, present, onChange) {
     Object.assign(this, { name: "pinned", words: "pin", silent: true, root: svg("g", { class: "pinned" }), design: null });
-    this.button = element("button", { type: "button", class: "edit-toggle", id: "pin", "aria-pressed": "false", title: say("pin.title") }, say("pin"));
+    this.button = element("button", { type: "button", class: "pin-toggle", id: "pin", "aria-pressed": "false", title: say("pin.title") }, say("pin"));
     this.button.addEventListener("click", () => {
       this.design = this.design ? null : present();
       this.button.setAttribute("aria-pressed", String(this.design !== null));

@@ -16,9 +16,17 @@ function givenMechanism({ kind, mechanism: asked = {} }, m, starts) {
   return { type: "four-bar", crank, coupler, rocker, frame: lengthOf(minus(d, a)), assembly, ...(starts ? { input_start_deg: starts.input, output_start_deg: starts.output } : {}) };
 }
 
+// The bounds that the dimensions keep: what is given beyond a bound, a file may not have.
+function boundsKept(bounds, m) {
+  const [a, d] = m.fixed_pivots;
+  const values = { ...m, frame: lengthOf(minus(d, a)), pivot_a: a, pivot_d: d };
+  const keeps = (value, [low, high]) => (Array.isArray(value) ? value.every((x, k) => x >= low[k] && x <= high[k]) : value >= low && value <= high);
+  return Object.fromEntries(Object.entries(bounds).filter(([key, bound]) => values[key] === undefined || !Array.isArray(bound) || keeps(values[key], bound)));
+}
+
 export function editedFile(problem, title, mechanism, starts) {
   const given = givenMechanism(problem, mechanism, starts);
-  if (given) return remark(say("edit.file.given")) + problemToml({ ...problem, title, mechanism: given });
+  if (given) return remark(say("edit.file.given")) + problemToml({ ...problem, title, mechanism: given, ...(problem.bounds ? { bounds: boundsKept(problem.bounds, mechanism) } : {}) });
   const told = Object.entries(mechanism).map(([key, value]) => `${key} = ${JSON.stringify(value)}`).join("\n");
   return problemToml({ ...problem, title }) + remark(`${say("edit.file.remark")}\n${told}`);
 }
