@@ -35,6 +35,7 @@ constexpr KeyWords kKeys[] = {
     {"frame_angle_deg", "direction of the frame", "deg"},
     {"pivot_a", "pivot A", "length"},
     {"pivot_d", "pivot D", "length"},
+    {"fixed_pivot", "fixed pivot", "length"},
     {"coupler_point", "coupler point", "length"},
     {"moving_pivot_a", "moving pivot of A", "length"},
     {"moving_pivot_d", "moving pivot of D", "length"},
@@ -79,6 +80,8 @@ constexpr KeyWords kKeys[] = {
     {"ratio_tolerance", "relative error of the ratio", "", kMost},
     {"hunting", "common divisor of the teeth", "", kMost},
     {"teeth", "teeth", ""},
+    {"face_width", "width of the teeth", "length", kMost},
+    {"cone_angle_deg", "cone angle", "deg", kMost},
     {"base_radius", "prime radius", "length"},
     {"roller_radius", "roller radius", "length", kMost},
     {"arm", "arm", "length"},
@@ -103,11 +106,13 @@ constexpr KeyWords kKeys[] = {
     {"torque_max", "torque of the cam", "N m"},
     {"contact_stress_max", "contact stress", "N/length2"}};
 
+constexpr std::string_view kPivotRegion = "pivot_region.";
+
 /// The tables in which a key stands; what they add to its label.
 constexpr std::pair<std::string_view, std::string_view> kTables[] = {{"bounds.", ""},
                                                                      {"mechanism.", ""},
                                                                      {"target.", ""},
-                                                                     {"pivot_region.", ""},
+                                                                     {kPivotRegion, ""},
                                                                      {"follower.", ""},
                                                                      {"dwell", ""},
                                                                      {"second_cam.", "second cam"}};
@@ -138,13 +143,18 @@ NameParts parts_of(std::string_view name) {
     parts.key = bracket == 0 ? parts.key.substr(std::min(end + 2, parts.key.size()))
                              : parts.key.substr(0, bracket);
   }
+  // The joint of a dyad by its name.
+  const bool is_joint =
+      name.starts_with(kPivotRegion) && !name.substr(kPivotRegion.size()).starts_with("pivot_");
   const auto dot = parts.key.find('.');
+  if (is_joint) add_remark(parts.remark, parts.key.substr(0, dot));
   if (dot != parts.key.npos) {
     std::string place(parts.key.substr(dot + 1));
     std::ranges::replace(place, '_', ' ');
     add_remark(parts.remark, place);
     parts.key = parts.key.substr(0, dot);
   }
+  if (is_joint) parts.key = "fixed_pivot";
   return parts;
 }
 

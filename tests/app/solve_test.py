@@ -166,7 +166,8 @@ class Solve(unittest.TestCase):
 
     def test_every_problem_of_the_library(self):
         listed = parse(run("list", "--metrics", "--json").stdout)
-        metrics = {name for metric in listed["metrics"] for name in spelled_out(metric["key"])}
+        metrics = {name for part in ("metrics", "tolerance_metrics") for metric in listed[part]
+                   for name in spelled_out(metric["key"])}
         of_cams = {name for metric in listed["cam_metrics"] for name in spelled_out(metric["key"])}
         facts = {name for fact in listed["facts"] for name in spelled_out(fact["key"])}
         words = json.loads((SCHEMA.parent / "../report/page/words/zh.json").read_text(encoding="utf-8"))["terms"]
