@@ -10,7 +10,7 @@ namespace cognate::problems {
 struct RasterKey {
   std::string_view key;
   std::string_view meaning;
-  bool may_be_negative = false;  ///< its values are coordinates or offsets, not lengths
+  bool may_be_negative = false;  ///< its values are coordinates, not lengths
 };
 
 inline constexpr std::array kRasterKeys{
@@ -25,13 +25,7 @@ inline constexpr std::array kRasterKeys{
     RasterKey{"crank", "the crank"},
     RasterKey{"coupler", "the coupler"},
     RasterKey{"rocker", "the rocker"},
-    RasterKey{"frame", "the frame, where the pivots are free or not searched"},
-    RasterKey{"offset", "the offset of a slide or of a cam's follower", true},
-    RasterKey{"base_radius", "of a cam"},
-    RasterKey{"roller_radius", "of a cam"},
-    RasterKey{"centre_distance", "from the cam to the follower's pivot"},
-    RasterKey{"arm", "of an oscillating follower"},
-    RasterKey{"face_offset", "of an oscillating flat follower", true}};
+    RasterKey{"frame", "the frame, where the pivots are free or not searched"}};
 
 inline constexpr std::string_view kRasterBoxesKey = "boxes";
 inline constexpr std::string_view kRasterBoxesMeaning =

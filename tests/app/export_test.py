@@ -168,8 +168,10 @@ class ExportTest(unittest.TestCase):
             name = name.replace(".profile", f".{options[options.index('--curve') + 1]}")
         with open(self.folder / name, newline="") as file:
             rows = list(csv.reader(file))
+        unit = "_mm" if rows[0][1].endswith("_mm") else ""
         self.assertEqual(
-            rows[0], ["cam_deg", "x", "y", "normal_x", "normal_y", "radius_of_curvature"]
+            rows[0],
+            ["cam_deg", f"x{unit}", f"y{unit}", "normal_x", "normal_y", f"radius_of_curvature{unit}"]
         )
         return [[float(cell) if cell else None for cell in row] for row in rows[1:]]
 
