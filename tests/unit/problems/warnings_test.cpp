@@ -175,7 +175,7 @@ TEST(Warnings, AreReadFromEveryKindAndWrittenBack) {
   ASSERT_EQ(wrong.error().size(), 2u);
   EXPECT_EQ(wrong.error()[0].line, 5u);
   EXPECT_TRUE(says(wrong.error()[0].message, "an angle in degrees from 0 to 90"));
-  EXPECT_TRUE(says(wrong.error()[1].message, "warnings.link"));
+  EXPECT_TRUE(says(wrong.error()[1].message, "unknown key \"link\" in [warnings]"));
 }
 
 /// From a file to the warnings: a flat arc whose best path runs along the border of a dead point.
