@@ -353,7 +353,7 @@ TEST(AnalysisReport, StaysSmallForALongChain) {
   problem.inertias.resize(chain.bodies.size());
   problem.drive.steps = 10'000;
   const auto html = report_html({{"status", "solved"}}, problem, analyse(problem, {.threads = 1}));
-  EXPECT_LT(html.size(), 1'500'000u);
+  EXPECT_LT(html.size(), 1'600'000u);  // 770 000 of them are the kernel
 }
 
 }  // namespace

@@ -38,9 +38,11 @@ std::string toml_inline(const json& value) {
   return '{' + parts + '}';
 }
 
-/// An object is a range, but tables in an array are tables.
+/// An object is a range, unless it has keys of its own; tables in an array are tables.
 std::string toml_value(const json& value) {
-  return value.is_object() ? toml_range(value) : toml_inline(value);
+  const bool is_range =
+      value.is_object() && (value.empty() || value.contains("min") || value.contains("max"));
+  return is_range ? toml_range(value) : toml_inline(value);
 }
 
 /// The problem file that says what `tables` say, explicitly.
