@@ -35,8 +35,10 @@ reading::ToleranceScope tolerance_scope(const NamedMechanism& mechanism) {
 }
 
 bool judges_angle(const AnalysisProblem& problem) {
-  const bool of_point = problem.tolerances && !problem.tolerances->of.empty();
-  return !of_point && !output_travel(problem.mechanism).slides;
+  // A problem of a user's own may have no such body.
+  const auto output = static_cast<std::size_t>(problem.mechanism.output);
+  if (!problem.tolerances || output >= problem.mechanism.bodies.size()) return false;
+  return problem.tolerances->of.empty() && !output_travel(problem.mechanism).slides;
 }
 
 }  // namespace cognate::problems

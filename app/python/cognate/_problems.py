@@ -73,7 +73,7 @@ def solve(
     >>> result = cognate.solve(
     ...     kind="function-generation",
     ...     target={"function": "log10(x)", "domain": [1, 2], "input_range_deg": 60,
-    ...             "output_range_deg": 90, "method": "precision"})
+    ...             "output_range_deg": 90, "precision_points": 3})
     >>> result.status
     'solved'
     """

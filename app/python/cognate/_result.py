@@ -326,7 +326,7 @@ class Result:
     def to_frame(self) -> Any:
         """The same as a DataFrame of pandas, which must be installed."""
         try:
-            import pandas
+            import pandas  # type: ignore[import]
         except ImportError:
             raise ImportError("to_frame needs pandas; to_columns() gives the same columns "
                               "without it") from None

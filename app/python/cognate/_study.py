@@ -51,7 +51,7 @@ class Study:
     def to_frame(self, names: Sequence[str] = ()) -> Any:
         """The rows as a DataFrame of pandas, which must be installed, by ``id``."""
         try:
-            import pandas
+            import pandas  # type: ignore[import]
         except ImportError:
             raise ImportError("to_frame needs pandas; columns() gives the same columns without "
                               "it") from None
