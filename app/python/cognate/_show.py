@@ -126,8 +126,8 @@ def mechanism_svg(mechanism: "Mechanism", stations: Any = None, targets: Any = (
     for i, names in enumerate(links[1:]):
         if len(names) > 1:
             picture.link(names, _COLOURS[i % len(_COLOURS)])
-    for names in slides:
-        picture.link(list(names), "#555", dashed=True)
+    for slide in slides:
+        picture.link(list(slide), "#555", dashed=True)
     for name in mechanism.point_names:
         picture.joint(name, name in links[0])
     return picture.svg()
