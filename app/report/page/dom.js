@@ -27,6 +27,7 @@ export function colour(name) {
 // A name and its value in a description list.
 export function fact(name, value, title) {
   const dd = element("dd", title ? { title } : {}, value);
+  if (dd.textContent.length > 32) dd.className = "long"; // no number is so long: it may be broken anywhere
   return [element("dt", {}, name), dd];
 }
 
