@@ -93,7 +93,7 @@ drive = {speed = 12, steps = )" +
     EXPECT_NEAR(coarse.at(name), value, 1e-9 * std::abs(value)) << name;
     ++compared;
   }
-  EXPECT_EQ(compared, 6);
+  EXPECT_EQ(compared, 8);
 }
 
 TEST(ForceExtremes, OfADrivenSliderHaveTheirPlaceAsALength) {
