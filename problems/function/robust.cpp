@@ -83,7 +83,7 @@ RobustTask robust_function_task(const FunctionProblem& problem, const FunctionSa
     if (start) task.starts.push_back(*std::move(start));
   }
   task.design = [&problem, verified](const RobustStart& start,
-                                     std::vector<double>& x) -> std::optional<Design> {
+                                     const std::vector<double>& x) -> std::optional<Design> {
     auto generator = static_cast<const FunctionModel&>(*start.model).generator(x);
     for (const LinkKey& key : kLinkKeys) {
       const auto& given = problem.given.*key.given;

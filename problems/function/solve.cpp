@@ -206,7 +206,15 @@ Result solve_robustly(const FunctionProblem& problem, const Run& run, const Dead
   const FunctionSamples wanted = function_samples(problem);
   FunctionProblem with_more = problem;
   with_more.solve.designs = std::max(problem.solve.designs, kMinima);
-  const auto nominal = search_functions(with_more, wanted, run, deadline, result.work);
+  auto nominal =
+      search_functions(with_more, wanted, part_of(run, 0, kNominalDone), deadline, result.work);
+  if (const auto limits = gentle(problem.constraints)) {
+    FunctionProblem other = with_more;
+    other.constraints = *limits;
+    auto more = search_functions(other, wanted, part_of(run, kNominalDone, kGentleDone), deadline,
+                                 result.work);
+    std::ranges::move(more.minima, std::back_inserter(nominal.minima));
+  }
   const auto verified = [&](const FunctionGenerator& generator) -> std::optional<Design> {
     Design design = function_design(problem, wanted, generator,
                                     positions_of(generator, wanted.samples), "robust");
@@ -218,7 +226,7 @@ Result solve_robustly(const FunctionProblem& problem, const Run& run, const Dead
   RobustTask task = robust_function_task(problem, wanted, nominal.minima, verified);
   task.error = [&](const Design& design) { return degrees(error_of(problem, design)); };
   result.quantities = quantities(nominal.statistics);
-  add_robust(task, robust_designs(task, run, deadline), true, result);
+  add_robust(task, robust_designs(task, part_of(run, kGentleDone, 1), deadline), true, result);
   result.status = status(result, deadline, deadline.reached());
   return result;
 }

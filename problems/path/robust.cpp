@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -133,21 +134,21 @@ RobustTask robust_path_task(const PathProblem& problem, const PathProblem& scale
   for (const double weight : scaled.weights) {
     task.scale.push_back(weight > 0 ? 1 / std::sqrt(weight) : 0);
   }
-  std::vector<std::pair<const synthesis::Model*, std::shared_ptr<const OpenedPath>>> opened;
+  using Opened = std::map<const synthesis::Model*, std::shared_ptr<const OpenedPath>>;
+  auto opened = std::make_shared<Opened>();
   for (const PathMinimum& minimum : minima) {
     if (minimum.solution.violation > kPathFeasibility) continue;
     auto path = std::make_shared<const OpenedPath>(scaled, minimum);
     auto start = start_of(problem, scaled, scale, minimum, *path);
     if (!start) continue;
-    opened.emplace_back(start->model.get(), std::move(path));
+    opened->emplace(start->model.get(), std::move(path));
     task.starts.push_back(*std::move(start));
   }
-  task.design = [&scale, verified, opened = std::move(opened)](
-                    const RobustStart& start, std::vector<double>& x) -> std::optional<Design> {
-    const auto path =
-        std::ranges::find(opened, start.model.get(), [](const auto& entry) { return entry.first; });
-    if (!path->second->place_points(x)) return std::nullopt;
-    const PathModel& model = *path->second->model();
+  task.place = [opened](const RobustStart& start, std::vector<double>& x) {
+    return opened->at(start.model.get())->place_points(x);
+  };
+  task.design = [&scale, verified, opened](const RobustStart& start, const std::vector<double>& x) {
+    const PathModel& model = *opened->at(start.model.get())->model();
     return verified(scale.out_of(model.linkage(x)), model.crank_angles(x));
   };
   return task;

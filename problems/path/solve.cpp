@@ -287,9 +287,18 @@ Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline
   PathProblem scaled = scale.into(problem);
   scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
   Result result;
-  const PathSearchResult nominal =
-      search_paths(scaled, synthesis::chosen(problem.solve.solver),
-                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+  const auto search = [&](const PathProblem& one, const Run& part) {
+    return search_paths(one, synthesis::chosen(problem.solve.solver),
+                        problem.solve.tolerance.value_or(kDefaultTolerance), part, deadline,
+                        result.work);
+  };
+  PathSearchResult nominal = search(scaled, part_of(run, 0, kNominalDone));
+  if (const auto limits = gentle(scaled.constraints)) {
+    PathProblem other = scaled;
+    other.constraints = *limits;
+    std::ranges::move(search(other, part_of(run, kNominalDone, kGentleDone)).minima,
+                      std::back_inserter(nominal.minima));
+  }
   const Designs designs(problem, scale.size);
   RobustTask task = robust_path_task(problem, scaled, scale, nominal.minima,
                                      [&](const FourBar& linkage, std::vector<double> crank_angles) {
@@ -301,7 +310,7 @@ Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline
                                      });
   task.error = [&](const Design& design) { return error_of(problem, design); };
   result.quantities = quantities(nominal.statistics);
-  add_robust(task, robust_designs(task, run, deadline), false, result);
+  add_robust(task, robust_designs(task, part_of(run, kGentleDone, 1), deadline), false, result);
   if (deadline.reached()) {
     result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
   } else if (!result.designs.empty()) {

@@ -3,19 +3,29 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/tolerance/draws.hpp"
+#include "synthesis/robust/mean_square_model.hpp"
 #include "synthesis/robust/quantile_model.hpp"
+#include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
 namespace {
 
 /// Samples of the search, of a point of the front, and of the figures that are told.
-constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 100'000, kToldSamples = 1'000'000;
+constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 30'000, kToldSamples = 1'000'000;
+/// Shares of the tolerances under which the mean square is least: in the beginning more than all of
+/// them, so that what minds them much is left; and less, for the front.
+constexpr std::array kWideThenWhole{3.0, 1.0};
+constexpr std::array kPartly{0.25, 0.5};
+constexpr int kMeanIterations = 100;
+constexpr double kMeanGain = 1e-2;  ///< as kGain
 /// Points of the front between nominal optimum and least quantile.
 constexpr int kBetween = 5;
 /// A search that has gained less than this begins anew no more; so often at most: the solver sees a
@@ -23,13 +33,28 @@ constexpr int kBetween = 5;
 constexpr double kGain = 1e-4;
 constexpr int kRestarts = 4;
 constexpr int kIterations = 50;
-/// Nominal minima that are starts.
-constexpr std::size_t kStarts = 4;
+/// So many of the least mean squares are brought to their least quantile.
+constexpr std::size_t kDescended = 4;
+/// Variables nearer than this, relative to 1 + |x|, are one design.
+constexpr double kSameWithin = 1e-3;
 /// Newton steps of a crank that follows: one is enough to see where a sample goes.
 constexpr int kSearchFollow = 1, kToldFollow = 2;
 /// Seeds of samples: those of the search are not those of the figures.
 constexpr std::uint64_t kSearchSeed = 0x526f62757374, kFrontSeed = 0x46726f6e74,
                         kToldSeed = 0x546f6c64;
+
+/// Moves the variable that a dimension is by a change of the dimension.
+void move_along(const synthesis::AxisVariable& axis, double change, std::span<double> moved,
+                std::span<double> slope) {
+  const auto place = static_cast<std::size_t>(axis.variable);
+  if (!axis.is_logarithm) {
+    moved[place] += change / axis.scale;
+    return;
+  }
+  const double length = std::exp(moved[place]);
+  moved[place] = std::log(length + change / axis.scale);
+  slope[place] = length / (length + change / axis.scale);
+}
 
 /// Dimensions moved by drawn changes.
 class DrawnPerturbation final : public synthesis::Perturbation {
@@ -47,16 +72,7 @@ class DrawnPerturbation final : public synthesis::Perturbation {
     std::ranges::copy(x, moved.begin());
     std::ranges::fill(slope, 1.0);
     for (std::size_t d = 0; d < variables_.size(); ++d) {
-      const synthesis::AxisVariable& axis = variables_[d];
-      const auto place = static_cast<std::size_t>(axis.variable);
-      const double change = changes_[d * count_ + sample] / axis.scale;
-      if (axis.is_logarithm) {
-        const double length = std::exp(x[place]);
-        moved[place] = std::log(length + change);
-        slope[place] = length / (length + change);
-      } else {
-        moved[place] += change;
-      }
+      move_along(variables_[d], changes_[d * count_ + sample], moved, slope);
     }
   }
 
@@ -65,6 +81,54 @@ class DrawnPerturbation final : public synthesis::Perturbation {
   std::size_t count_;
   std::vector<double> changes_;  ///< a column for each dimension
 };
+
+/// The mean and its neighbours on every axis, whose mean is that of the tolerances to third order:
+/// each dimension at ±√n σ, the others in the middle (see MeanSquareModel).
+class Spread final : public synthesis::Perturbation {
+ public:
+  Spread(const RobustStart& start, ToleranceDistribution distribution, double share)
+      : start_(start) {
+    const double sigmas = distribution == ToleranceDistribution::uniform ? std::sqrt(3.0) : 3;
+    const double away = std::sqrt(static_cast<double>(start.dimensions.size())) / sigmas;
+    for (const TolerancedDimension& dimension : start.dimensions) {
+      middle_.push_back(share * dimension.middle());
+      away_.push_back(share * away * dimension.half_width());
+    }
+  }
+
+  std::size_t count() const override { return 2 * away_.size(); }
+
+  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
+            std::span<double> slope) const override {
+    std::ranges::copy(x, moved.begin());
+    std::ranges::fill(slope, 1.0);
+    for (std::size_t d = 0; d < away_.size(); ++d) {
+      const double away = d != sample / 2 ? 0 : sample % 2 == 0 ? away_[d] : -away_[d];
+      move_along(start_.variables[d], middle_[d] + away, moved, slope);
+    }
+  }
+
+ private:
+  const RobustStart& start_;
+  std::vector<double> middle_, away_;
+};
+
+/// Variables on their way, and the quantile of the samples of the search.
+struct RobustCandidate {
+  const RobustStart* start = nullptr;
+  std::vector<double> x;
+  double quantile = std::numeric_limits<double>::infinity();
+};
+
+/// The models of two starts may be of different assemblies: then their quantiles differ.
+bool is_same(const RobustCandidate& a, const RobustCandidate& b) {
+  if (std::abs(a.quantile - b.quantile) > kSameWithin * a.quantile) return false;
+  const auto globals = static_cast<std::size_t>(a.start->model->global_count());
+  for (std::size_t i = 0; i < globals; ++i) {
+    if (!(std::abs(a.x[i] - b.x[i]) <= kSameWithin * (1 + std::abs(a.x[i])))) return false;
+  }
+  return true;
+}
 
 /// A design on its way.
 struct RobustFound {
@@ -109,8 +173,13 @@ class RobustSearch {
     return task_.unit * errors[std::min(count, static_cast<std::size_t>(place)) - 1];
   }
 
+  bool place(const RobustStart& start, std::vector<double>& x) const {
+    return !task_.place || task_.place(start, x);
+  }
+
   /// The point that `x` is, if it meets the constraints.
   std::optional<RobustFound> known(const RobustStart& start, std::vector<double> x) const {
+    if (!place(start, x)) return std::nullopt;
     auto design = task_.design(start, x);
     if (!design) return std::nullopt;
     RobustFound found{&start, std::move(x), {*std::move(design)}};
@@ -142,13 +211,74 @@ class RobustSearch {
     return x;
   }
 
+  /// Where the mean square is least under one share of the tolerances after another; empty where it
+  /// strays from what the file allows.
+  std::optional<std::vector<double>> settle(const RobustStart& start, std::vector<double> x,
+                                            std::span<const double> shares) const {
+    for (const double share : shares) {
+      const Spread spread(start, task_.distribution, share);
+      const synthesis::MeanSquareModel model(*start.model, spread, kSearchFollow);
+      const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
+      double before = std::numeric_limits<double>::infinity();
+      for (int round = 0; round < kRestarts; ++round) {
+        const auto solution = synthesis::solve(
+            synthesis::Solver::gauss_newton, restricted, restricted.inwards(x),
+            synthesis::until(deadline_, {.tolerance = 1e-9, .max_iterations = kMeanIterations}));
+        if (solution.stop == synthesis::Stop::no_value) break;
+        x = restricted.outwards(solution.x);
+        if (!place(start, x)) return std::nullopt;
+        if (!(solution.objective < before * (1 - kMeanGain))) break;
+        before = solution.objective;
+      }
+    }
+    return x;
+  }
+
+  double quantile_seen(const RobustStart& start, std::span<const double> x) const {
+    const DrawnPerturbation drawn(start, task_.distribution, kSearchSeed, kSearchSamples);
+    const synthesis::QuantileModel model(*start.model, drawn, options(kSearchFollow, {}));
+    double value = 0;
+    return model.residuals(x, {&value, 1}, {}, {}) ? value
+                                                   : std::numeric_limits<double>::infinity();
+  }
+
+  /// From every nominal minimum where the mean square is least, each once, by their quantiles.
+  std::vector<RobustCandidate> candidates() const {
+    constexpr std::size_t kWays = kWideThenWhole.size();
+    std::vector<RobustCandidate> all(task_.starts.size() * kWays);
+    parallel_for(static_cast<int>(all.size()), run_.threads, [&](int index, int) {
+      if (is_over()) return;
+      const auto i = static_cast<std::size_t>(index);
+      const RobustStart& start = task_.starts[i / kWays];
+      const std::span<const double> shares = std::span(kWideThenWhole).subspan(i % kWays);
+      if (auto x = settle(start, start.x, shares)) {
+        all[i] = {&start, *std::move(x)};
+        all[i].quantile = quantile_seen(start, all[i].x);
+      }
+    });
+    std::erase_if(all, [](const auto& one) { return !std::isfinite(one.quantile); });
+    std::ranges::stable_sort(all, {}, &RobustCandidate::quantile);
+    std::vector<RobustCandidate> different;
+    for (RobustCandidate& one : all) {
+      const auto same = [&](const RobustCandidate& known) { return is_same(known, one); };
+      if (std::ranges::none_of(different, same)) different.push_back(std::move(one));
+    }
+    return different;
+  }
+
+  /// The least quantiles, and the mean squares from which they come.
   void add_least(std::vector<RobustFound>& all) const {
-    std::vector<std::optional<RobustFound>> found(std::min(kStarts, task_.starts.size()));
+    const auto from = candidates();
+    std::vector<std::optional<RobustFound>> found(2 * std::min(kDescended, from.size()));
     parallel_for(static_cast<int>(found.size()), run_.threads, [&](int index, int) {
       const auto i = static_cast<std::size_t>(index);
-      if (is_over()) return;
-      found[i] = known(task_.starts[i], descend(task_.starts[i], task_.starts[i].x, {}));
+      const auto& [start, x, quantile] = from[i / 2];
+      if (!is_over()) found[i] = known(*start, i % 2 == 0 ? x : descend(*start, x, {}));
     });
+    add(std::move(found), all);
+  }
+
+  static void add(std::vector<std::optional<RobustFound>> found, std::vector<RobustFound>& all) {
     for (auto& one : found) {
       if (one) all.push_back(*std::move(one));
     }
@@ -182,7 +312,11 @@ class RobustSearch {
       found[static_cast<std::size_t>(index)] =
           known(*from.start, descend(*from.start, from.x, most * most));
     });
-    for (auto& one : found) {
+    add(std::move(found), all);
+    for (const double share : kPartly) {
+      if (is_over()) return;
+      const auto x = settle(*nominal.start, nominal.x, {&share, 1});
+      auto one = x ? known(*nominal.start, *x) : std::nullopt;
       if (one) all.push_back(*std::move(one));
     }
   }
@@ -217,6 +351,26 @@ class RobustSearch {
 };
 
 }  // namespace
+
+std::optional<Constraints> gentle(const Constraints& constraints) {
+  constexpr Range kGentle{40 * kDegree, 140 * kDegree};
+  const Range own = constraints.transmission_angle.value_or(Range{0, kPi});
+  const Range both{std::max(own.min, kGentle.min), std::min(own.max, kGentle.max)};
+  const bool is_own = both.min == own.min && both.max == own.max;
+  if (is_own || !(both.min < both.max)) return std::nullopt;
+  Constraints narrowed = constraints;
+  narrowed.transmission_angle = both;
+  return narrowed;
+}
+
+Run part_of(const Run& run, double from, double to) {
+  Run part = run;
+  if (!run.progress) return part;
+  part.progress = [tell = run.progress, from, to](double share, double best) {
+    tell(from + (to - from) * share, best);
+  };
+  return part;
+}
 
 RobustAnswer robust_designs(const RobustTask& task, const Run& run, const Deadline& deadline) {
   return task.starts.empty() ? RobustAnswer{} : RobustSearch(task, run, deadline).run();

@@ -36,9 +36,12 @@ struct RobustTask {
   std::vector<double> scale;        ///< likewise
   double unit = 1;                  ///< of an error of the model, in the file's unit
   std::vector<RobustStart> starts;  ///< the nominal optimum first
-  /// The design at a point of the model of a start, whose local variables are brought up to date;
-  /// empty where it breaks a constraint.
-  std::function<std::optional<Design>(const RobustStart& start, std::vector<double>& x)> design;
+  /// Brings the local variables of a point to where they are best by the rules of the file (its
+  /// order); false where there is no such place. Empty: they need none.
+  std::function<bool(const RobustStart& start, std::vector<double>& x)> place;
+  /// The design at a point of the model of a start; empty where it breaks a constraint.
+  std::function<std::optional<Design>(const RobustStart& start, const std::vector<double>& x)>
+      design;
   std::function<double(const Design& design)> error;  ///< the nominal one, in the file's unit
 };
 
@@ -54,6 +57,17 @@ struct RobustAnswer {
   /// than the one before. At least one, unless no start is within its constraints.
   std::vector<RobustPoint> front;
 };
+
+/// The limits of a file and a transmission angle far from those of dead points, near which every
+/// design minds its dimensions much; empty where the file's own limits are as narrow. Its nominal
+/// minima are starts that a search for the least nominal error does not come to.
+std::optional<Constraints> gentle(const Constraints& constraints);
+
+/// Where the search for nominal minima, that for gentle ones, and that from both end.
+inline constexpr double kNominalDone = 0.3, kGentleDone = 0.6;
+
+/// `run` with a part of its progress.
+Run part_of(const Run& run, double from, double to);
 
 /// Starts from each nominal design and along bounds on the nominal error. No quantile is worse than
 /// the nominal optimum's, which is itself a point.

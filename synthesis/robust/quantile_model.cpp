@@ -33,7 +33,7 @@ std::vector<double> rank_weights(std::size_t count, double share) {
 }  // namespace
 
 /// The greatest error of one sample, and the station where it is.
-struct QuantileModel::Sample {
+struct QuantileModel::Made {
   double error = std::numeric_limits<double>::infinity();
   std::size_t station = 0;
   std::size_t number = 0;
@@ -42,7 +42,7 @@ struct QuantileModel::Sample {
 QuantileModel::QuantileModel(const Model& nominal, const Perturbation& perturbation,
                              QuantileOptions options)
     : nominal_(nominal),
-      perturbation_(perturbation),
+      samples_(nominal, perturbation, options.follow),
       options_(std::move(options)),
       weight_(rank_weights(perturbation.count(), options_.share)) {
   const auto stations = static_cast<std::size_t>(nominal.residual_count() / options_.components);
@@ -53,54 +53,11 @@ int QuantileModel::constraint_count() const {
   return nominal_.constraint_count() + (options_.most_sum_of_squares ? 1 : 0);
 }
 
-struct QuantileModel::Workspace {
-  std::vector<double> moved, slope, r, jacobian, local, along, square;
-
-  /// Of the calling thread, of the right size.
-  static Workspace& of(const Model& model, std::size_t variables) {
-    thread_local Workspace memory;
-    const auto rows = static_cast<std::size_t>(model.residual_count());
-    const auto locals = static_cast<std::size_t>(model.local_count());
-    memory.moved.resize(variables);
-    memory.slope.resize(variables);
-    memory.r.resize(rows);
-    memory.jacobian.resize(rows * (variables - locals));
-    memory.local.resize(locals > 0 ? rows : 0);
-    memory.along.resize(locals);
-    memory.square.resize(locals);
-    return memory;
-  }
-};
-
-/// The residuals of one sample, its local variables where they are best; false without a value.
-bool QuantileModel::move(std::span<const double> x, std::size_t number, bool differentiate,
-                         Workspace& at) const {
-  perturbation_.move(x, number, at.moved, at.slope);
-  const auto places = nominal_.local_of_residual();
-  const std::size_t globals = x.size() - at.along.size();
-  const int steps = at.local.empty() ? 0 : options_.follow;
-  for (int step = 0; step < steps; ++step) {
-    if (!nominal_.residuals(at.moved, at.r, at.jacobian, at.local)) return false;
-    std::ranges::fill(at.along, 0.0);
-    std::ranges::fill(at.square, 0.0);
-    for (std::size_t row = 0; row < at.r.size(); ++row) {
-      if (places[row] < 0) continue;
-      at.along[static_cast<std::size_t>(places[row])] += at.local[row] * at.r[row];
-      at.square[static_cast<std::size_t>(places[row])] += at.local[row] * at.local[row];
-    }
-    for (std::size_t k = 0; k < at.along.size(); ++k) {
-      if (at.square[k] > 0) at.moved[globals + k] -= at.along[k] / at.square[k];
-    }
-  }
-  if (!differentiate) return nominal_.residuals(at.moved, at.r, {}, {});
-  return nominal_.residuals(at.moved, at.r, at.jacobian, at.local);
-}
-
-QuantileModel::Sample QuantileModel::sample(std::span<const double> x, std::size_t number) const {
-  Workspace& at = Workspace::of(nominal_, x.size());
-  Sample made;
+QuantileModel::Made QuantileModel::made(std::span<const double> x, std::size_t number) const {
+  PerturbedModel::Sample& at = samples_.memory();
+  Made made;
   made.number = number;
-  if (!move(x, number, false, at)) return made;
+  if (!samples_.evaluate(x, number, false, at)) return made;
   made.error = 0;
   const auto components = static_cast<std::size_t>(options_.components);
   for (std::size_t station = 0; station < options_.scale.size(); ++station) {
@@ -117,11 +74,11 @@ QuantileModel::Sample QuantileModel::sample(std::span<const double> x, std::size
 }
 
 /// By their errors; equal ones by their numbers, so that the order is always the same.
-std::vector<QuantileModel::Sample> QuantileModel::sorted_samples(std::span<const double> x) const {
-  std::vector<Sample> all;
-  all.reserve(perturbation_.count());
-  for (std::size_t k = 0; k < perturbation_.count(); ++k) all.push_back(sample(x, k));
-  std::ranges::sort(all, [](const Sample& a, const Sample& b) {
+std::vector<QuantileModel::Made> QuantileModel::sorted(std::span<const double> x) const {
+  std::vector<Made> all;
+  all.reserve(samples_.count());
+  for (std::size_t k = 0; k < samples_.count(); ++k) all.push_back(made(x, k));
+  std::ranges::sort(all, [](const Made& a, const Made& b) {
     return a.error != b.error ? a.error < b.error : a.number < b.number;
   });
   return all;
@@ -129,24 +86,24 @@ std::vector<QuantileModel::Sample> QuantileModel::sorted_samples(std::span<const
 
 std::vector<double> QuantileModel::errors(std::span<const double> x, int threads) const {
   constexpr std::size_t kBlock = 4096;
-  std::vector<double> all(perturbation_.count());
+  std::vector<double> all(samples_.count());
   const std::size_t blocks = (all.size() + kBlock - 1) / kBlock;
   parallel_for(static_cast<int>(blocks), threads, [&](int block, int) {
     const std::size_t first = static_cast<std::size_t>(block) * kBlock;
     const std::size_t last = std::min(all.size(), first + kBlock);
-    for (std::size_t k = first; k < last; ++k) all[k] = sample(x, k).error;
+    for (std::size_t k = first; k < last; ++k) all[k] = made(x, k).error;
   });
   std::ranges::sort(all);
   return all;
 }
 
 /// By the theorem of the envelope local variables that follow take no part.
-bool QuantileModel::add_gradient(std::span<const double> x, const Sample& of, double weight,
+bool QuantileModel::add_gradient(std::span<const double> x, const Made& of, double weight,
                                  std::span<double> gradient) const {
-  Workspace& at = Workspace::of(nominal_, x.size());
-  if (!move(x, of.number, true, at)) return false;
+  PerturbedModel::Sample& at = samples_.memory();
+  if (!samples_.evaluate(x, of.number, true, at)) return false;
   if (!(of.error > 0)) return true;  // at its least, where the distance has no slope
-  const std::size_t n = x.size() - at.along.size();
+  const auto n = static_cast<std::size_t>(nominal_.global_count());
   const auto components = static_cast<std::size_t>(options_.components);
   const double scale = options_.scale[of.station];
   for (std::size_t i = 0; i < components; ++i) {
@@ -161,7 +118,7 @@ bool QuantileModel::add_gradient(std::span<const double> x, const Sample& of, do
 
 bool QuantileModel::residuals(std::span<const double> x, std::span<double> r,
                               std::span<double> jacobian, std::span<double> /*local*/) const {
-  const auto all = sorted_samples(x);
+  const auto all = sorted(x);
   double sum = 0;
   for (std::size_t rank = 0; rank < all.size(); ++rank) {
     if (weight_[rank] > 0) sum += weight_[rank] * all[rank].error;
@@ -200,18 +157,10 @@ void QuantileModel::limit_sum(std::span<const double> x, double& c, std::span<do
 
 void QuantileModel::constraints(std::span<const double> x, std::span<double> c,
                                 std::span<double> jacobian) const {
-  const auto n = static_cast<std::size_t>(nominal_.global_count());
   const auto rows = static_cast<std::size_t>(nominal_.constraint_count());
-  const std::size_t columns = variables().size();
-  std::vector<double> narrow(jacobian.empty() ? 0 : rows * n);
-  if (rows > 0) nominal_.constraints(x, c.first(rows), narrow);
-  if (!jacobian.empty()) {
-    std::ranges::fill(jacobian, 0.0);
-    for (std::size_t row = 0; row < rows; ++row) {
-      std::copy_n(narrow.begin() + static_cast<std::ptrdiff_t>(row * n), n,
-                  jacobian.begin() + static_cast<std::ptrdiff_t>(row * columns));
-    }
-  }
+  const std::size_t columns = x.size();
+  samples_.constraints(x, c.first(rows),
+                       jacobian.empty() ? jacobian : jacobian.first(rows * columns));
   if (!options_.most_sum_of_squares) return;
   limit_sum(x, c[rows], jacobian.empty() ? jacobian : jacobian.subspan(rows * columns, columns));
 }

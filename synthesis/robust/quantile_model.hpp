@@ -7,23 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/optimise/model.hpp"
+#include "synthesis/robust/perturbed_model.hpp"
 
 namespace cognate::synthesis {
-
-/// How the variables of a model move where dimensions are off, sample by sample.
-class Perturbation {
- public:
-  virtual ~Perturbation() = default;
-
-  /// How many samples there are.
-  virtual std::size_t count() const = 0;
-
-  /// The variables that stand for `x` in one sample, and the derivative of each by itself. Called
-  /// from many threads at once.
-  virtual void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
-                    std::span<double> slope) const = 0;
-};
 
 /// What is least.
 struct QuantileOptions {
@@ -69,18 +55,16 @@ class QuantileModel final : public Model {
   std::vector<double> errors(std::span<const double> x, int threads) const;
 
  private:
-  struct Sample;
-  struct Workspace;
+  struct Made;
 
-  Sample sample(std::span<const double> x, std::size_t number) const;
-  bool move(std::span<const double> x, std::size_t number, bool differentiate, Workspace& at) const;
-  std::vector<Sample> sorted_samples(std::span<const double> x) const;
-  bool add_gradient(std::span<const double> x, const Sample& of, double weight,
+  Made made(std::span<const double> x, std::size_t number) const;
+  std::vector<Made> sorted(std::span<const double> x) const;
+  bool add_gradient(std::span<const double> x, const Made& of, double weight,
                     std::span<double> gradient) const;
   void limit_sum(std::span<const double> x, double& c, std::span<double> row) const;
 
   const Model& nominal_;
-  const Perturbation& perturbation_;
+  PerturbedModel samples_;
   QuantileOptions options_;
   std::vector<double> weight_;  ///< of each rank, ascending; their sum is 1
 };

@@ -69,14 +69,16 @@ double quantile(const FourBar& bar, const std::vector<double>& angles,
   return errors[static_cast<std::size_t>(0.99 * kSamples)];
 }
 
-TEST(RobustPaths, EllipseIsNoWorseThanTheNominalOptimum) {
+TEST(RobustPaths, EllipseErrsFarLessThanTheNominalOptimum) {
   const auto read = read_task(std::filesystem::path(kLibraryFolder) / "path/ellipse-robust.toml");
   ASSERT_TRUE(read);
   const auto& problem = std::get<PathProblem>(*read);
   const Result result = solve(problem, {});
   ASSERT_EQ(result.status, Status::solved);
   const double robust = fact(result, "robust_quantile"), nominal = fact(result, "nominal_quantile");
-  EXPECT_LE(robust, nominal);
+  EXPECT_LT(robust, 0.3 * nominal);
+  // The least that 400 descents of the mean square from random linkages led to, by another program.
+  EXPECT_LT(robust, 0.14);
   const Design &first = result.designs.front(), &last = result.designs.back();
   // Of 20 000 samples the 99 % quantile is known to some percent.
   EXPECT_NEAR(quantile(four_bar(first), first.crank_angles, problem.points, 0.05, false), robust,

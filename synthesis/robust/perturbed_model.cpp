@@ -1,0 +1,65 @@
+#include "synthesis/robust/perturbed_model.hpp"
+
+#include <algorithm>
+
+namespace cognate::synthesis {
+
+PerturbedModel::Sample& PerturbedModel::memory() const {
+  thread_local Sample memory;
+  const auto variables = nominal_.variables().size();
+  const auto rows = static_cast<std::size_t>(nominal_.residual_count());
+  const auto locals = static_cast<std::size_t>(nominal_.local_count());
+  memory.moved.resize(variables);
+  memory.slope.resize(variables);
+  memory.r.resize(rows);
+  memory.jacobian.resize(rows * (variables - locals));
+  memory.local.resize(locals > 0 ? rows : 0);
+  return memory;
+}
+
+/// One Newton step of each local variable.
+void PerturbedModel::follow(Sample& at) const {
+  const auto places = nominal_.local_of_residual();
+  const auto globals = static_cast<std::size_t>(nominal_.global_count());
+  thread_local std::vector<double> along, square;
+  along.assign(at.moved.size() - globals, 0.0);
+  square.assign(along.size(), 0.0);
+  for (std::size_t row = 0; row < at.r.size(); ++row) {
+    if (places[row] < 0) continue;
+    const auto place = static_cast<std::size_t>(places[row]);
+    along[place] += at.local[row] * at.r[row];
+    square[place] += at.local[row] * at.local[row];
+  }
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    if (square[k] > 0) at.moved[globals + k] -= along[k] / square[k];
+  }
+}
+
+bool PerturbedModel::evaluate(std::span<const double> x, std::size_t number, bool differentiate,
+                              Sample& at) const {
+  perturbation_.move(x, number, at.moved, at.slope);
+  const int steps = at.local.empty() ? 0 : follow_;
+  for (int step = 0; step < steps; ++step) {
+    if (!nominal_.residuals(at.moved, at.r, at.jacobian, at.local)) return false;
+    follow(at);
+  }
+  if (!differentiate) return nominal_.residuals(at.moved, at.r, {}, {});
+  return nominal_.residuals(at.moved, at.r, at.jacobian, at.local);
+}
+
+void PerturbedModel::constraints(std::span<const double> x, std::span<double> c,
+                                 std::span<double> jacobian) const {
+  const auto n = static_cast<std::size_t>(nominal_.global_count());
+  const auto rows = static_cast<std::size_t>(nominal_.constraint_count());
+  if (rows == 0) return;
+  if (jacobian.empty()) return nominal_.constraints(x, c, {});
+  std::vector<double> narrow(rows * n);
+  nominal_.constraints(x, c, narrow);
+  std::ranges::fill(jacobian, 0.0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::copy_n(narrow.begin() + static_cast<std::ptrdiff_t>(row * n), n,
+                jacobian.begin() + static_cast<std::ptrdiff_t>(row * x.size()));
+  }
+}
+
+}  // namespace cognate::synthesis
