@@ -1,5 +1,7 @@
 #include "app/python/watch.hpp"
 
+#include <pthread.h>
+
 #include <chrono>
 #include <exception>
 #include <set>
@@ -22,9 +24,20 @@ Running& running() {
   return all;
 }
 
+/// In a forked process the computations of the other threads do not run, and never end.
+void forget_in_forks() {
+  pthread_atfork([] { running().guard.lock(); }, [] { running().guard.unlock(); },
+                 [] {
+                   running().watches.clear();
+                   running().guard.unlock();
+                 });
+}
+
 }  // namespace
 
 Watch::Watch() {
+  static std::once_flag once;
+  std::call_once(once, forget_in_forks);
   const std::scoped_lock lock(running().guard);
   running().watches.insert(this);
 }
