@@ -185,12 +185,13 @@ class MechanismTest(unittest.TestCase):
 
     def test_rates_of_the_drive_may_vary(self):
         speed = np.linspace(1, 2, 97)
+        link = [{"name": "coupler", "mass": 1.0, "centre": [1, 0.5]}]
         velocity = BAR.velocities(self.ANGLES, speed)["P"]
-        forces = BAR.forces(self.ANGLES, speed=speed, link=[{"name": "coupler", "mass": 1.0, "centre": [1, 0.5]}])["drive"]
+        forces = BAR.forces(self.ANGLES, speed=speed, link=link)["drive"]
         for i in (0, 50):
             angle, rate = float(self.ANGLES[i]), float(speed[i])
             np.testing.assert_allclose(BAR.velocities(angle, rate)["P"], velocity[i], rtol=1e-12)
-            one = BAR.forces(angle, speed=rate, link=[{"name": "coupler", "mass": 1.0, "centre": [1, 0.5]}])["drive"]
+            one = BAR.forces(angle, speed=rate, link=link)["drive"]
             self.assertEqual(float(one), forces[i])
 
     def test_forces_by_virtual_work(self):

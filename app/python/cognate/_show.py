@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from ._errors import ProblemError
+
 if TYPE_CHECKING:
     from . import _result
     from . import mechanisms as _mechanisms
@@ -156,7 +158,10 @@ def still_picture(design: "_result.Design") -> str:
     picture = moving_picture(design, moving=False)
     if picture is not None:
         return picture
-    texts = design.export("svg", out=None).texts
+    try:
+        texts = design.export("svg", out=None).texts
+    except ProblemError as error:  # bevel gears, machines without a shape
+        return no_picture(error.message)
     return next(iter(texts.values())).decode() if texts else no_picture("nothing to draw")
 
 
