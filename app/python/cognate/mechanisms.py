@@ -69,14 +69,16 @@ class Mechanism(_core.Mechanism):
         return self._positions(angles, 0, points, threads)
 
     def velocities(self, angles: Any, speed: Any = 1.0, *,
-                   points: Optional[abc.Sequence[str]] = None, threads: Optional[int] = 1) -> dict[str, Any]:
+                   points: Optional[abc.Sequence[str]] = None,
+                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Velocities (..., 2) while the drive moves at ``speed`` (rad/s, a number or an array)."""
         rates = self._positions(angles, 1, points, threads)
         factor = _factor(speed, "speed", angles)
         return {name: factor * rate for name, rate in rates.items()}
 
     def accelerations(self, angles: Any, speed: Any = 1.0, acceleration: Any = 0.0, *,
-                      points: Optional[abc.Sequence[str]] = None, threads: Optional[int] = 1) -> dict[str, Any]:
+                      points: Optional[abc.Sequence[str]] = None,
+                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Accelerations (..., 2) for a drive of such ``speed`` and ``acceleration`` (rad/s2)."""
         seconds = self._positions(angles, 2, points, threads)
         square = _factor(speed, "speed", angles) ** 2
@@ -126,7 +128,8 @@ class Mechanism(_core.Mechanism):
 
         ``link`` (masses) and ``load`` are the tables ``[[link]]`` and ``[[load]]`` of an analysis
         file, ``gravity`` is [x, y]; ``speed`` (rad/s) and ``acceleration`` (rad/s2) are those of
-        the drive, numbers or arrays of the shape of ``angles``. Lengths are in metres unless ``length_unit`` says otherwise.
+        the drive, numbers or arrays of the shape of ``angles``. Lengths are in metres unless
+        ``length_unit`` says otherwise.
 
         ``"drive"`` (...) is the driving torque in N m (of a slider the force in N); under the names
         of the joints are the forces in N, (..., 2), from the body nearer to the frame or the drive
