@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "app/python/document.hpp"
 
@@ -59,11 +61,12 @@ NewArray strided(const Shape& shape, Sizes strides) {
 }  // namespace
 
 Numbers::Numbers(const py::handle& value, const char* name) {
-  if (PyFloat_CheckExact(value.ptr())) {
+  if (PyFloat_Check(value.ptr())) {
     one_ = PyFloat_AS_DOUBLE(value.ptr());
     is_one_ = true;
     return;
   }
+  if (value.is_none()) raise_fault(name, "is None; expected numbers");
   // What cannot be a double without loss, complex numbers or text, is refused by numpy.
   PyObject* made = PyArray_FROM_OTF(value.ptr(), NPY_DOUBLE, NPY_ARRAY_IN_ARRAY);
   if (made == nullptr) refuse(name);
@@ -76,6 +79,19 @@ Numbers::Numbers(const py::handle& value, const char* name) {
   for (int i = 0; i < PyArray_NDIM(array); ++i) shape_.append(PyArray_DIM(array, i));
   values_ = {static_cast<const double*>(PyArray_DATA(array)),
              static_cast<std::size_t>(PyArray_SIZE(array))};
+  if (PyArray_Check(value.ptr()) == 0) refuse_none(value, name);
+}
+
+void Numbers::refuse_none(const py::handle& value, const char* name) const {
+  const auto is_nan = [](double x) { return std::isnan(x); };
+  if (std::ranges::none_of(values_, is_nan)) return;
+  const auto given = py::reinterpret_steal<py::object>(
+      PyArray_FROM_OTF(value.ptr(), NPY_OBJECT, NPY_ARRAY_IN_ARRAY));
+  if (!given) throw py::error_already_set();
+  const auto* entries = static_cast<PyObject* const*>(PyArray_DATA(as_array(given)));
+  const auto count = static_cast<std::size_t>(PyArray_SIZE(as_array(given)));
+  if (std::find(entries, entries + count, Py_None) == entries + count) return;
+  raise_fault(name, "has None among its numbers; NaN says that there is none");
 }
 
 void Numbers::expect(const char* name, const char* form,
@@ -179,6 +195,22 @@ py::object to_array(std::span<const double> values) {
   NewArray made = new_array({static_cast<py::ssize_t>(values.size())});
   std::ranges::copy(values, made.data);
   return std::move(made.array);
+}
+
+py::object to_array(std::vector<double>&& values) {
+  auto kept = std::make_unique<std::vector<double>>(std::move(values));
+  auto size = static_cast<npy_intp>(kept->size());
+  if (size == 0) return new_array({0}).array;
+  auto array = py::reinterpret_steal<py::object>(
+      PyArray_SimpleNewFromData(1, &size, NPY_DOUBLE, kept->data()));
+  if (!array) throw py::error_already_set();
+  const auto free = [](void* vector) { delete static_cast<std::vector<double>*>(vector); };
+  py::capsule owner(kept.get(), free);
+  kept.release();
+  if (PyArray_SetBaseObject(as_array(array), owner.release().ptr()) != 0) {
+    throw py::error_already_set();
+  }
+  return array;
 }
 
 Vec2d point_of(const py::handle& value, const char* name) {

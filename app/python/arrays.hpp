@@ -57,6 +57,9 @@ class Numbers {
   void expect_finite(const char* name) const;
 
  private:
+  /// numpy takes None in a list for NaN.
+  void refuse_none(const py::handle& value, const char* name) const;
+
   double one_ = 0;
   bool is_one_ = false;
   Shape shape_;
@@ -94,6 +97,9 @@ py::object to_array(std::span<const Vec2d> points);
 
 /// Of shape (n,).
 py::object to_array(std::span<const double> values);
+
+/// Of shape (n,); the array keeps the vector, and nothing is copied.
+py::object to_array(std::vector<double>&& values);
 
 /// Two numbers.
 Vec2d point_of(const py::handle& value, const char* name);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/batch/four_bar_batch.hpp"
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 
@@ -155,12 +156,16 @@ class Outputs {
 };
 
 py::dict evaluate_four_bars(const py::dict& designs, const py::object& angles,
-                            const std::vector<std::string>& quantities, const py::dict& out,
-                            int threads) {
-  if (threads < 0 || threads > 1024) {
-    raise_fault("threads", fmt::format("is {}; a whole number from 0 (as many as the machine has) "
-                                       "to 1024 is allowed",
-                                       threads));
+                            const py::list& wanted, const py::dict& out,
+                            const py::object& threads_wanted) {
+  const int threads = threads_of(threads_wanted);
+  std::vector<std::string> quantities;
+  for (const py::handle name : wanted) quantities.push_back(text_of(name, "quantities"));
+  for (const auto& [name, array] : out) {
+    const auto is_wanted = std::ranges::find(quantities, text_of(name, "out"));
+    if (is_wanted != quantities.end()) continue;
+    raise_fault("out", fmt::format("has \"{}\", which is not among the quantities",
+                                   py::str(name).cast<std::string>()));
   }
   const Designs given(designs);
   const Numbers at(angles, "angles");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/exact.hpp"
@@ -15,6 +16,7 @@
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/freudenstein.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
+#include "synthesis/exact/function/slider_crank_function.hpp"
 
 namespace cognate::python {
 namespace {
@@ -22,12 +24,12 @@ namespace {
 using synthesis::AnglePair;
 using synthesis::BindingLimit;
 using synthesis::FourBarFunction;
-using synthesis::FourBarFunctions;
 using synthesis::FourBarOutcome;
 using synthesis::FreudensteinLinkage;
 using synthesis::FreudensteinOutcome;
 using synthesis::GivenStart;
 using synthesis::PrecisionPoint;
+using synthesis::SliderCrankOutcome;
 
 const char* word(FreudensteinOutcome outcome) {
   switch (outcome) {
@@ -105,33 +107,36 @@ py::object freudenstein(const py::object& input, const py::object& output,
   return all;
 }
 
-py::list precision_points(const py::object& points, const py::object& input_start,
-                          const py::object& output_start) {
+/// The precision points in `points`, and the starts, three conditions and one for each start free.
+std::vector<PrecisionPoint> precision_rows(const py::object& points, const GivenStart& start) {
   const Numbers rows(points, "points");
-  rows.expect("points", "(n, 2), [[input, output], ...] in radians", {-1, 2});
+  rows.expect("points", "(n, 2), [[input, output], ...]", {-1, 2});
   rows.expect_finite("points");
-  GivenStart start;
-  const auto given = [](const py::object& value, const char* name) -> std::optional<double> {
-    if (value.is_none()) return std::nullopt;
-    const Numbers number(value, name);
-    number.expect(name, "a number", {});
-    number.expect_finite(name);
-    return number.values()[0];
-  };
-  start.input = given(input_start, "input_start");
-  start.output = given(output_start, "output_start");
   const std::size_t wanted = 3 + std::size_t{!start.input} + std::size_t{!start.output};
   const std::size_t count = rows.size() / 2;
   if (count != wanted) {
-    raise_fault("points", fmt::format("are {} for {} start angles given; expected {}", count,
-                                      5 - wanted, wanted));
+    raise_fault("points",
+                fmt::format("are {} for {} starts given; expected {}", count, 5 - wanted, wanted));
   }
   std::vector<PrecisionPoint> list(count);
   for (std::size_t i = 0; i < count; ++i) {
     list[i].input = rows.values()[2 * i];
     list[i].output[0] = rows.values()[2 * i + 1];
   }
-  const FourBarFunctions found = synthesis::four_bar_functions(list, start);
+  return list;
+}
+
+GivenStart starts_of(const py::object& input_start, const py::object& output_start) {
+  GivenStart start;
+  if (!input_start.is_none()) start.input = number_of(input_start, "input_start");
+  if (!output_start.is_none()) start.output = number_of(output_start, "output_start");
+  return start;
+}
+
+py::list precision_points(const py::object& points, const py::object& input_start,
+                          const py::object& output_start) {
+  const GivenStart start = starts_of(input_start, output_start);
+  const auto found = synthesis::four_bar_functions(precision_rows(points, start), start);
   py::list all;
   for (const FourBarFunction& each : found.solutions) {
     py::dict one;
@@ -146,18 +151,52 @@ py::list precision_points(const py::object& points, const py::object& input_star
   return all;
 }
 
-py::object chebyshev(double first, double last, int count) {
-  if (!std::isfinite(first) || !std::isfinite(last)) {
-    raise_fault("first", "or last is not finite; finite numbers are allowed");
+const char* word(SliderCrankOutcome outcome) {
+  switch (outcome) {
+    case SliderCrankOutcome::linkage:
+      return "linkage";
+    case SliderCrankOutcome::no_coupler:
+      return "no-coupler";
+    case SliderCrankOutcome::no_crank:
+      return "no-crank";
+    case SliderCrankOutcome::scotch_yoke:
+      return "scotch-yoke";
+    case SliderCrankOutcome::infinite_links:
+      return "infinite-links";
   }
-  if (count < 1 || count > 1'000'000) {
-    raise_fault("count", fmt::format("is {}; 1 to 1000000 is allowed", count));
+  return "";
+}
+
+py::list slider_crank_points(const py::object& points, const py::object& input_start,
+                             const py::object& output_start) {
+  const GivenStart start = starts_of(input_start, output_start);
+  const auto found = synthesis::slider_crank_functions(precision_rows(points, start), start);
+  py::list all;
+  for (const auto& each : found.solutions) {
+    py::dict one;
+    one["outcome"] = word(each.outcome);
+    one["crank"] = each.crank;
+    one["coupler"] = each.coupler;
+    one["offset"] = each.offset;
+    one["input_start"] = each.input_start;
+    one["output_start"] = each.output_start;
+    one["residual"] = each.residual;
+    one["condition"] = each.condition;
+    all.append(one);
   }
-  return to_array(synthesis::chebyshev_spacing(first, last, count));
+  return all;
+}
+
+py::object chebyshev(const py::object& first, const py::object& last, const py::object& count) {
+  return to_array(
+      synthesis::chebyshev_spacing(number_of(first, "first"), number_of(last, "last"),
+                                   static_cast<int>(whole_of(count, "count", 1, 1'000'000))));
 }
 
 /// Of a translating roller follower.
-py::object smallest_cam(const py::object& motion, double pressure_deg, const py::object& offset) {
+py::object smallest_cam(const py::object& motion, const py::object& pressure,
+                        const py::object& offset) {
+  const double pressure_deg = number_of(pressure, "pressure_angle_deg");
   if (!(pressure_deg > 0 && pressure_deg < 90)) {
     raise_fault("pressure_angle_deg",
                 fmt::format("is {}; above 0 and below 90 is allowed", pressure_deg));
@@ -178,10 +217,7 @@ py::object smallest_cam(const py::object& motion, double pressure_deg, const py:
   if (!programme) raise_fault("motion", "has no programme of finite numbers");
   double least = -std::numeric_limits<double>::infinity(), greatest = -least;
   if (!offset.is_none()) {
-    const Numbers number(offset, "offset");
-    number.expect("offset", "a number", {});
-    number.expect_finite("offset");
-    least = greatest = number.values()[0];
+    least = greatest = number_of(offset, "offset");
   }
   const auto found = synthesis::smallest_translating(
       *programme, {.whole = pressure_deg * kPi / 180}, least, greatest);
@@ -201,6 +237,7 @@ void bind_exact_functions(py::module_& module) {
   module.def("freudenstein", &freudenstein);
   module.def("precision_points", &precision_points);
   module.def("chebyshev_spacing", &chebyshev);
+  module.def("slider_crank_points", &slider_crank_points);
   module.def("smallest_cam", &smallest_cam);
 }
 

@@ -3,16 +3,20 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/exact.hpp"
 #include "app/python/problem.hpp"
 #include "app/python/watch.hpp"
 #include "app/study/cache_folder.hpp"
+#include "synthesis/exact/nine_point/constrained_path.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::python {
@@ -53,13 +57,12 @@ const char* word(ExactPathStatus status) {
   return "";
 }
 
-/// A row for each real four-bar, of nine points with both cognates.
-py::dict table_of(const ExactPathSolutions& found) {
+/// A row for each real four-bar, with both cognates where these solve the problem too.
+py::dict table_of(const ExactPathSolutions& found, bool is_triplet) {
   std::vector<std::array<double, 10>> rows;
   std::vector<double> residuals, conditions;
   for (const PathRoot& root : found.roots) {
     if (!root.real) continue;
-    const bool is_triplet = found.system.kind.poses == 1;
     const auto all = is_triplet ? cognates(found.system, root) : std::array{root, root, root};
     for (std::size_t k = 0; k < (is_triplet ? 3 : 1); ++k) {
       rows.push_back(design_of(found.system, all[k]));
@@ -82,42 +85,86 @@ py::dict table_of(const ExactPathSolutions& found) {
   return table;
 }
 
-/// `angles`: of the body at each point, NaN where it is free; may be None.
-py::dict exact_path(const py::object& points, const py::object& angles, const py::object& threads,
-                    const py::object& progress) {
+/// The parts of the four-bar in `given`; those that are None are free.
+synthesis::FixedParts parts_of(const py::dict& given) {
+  synthesis::FixedParts parts;
+  const auto point = [&](const char* name, std::optional<Vec2d>& to) {
+    if (!given[name].is_none()) to = point_of(given[name], name);
+  };
+  const auto number = [&](const char* name, std::optional<double>& to) {
+    if (!given[name].is_none()) to = number_of(given[name], name);
+  };
+  const auto length = [&](const char* name, std::optional<double>& to) {
+    if (!given[name].is_none()) to = length_of(given[name], name);
+  };
+  point("pivot_a", parts.pivot_a);
+  point("pivot_d", parts.pivot_d);
+  point("coupler_point", parts.coupler_point);
+  number("frame_angle", parts.frame_angle);
+  length("crank", parts.crank);
+  length("coupler", parts.coupler);
+  length("rocker", parts.rocker);
+  length("frame", parts.frame);
+  if (parts.coupler_point && !parts.coupler) {
+    raise_fault("coupler_point", "is given without coupler; expected both");
+  }
+  return parts;
+}
+
+void expect_solved(ExactPathStatus status) {
+  if (status == ExactPathStatus::wrong_count) {
+    raise_fault("points",
+                "and what else is given are not as many conditions as a four-bar has dimensions: "
+                "with M angles given (0 counts as 1), N further points and G for given parts (a "
+                "pivot or the coupler point 2, a length or angle 1), 2 (M - 1) + N + G is 8: nine "
+                "points, five poses, or five points and both pivots are allowed");
+  }
+  if (status == ExactPathStatus::not_finite) {
+    raise_fault("points", "are not finite, or too large to square; smaller numbers are allowed");
+  }
+}
+
+/// `angles`: of the body at each point, NaN where it is free; may be None. `given`: parts of the
+/// four-bar by name, each a value or None.
+py::dict exact_path(const py::object& points, const py::object& angles, const py::dict& given,
+                    const py::object& threads, const py::object& progress) {
   const RunOptions options = checked({py::none(), threads, py::none(), progress});
   std::vector<PathPose> positions;
   for (const Vec2d& at : points_of(points, "points")) positions.push_back({at, std::nullopt});
   if (!angles.is_none()) {
-    const Numbers given(angles, "angles");
-    given.expect("angles", "(n,), an angle for each point, NaN where it is free",
-                 {static_cast<py::ssize_t>(positions.size())});
+    const Numbers turned(angles, "angles");
+    turned.expect("angles", "(n,), an angle for each point, NaN where it is free",
+                  {static_cast<py::ssize_t>(positions.size())});
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      if (!std::isnan(given.values()[i])) positions[i].angle = given.values()[i];
+      if (!std::isnan(turned.values()[i])) positions[i].angle = turned.values()[i];
     }
   }
+  const synthesis::FixedParts parts = parts_of(given);
+  const bool is_constrained = condition_count(parts) > 0;
   ExactPathSolutions found;
   Watch watch;
+  const auto stop = [&] { return watch.interrupted().load(); };
+  const auto report = [&](double share) {
+    watch.report(share, std::numeric_limits<double>::infinity());
+  };
   watch.run(progress, [&] {
-    found = synthesis::solve_exact_path(
-        positions,
-        {.threads = options.threads,
-         .set = std::nullopt,
-         .cache = app::cache_folder(),
-         .stop = [&] { return watch.interrupted().load(); },
-         .progress =
-             [&](double share) { watch.report(share, std::numeric_limits<double>::infinity()); }});
+    if (is_constrained) {
+      found = synthesis::solve_constrained_path(positions, parts,
+                                                {.threads = options.threads,
+                                                 .stop = stop,
+                                                 .progress = report,
+                                                 .cache = app::cache_folder()})
+                  .solutions;
+    } else {
+      found = synthesis::solve_exact_path(positions, {.threads = options.threads,
+                                                      .set = std::nullopt,
+                                                      .cache = app::cache_folder(),
+                                                      .stop = stop,
+                                                      .progress = report});
+    }
   });
-  if (found.status == ExactPathStatus::wrong_count) {
-    raise_fault("points",
-                "have not as many conditions as a four-bar has dimensions: with M angles "
-                "given (0 counts as 1) and N further points, 2 (M - 1) + N is 8; nine "
-                "points, or five poses, are allowed");
-  }
-  if (found.status == ExactPathStatus::not_finite) {
-    raise_fault("points", "are not finite, or too large to square; smaller numbers are allowed");
-  }
-  return table_of(found);
+  expect_solved(found.status);
+  return table_of(found, !is_constrained && found.system.kind.poses == 1);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/mechanism.hpp"
@@ -84,8 +85,29 @@ Forces nowhere(Forces forces) {
   return forces;
 }
 
-void fill(const AnalysisProblem& problem, std::span<const double> angles, const DriveRate& rate,
-          double metres, Columns& columns) {
+/// A rate of the drive, one for all positions or one for each.
+class Rate {
+ public:
+  Rate(const py::object& value, const char* name, const Shape& shape) : numbers_(value, name) {
+    bool fits = numbers_.shape().axes() == 0 || numbers_.shape().axes() == shape.axes();
+    for (int i = 0; fits && i < numbers_.shape().axes(); ++i) {
+      fits = numbers_.shape()[i] == shape[i];
+    }
+    if (!fits)
+      raise_fault(name, "has another shape than angles; expected a number, or one for each");
+    numbers_.expect_finite(name);
+  }
+
+  double operator[](std::size_t row) const {
+    return numbers_.values()[numbers_.shape().axes() == 0 ? 0 : row];
+  }
+
+ private:
+  Numbers numbers_;
+};
+
+void fill(const AnalysisProblem& problem, std::span<const double> angles, const Rate& speed,
+          const Rate& acceleration, double metres, Columns& columns) {
   const auto& mechanism = problem.mechanism.mechanism;
   InverseDynamics dynamics(mechanism, problem.inertias, problem.gravity);
   problems::ActiveLoads loads(mechanism, problem.loads);
@@ -93,6 +115,7 @@ void fill(const AnalysisProblem& problem, std::span<const double> angles, const 
   Forces forces = dynamics.forces();
   const Forces none = nowhere(dynamics.forces());
   for (std::size_t row = 0; row < angles.size(); ++row) {
+    const DriveRate rate{speed[row], acceleration[row]};
     const bool is_there = motion.move_to(angles[row]);
     const bool is_solved =
         is_there &&
@@ -102,12 +125,15 @@ void fill(const AnalysisProblem& problem, std::span<const double> angles, const 
   }
 }
 
-py::dict forces(const Moved& mechanism, const py::object& angles, double speed, double acceleration,
-                const py::dict& tables) {
+py::dict forces(const py::object& given_mechanism, const py::object& angles,
+                const py::object& speed, const py::object& acceleration, const py::dict& tables) {
+  const auto& mechanism = object_of<Moved>(given_mechanism, "mechanism", "a cognate.Mechanism");
   const bool slides =
       std::holds_alternative<DrivingSlider<double>>(mechanism.named().mechanism.drive);
   const AnalysisProblem given = read_problem(mechanism.tables(), tables, slides);
   const Numbers at(angles, "angles");
+  const Rate speeds(speed, "speed", at.shape());
+  const Rate accelerations(acceleration, "acceleration", at.shape());
   const double metres = problems::metres(given.length_unit);
   const AnalysisProblem problem = problems::in_newtons(given, metres);
   const auto names = problems::joint_names(problem.mechanism);
@@ -116,7 +142,7 @@ py::dict forces(const Moved& mechanism, const py::object& angles, double speed, 
   {
     const py::gil_scoped_release unlocked;
     // Torques come in N times the unit of lengths; a slider's force does not.
-    fill(problem, at.values(), {speed, acceleration}, metres, columns);
+    fill(problem, at.values(), speeds, accelerations, metres, columns);
     for (std::size_t row = 0; slides && row < at.size(); ++row) columns.drive.data[row] /= metres;
   }
   py::dict all;

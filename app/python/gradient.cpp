@@ -11,6 +11,7 @@
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/dual.hpp"
+#include "app/python/written_dimensions.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::python {
@@ -40,9 +41,20 @@ class Lister {
     return size > 0 ? size : 1;
   }
 
+  // Numbers of a mechanism are linear in its dimensions (angles enter by their unit vectors, which
+  // are moved along their tangents): their difference over the step is their derivative but for
+  // roundings, however long the step.
   void add(const std::string& name, double step, const Type& changed) {
-    NamedMechanism moved = problems::named(changed);
-    all_.push_back({name, std::move(moved), step});
+    const NamedMechanism moved = problems::named(changed);
+    Dimension dimension{name, numbers_of(moved.mechanism), {}};
+    const std::vector<double> before = numbers_of(mechanism_.mechanism);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      dimension.numbers[i] = (dimension.numbers[i] - before[i]) / step;
+    }
+    for (std::size_t i = 0; i < moved.points.size(); ++i) {
+      dimension.points.push_back((1 / step) * (moved.points[i].at.at - mechanism_.points[i].at.at));
+    }
+    all_.push_back(std::move(dimension));
   }
 
   void add_number(double Type::*of) {
@@ -95,16 +107,6 @@ class Lister {
   std::vector<Dimension> all_;
 };
 
-/// All numbers of a mechanism, in the order of `convert`.
-std::vector<double> numbers_of(const Mechanism<double>& mechanism) {
-  std::vector<double> all;
-  convert<double>(mechanism, [&](double x) {
-    all.push_back(x);
-    return x;
-  });
-  return all;
-}
-
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether all dyads on which `body` depends can be assembled. The roots of dual numbers take what
@@ -124,27 +126,20 @@ std::vector<Dimension> dimensions_of(const NamedMechanism& mechanism) {
   return std::visit(
       [&]<class Type>(const Type& type) {
         if constexpr (problems::SimpleType<Type>) {
-          return Lister<Type>(mechanism, type).list();
-        } else {
-          return std::vector<Dimension>();
+          if (mechanism.extra_points.empty()) return Lister<Type>(mechanism, type).list();
         }
+        return written_dimensions(mechanism);
       },
       mechanism.description);
 }
 
 void point_gradient(const NamedMechanism& mechanism, const Dimension& dimension, std::size_t index,
                     std::span<const double> angles, std::span<double> x, std::span<double> y) {
-  const std::vector<double> changed = numbers_of(dimension.moved.mechanism);
   std::size_t next = 0;
-  const auto lift = [&](double value) {
-    return Dual{value, (changed[next++] - value) / dimension.step};
-  };
+  const auto lift = [&](double value) { return Dual{value, dimension.numbers[next++]}; };
   const Mechanism<Dual> dual = convert<Dual>(mechanism.mechanism, lift);
   const Attached<double>& point = mechanism.points[index].at;
-  // Points of links that the file adds have no dimension's number.
-  const Attached<double> moved =
-      index < dimension.moved.points.size() ? dimension.moved.points[index].at : point;
-  const Vec2d rate = (1 / dimension.step) * (moved.at - point.at);
+  const Vec2d rate = dimension.points[index];
   const Vec2<Dual> at{{point.at.x, rate.x}, {point.at.y, rate.y}};
   const std::vector<double> sides = cognate::sides(mechanism.mechanism);
   const std::vector<Dual> dual_sides(sides.begin(), sides.end());

@@ -9,16 +9,15 @@
 
 namespace cognate::python {
 
-/// A number of a key: "crank", "fixed_pivots[0][1]", "direction_deg" (by the degree).
+/// A number of a key, "crank", "fixed_pivots[0][1]", "dyad[1].lengths[0]", "direction_deg" (by the
+/// degree), and how the mechanism changes with it.
 struct Dimension {
   std::string name;
-  problems::NamedMechanism moved;  ///< the mechanism with this dimension changed by `step`
-  double step = 1;
+  std::vector<double> numbers;  ///< derivatives of the mechanism's numbers, in convert's order
+  std::vector<Vec2d> points;    ///< derivatives of the points' places on their bodies
 };
 
-/// All of a mechanism; none of a chain. Numbers of a mechanism are linear in its dimensions (angles
-/// enter by their unit vectors, which are moved along their tangents), so that `moved` less the
-/// mechanism, over the step, is their derivative but for roundings, however long the step.
+/// All dimensions of a mechanism, those of its further points included.
 std::vector<Dimension> dimensions_of(const problems::NamedMechanism& mechanism);
 
 /// ∂x and ∂y of point `index` by `dimension` at `angles` of the drive, by dual numbers.

@@ -13,6 +13,7 @@
 #include "analysis/batch/chain_batch.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "app/documents/result_json.hpp"
+#include "app/python/arguments.hpp"
 #include "app/python/document.hpp"
 #include "app/python/gradient.hpp"
 #include "app/python/json.hpp"
@@ -45,14 +46,8 @@ NamedMechanism read_mechanism(const py::dict& tables) {
 /// Where the columns of a point or body are found, and evaluates them.
 class Evaluation {
  public:
-  Evaluation(const Moved& mechanism, const py::object& angles, int threads)
-      : mechanism_(mechanism), angles_(angles, "angles"), threads_(threads) {
-    if (threads < 0 || threads > 1024) {
-      raise_fault("threads", fmt::format("is {}; a whole number from 0 (as many as the machine "
-                                         "has) to 1024 is allowed",
-                                         threads));
-    }
-  }
+  Evaluation(const Moved& mechanism, const py::object& angles, const py::object& threads)
+      : mechanism_(mechanism), angles_(angles, "angles"), threads_(threads_of(threads)) {}
 
   const Shape& shape() const { return angles_.shape(); }
   std::size_t size() const { return angles_.size(); }
@@ -90,10 +85,8 @@ class Evaluation {
   ChainColumns columns_;
 };
 
-void expect_order(int order) {
-  if (order < 0 || order > 3) {
-    raise_fault("order", fmt::format("is {}; 0 to 3 are allowed", order));
-  }
+int order_of(const py::object& order) {
+  return static_cast<int>(whole_of(order, "order", 0, 3));
 }
 
 }  // namespace
@@ -109,23 +102,27 @@ Moved::Moved(NamedMechanism mechanism)
   }
 }
 
-py::object Moved::tables() const {
-  return to_python(app::mechanism_json(named_));
+py::object tables_of(const NamedMechanism& mechanism) {
+  return to_python(app::mechanism_json(mechanism));
 }
 
-const NamedPoint& Moved::find(const std::string& name) const {
+py::object Moved::tables() const {
+  return tables_of(named_);
+}
+
+const NamedPoint& Moved::find(const std::string& name, const char* key) const {
   const auto found = std::ranges::find(named_.points, name, &NamedPoint::name);
   if (found != named_.points.end()) return *found;
   std::string known;
   for (const NamedPoint& point : named_.points) {
     known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", point.name);
   }
-  raise_fault("point", fmt::format("is \"{}\"; this mechanism has {}", name, known));
+  raise_fault(key, fmt::format("has \"{}\"; this mechanism has {}", name, known));
 }
 
-py::object Moved::points(const py::object& angles, int order, const py::object& points,
-                         int threads) const {
-  expect_order(order);
+py::object Moved::points(const py::object& angles, const py::object& order_wanted,
+                         const py::object& points, const py::object& threads) const {
+  const int order = order_of(order_wanted);
   Evaluation evaluation(*this, angles, threads);
   py::dict all;
   if (points.is_none()) {
@@ -137,29 +134,28 @@ py::object Moved::points(const py::object& angles, int order, const py::object& 
       }
     }
   } else {
-    if (PyUnicode_Check(points.ptr())) {
-      raise_fault("points", "is a string; expected a list of names, as [\"P\"]");
-    }
+    const bool is_list = !PyUnicode_Check(points.ptr()) && py::isinstance<py::iterable>(points);
+    if (!is_list) refuse_type(points, "points", "a list of names, as [\"P\"]");
     for (const py::handle name : points) {
-      const auto text = py::str(name).cast<std::string>();
-      all[py::str(text)] = evaluation.add(find(text).at, order);
+      const std::string text = text_of(name, "points");
+      all[py::str(text)] = evaluation.add(find(text, "points").at, order);
     }
   }
   evaluation.run();
   return all;
 }
 
-py::object Moved::point(const std::string& name, const py::object& angles, int order,
-                        int threads) const {
-  expect_order(order);
+py::object Moved::point(const py::object& name, const py::object& angles,
+                        const py::object& threads) const {
   Evaluation evaluation(*this, angles, threads);
-  py::object array = evaluation.add(find(name).at, order);
+  py::object array = evaluation.add(find(text_of(name, "point"), "point").at, 0);
   evaluation.run();
   return array;
 }
 
-py::object Moved::bodies(const py::object& angles, int order, int threads) const {
-  expect_order(order);
+py::object Moved::bodies(const py::object& angles, const py::object& order_wanted,
+                         const py::object& threads) const {
+  const int order = order_of(order_wanted);
   Evaluation evaluation(*this, angles, threads);
   const std::size_t size = evaluation.size();
   py::dict all;
@@ -189,7 +185,7 @@ py::object Moved::bodies(const py::object& angles, int order, int threads) const
   return all;
 }
 
-py::object Moved::transmission(const py::object& angles, int threads) const {
+py::object Moved::transmission(const py::object& angles, const py::object& threads) const {
   Evaluation evaluation(*this, angles, threads);
   const std::size_t dyads = named_.mechanism.dyads.size(), size = evaluation.size();
   Shape shape = evaluation.shape();
@@ -211,13 +207,11 @@ py::object Moved::transmission(const py::object& angles, int threads) const {
   return made.array;
 }
 
-py::object Moved::gradient(const std::string& point, const py::object& angles) const {
-  const auto index = static_cast<std::size_t>(&find(point) - named_.points.data());
+py::object Moved::gradient(const py::object& point, const py::object& angles) const {
+  const NamedPoint& found = find(text_of(point, "point"), "point");
+  const auto index = static_cast<std::size_t>(&found - named_.points.data());
   const Numbers at(angles, "angles");
   const auto dimensions = dimensions_of(named_);
-  if (dimensions.empty()) {
-    raise_fault("gradient", "is for mechanisms whose dimensions are keys; a chain has none");
-  }
   py::dict all;
   std::vector<double*> columns;
   for (const Dimension& dimension : dimensions) {
@@ -296,21 +290,30 @@ py::list types() {
   return all;
 }
 
+/// `method` for objects that are whole.
+template <class Result, class... Arguments>
+auto of_whole(Result (Moved::*method)(Arguments...) const) {
+  return [method](const py::object& mechanism, Arguments... arguments) {
+    const auto& moved = object_of<Moved>(mechanism, "mechanism", "a cognate.Mechanism");
+    return (moved.*method)(std::forward<Arguments>(arguments)...);
+  };
+}
+
 }  // namespace
 
 void bind_mechanisms(py::module_& module) {
   module.def("mechanism_types", &types);
   py::class_<Moved>(module, "Mechanism")
       .def(py::init<const py::dict&>(), py::arg("tables"))
-      .def("tables", &Moved::tables)
-      .def("_positions", &Moved::points)
-      .def("_point", &Moved::point)
-      .def("_bodies", &Moved::bodies)
-      .def("_transmission", &Moved::transmission)
-      .def("_gradient", &Moved::gradient)
-      .def("skeleton", &Moved::skeleton)
-      .def_property_readonly("point_names", &Moved::point_names)
-      .def_property_readonly("body_names", &Moved::body_names);
+      .def("tables", of_whole(&Moved::tables))
+      .def("_positions", of_whole(&Moved::points))
+      .def("_point", of_whole(&Moved::point))
+      .def("_bodies", of_whole(&Moved::bodies))
+      .def("_transmission", of_whole(&Moved::transmission))
+      .def("_gradient", of_whole(&Moved::gradient))
+      .def("skeleton", of_whole(&Moved::skeleton))
+      .def_property_readonly("point_names", of_whole(&Moved::point_names))
+      .def_property_readonly("body_names", of_whole(&Moved::body_names));
 }
 
 }  // namespace cognate::python

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/problem.hpp"
@@ -25,6 +26,8 @@ namespace {
 
 using synthesis::Objective;
 using synthesis::Variable;
+
+constexpr std::int64_t kMostSteps = 1'000'000'000;
 
 /// What Python says of a model.
 struct Functions {
@@ -161,12 +164,13 @@ std::vector<Variable> variables_of(const py::list& given) {
 }
 
 Functions functions_of(const py::dict& model) {
-  Functions functions{.variables = variables_of(model["variables"]),
-                      .residuals = model["residuals"],
-                      .jacobian = model["jacobian"],
-                      .constraints = model["constraints"],
-                      .constraint_jacobian = model["constraint_jacobian"],
-                      .equalities = model["equalities"].cast<int>()};
+  Functions functions{
+      .variables = variables_of(model["variables"]),
+      .residuals = model["residuals"],
+      .jacobian = model["jacobian"],
+      .constraints = model["constraints"],
+      .constraint_jacobian = model["constraint_jacobian"],
+      .equalities = static_cast<int>(whole_of(model["equalities"], "equalities", 0, kMostSteps))};
   if (model["objective"].cast<std::string>() == "max-abs") functions.objective = Objective::max_abs;
   return functions;
 }
@@ -187,7 +191,7 @@ std::pair<int, int> counts_at(const Functions& functions, std::span<const double
   const std::pair counts(count(functions.residuals, "residuals"),
                          count(functions.constraints, "constraints"));
   if (counts.first == 0) raise_fault("residuals", "are none; expected one at least");
-  if (functions.equalities < 0 || functions.equalities > counts.second) {
+  if (functions.equalities > counts.second) {
     raise_fault("equalities",
                 fmt::format("are {} of {} constraints; expected no more than there are",
                             functions.equalities, counts.second));
@@ -267,7 +271,9 @@ const char* word(synthesis::SearchStatus status) {
 py::dict solution_table(const synthesis::Solution& solution) {
   py::dict table;
   table["x"] = to_array(std::span<const double>(solution.x));
-  table["objective"] = solution.objective;
+  // Where the residuals have no value at the start, nothing was found.
+  const bool has_value = solution.stop != synthesis::Stop::no_value;
+  table["objective"] = has_value ? solution.objective : std::numeric_limits<double>::quiet_NaN();
   table["violation"] = solution.violation;
   table["multipliers"] = to_array(std::span<const double>(solution.multipliers));
   table["stop"] = word(solution.stop);
@@ -276,16 +282,19 @@ py::dict solution_table(const synthesis::Solution& solution) {
   return table;
 }
 
-py::dict solve_model(const py::dict& given, const py::object& start, const std::string& solver,
-                     double tolerance, int iterations, const py::dict& run) {
+py::dict solve_model(const py::dict& given, const py::object& start, const py::object& solver,
+                     const py::object& tolerance, const py::object& iterations,
+                     const py::dict& run) {
   const RunOptions options = checked({run["seed"], run["threads"], run["time_limit"], py::none()});
   Functions functions = functions_of(given);
   const std::vector<double> from = start_of(start, functions.variables);
   const auto counts = counts_at(functions, from);
   Watch watch;
   PythonModel model(std::move(functions), watch, counts);
-  const synthesis::Solver chosen = solver_of(solver, model);
-  synthesis::Options how{.tolerance = tolerance, .max_iterations = iterations};
+  const synthesis::Solver chosen = solver_of(text_of(solver, "solver"), model);
+  synthesis::Options how{
+      .tolerance = length_of(tolerance, "tolerance"),
+      .max_iterations = static_cast<int>(whole_of(iterations, "iterations", 0, kMostSteps))};
   how.interrupted = &watch.interrupted();
   how.seed = options.seed;
   if (options.time_limit) how.time_limit = *options.time_limit;
@@ -295,8 +304,8 @@ py::dict solve_model(const py::dict& given, const py::object& start, const std::
   return solution_table(solution);
 }
 
-py::dict search_model(const py::dict& given, const py::object& start, const std::string& solver,
-                      const py::object& starts, int designs, const py::dict& run) {
+py::dict search_model(const py::dict& given, const py::object& start, const py::object& solver,
+                      const py::object& starts, const py::object& designs, const py::dict& run) {
   const py::object progress = run["progress"];
   const RunOptions options = checked({run["seed"], run["threads"], run["time_limit"], progress});
   Functions functions = functions_of(given);
@@ -305,13 +314,12 @@ py::dict search_model(const py::dict& given, const py::object& start, const std:
   Watch watch;
   PythonModel model(std::move(functions), watch, counts);
   synthesis::SearchOptions how;
-  how.solver = how.finisher = solver_of(solver, model);
+  how.solver = how.finisher = solver_of(text_of(solver, "solver"), model);
   if (!starts.is_none()) {
-    how.rule.starts = starts.cast<int>();
-    if (*how.rule.starts < 1) raise_fault("starts", "are fewer than 1; 1 or more are allowed");
+    how.rule.starts = static_cast<int>(whole_of(starts, "starts", 1, kMostSteps));
   }
   if (!start.is_none()) how.known.push_back({known});
-  how.designs = static_cast<std::size_t>(std::max(1, designs));
+  how.designs = static_cast<std::size_t>(whole_of(designs, "designs", 1, kMostSteps));
   how.seed = options.seed;
   how.threads = options.threads;
   if (options.time_limit) how.time_limit = *options.time_limit;

@@ -20,6 +20,8 @@ PYBIND11_MODULE(_core, module) {
   cognate::python::bind_exact_functions(module);
   cognate::python::bind_exact_motion(module);
   cognate::python::bind_exact_paths(module);
+  cognate::python::bind_exact_quick_returns(module);
+  cognate::python::bind_exact_straight_lines(module);
   cognate::python::bind_models(module);
   cognate::python::bind_studies(module);
 }

@@ -14,6 +14,7 @@
 #include "app/documents/version.hpp"
 #include "app/export/exported.hpp"
 #include "app/kinds/kinds.hpp"
+#include "app/python/arguments.hpp"
 #include "app/python/document.hpp"
 #include "app/python/json.hpp"
 #include "app/python/watch.hpp"
@@ -161,7 +162,8 @@ py::object check(const py::object& given, const py::dict& tables) {
   return to_python(description(task));
 }
 
-py::object list(const std::string& kind, bool metrics) {
+py::object list(const py::object& of, bool metrics) {
+  const std::string kind = text_of(of, "kind");
   const auto document = app::list_document(kind, metrics);
   if (!document) raise_fault("kind", app::unknown_kind(kind));
   return to_python(*document);

@@ -18,6 +18,7 @@
 #include "app/documents/output_files.hpp"
 #include "app/documents/version.hpp"
 #include "app/export/toml_text.hpp"
+#include "app/python/arguments.hpp"
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/json.hpp"
@@ -46,7 +47,7 @@ using problems::Study;
 constexpr std::size_t kReportedRows = 5000;
 
 /// The text of a study: that of its file, or what was given as TOML.
-std::string text_of(const Source& source, const py::dict& tables) {
+std::string study_text(const Source& source, const py::dict& tables) {
   if (!source.file.empty() && tables.empty()) {
     auto text = problems::reading::text_of(source.file);
     if (!text) raise_faults(source, {{1, 1, text.error()}});
@@ -65,7 +66,7 @@ struct Opened {
 Opened open_study(const py::object& given, const py::dict& tables, const std::string& stem,
                   const fs::path& folder, std::uint64_t seed) {
   const Source source = source_of(given, tables);
-  const std::string text = text_of(source, tables);
+  const std::string text = study_text(source, tables);
   auto study = problems::parse_study(text, source.folder, app::study_metrics);
   if (!study) {
     // A text that was made here has other lines than what it was made of.
@@ -152,7 +153,7 @@ class Column {
   }
 
   py::object array() {
-    if (!has_words_) return to_array(std::span<const double>(numbers_));
+    if (!has_words_) return to_array(std::move(numbers_));
     words_.resize(numbers_.size());
     return py::cast(words_);
   }
@@ -164,8 +165,13 @@ class Column {
 };
 
 /// The columns of the rows with ids from `first` on, `most` of them; "id" and "status" among them.
-py::dict read_rows(const std::string& file, std::int64_t first, std::int64_t most,
-                   const std::vector<std::string>& wanted) {
+py::dict read_rows(const std::string& file, const py::object& from, const py::object& at_most,
+                   const py::object& names_wanted) {
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  const std::int64_t first = whole_of(from, "first", 0, kMost);
+  const std::int64_t most = at_most.is_none() ? -1 : whole_of(at_most, "most", 0, kMost);
+  std::vector<std::string> wanted;
+  for (const py::handle name : names_wanted) wanted.push_back(text_of(name, "names"));
   std::vector<std::string> names{"id", "status"};
   std::vector<Column> columns;
   std::string fault;
@@ -201,7 +207,7 @@ py::dict read_rows(const std::string& file, std::int64_t first, std::int64_t mos
     raise_fault("", fmt::format("cannot read '{}': {}", file, fault.substr(1)));
   }
   if (!fault.empty())
-    raise_fault("columns", fmt::format("have \"{}\", no column of the study", fault));
+    raise_fault("names", fmt::format("have \"{}\", no column of the study", fault));
   py::dict all;
   for (std::size_t k = 0; k < names.size(); ++k) all[py::str(names[k])] = columns[k].array();
   return all;

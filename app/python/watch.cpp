@@ -1,5 +1,7 @@
 #include "app/python/watch.hpp"
 
+#include <pthread.h>
+
 #include <chrono>
 #include <exception>
 #include <set>
@@ -22,9 +24,20 @@ Running& running() {
   return all;
 }
 
+/// In a forked process the computations of the other threads do not run, and never end.
+void forget_in_forks() {
+  pthread_atfork([] { running().guard.lock(); }, [] { running().guard.unlock(); },
+                 [] {
+                   running().watches.clear();
+                   running().guard.unlock();
+                 });
+}
+
 }  // namespace
 
 Watch::Watch() {
+  static std::once_flag once;
+  std::call_once(once, forget_in_forks);
   const std::scoped_lock lock(running().guard);
   running().watches.insert(this);
 }
@@ -60,16 +73,15 @@ void Watch::keep(py::object& raised) {
   raised = py::reinterpret_steal<py::object>(value);
 }
 
+void Watch::heed(py::object& raised) {
+  const bool is_first = !interrupted_ && PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0;
+  if (!is_first) return keep(raised);
+  PyErr_Clear();
+  interrupted_ = true;
+}
+
 void Watch::listen(const py::object& progress, py::object& raised) {
-  if (PyErr_CheckSignals() != 0) {
-    const bool is_first = !interrupted_ && PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0;
-    if (is_first) {
-      PyErr_Clear();
-      interrupted_ = true;
-    } else {
-      keep(raised);
-    }
-  }
+  if (PyErr_CheckSignals() != 0) heed(raised);
   if (progress.is_none() || !raised.is_none()) return;
   double share = 0, best = 0;
   {
@@ -80,7 +92,7 @@ void Watch::listen(const py::object& progress, py::object& raised) {
   }
   const auto shown =
       py::reinterpret_steal<py::object>(PyObject_CallFunction(progress.ptr(), "dd", share, best));
-  if (!shown) keep(raised);
+  if (!shown) heed(raised);  // Ctrl-C may come while progress is shown
 }
 
 void Watch::run(const py::object& progress, const std::function<void()>& work) {

@@ -38,6 +38,8 @@ class Watch {
  private:
   bool wait();
   void listen(const py::object& progress, py::object& raised);
+  /// Of the exception that is set: the first Ctrl-C ends the computation, all else is kept.
+  void heed(py::object& raised);
   void keep(py::object& raised);
 
   std::atomic<bool> interrupted_{false};

@@ -1,11 +1,13 @@
 #include "problems/mechanism/named_mechanism.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
 #include "analysis/linkage/four_bar.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
+#include "problems/mechanism/quantity_rules.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -38,8 +40,13 @@ void add_point(NamedMechanism& mechanism, const std::string& name, const std::st
                const Vec2d& at) {
   const auto found = std::ranges::find(mechanism.bodies, body);
   const auto number = static_cast<int>(found - mechanism.bodies.begin());
-  mechanism.points.push_back({name, {number, at}});
-  mechanism.extra_points.push_back({name, {body}, at});
+  // What rounding has left of 0 is no number that a file may have.
+  const auto written = [](double x) {
+    return reading::is_quantity(x) || !(std::abs(x) < 1) ? x : 0;
+  };
+  const Vec2d place{written(at.x), written(at.y)};
+  mechanism.points.push_back({name, {number, place}});
+  mechanism.extra_points.push_back({name, {body}, place});
 }
 
 }  // namespace cognate::problems

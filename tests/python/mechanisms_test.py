@@ -28,6 +28,36 @@ ALL = [
 ]
 
 
+# Every dyad and both drives, points of links by one name and by two.
+CHAINS = [
+    (cognate.Chain(
+        pivot=[{"name": "A", "at": [0.1, 3]}, {"name": "C", "at": [0, 0.2]}],
+        crank={"at": "A", "pin": "B", "length": 1}, dyad=[
+            {"type": "RPR", "joins": ["B", "C"], "offset": 0.1, "names": ["block", "bar"]},
+            {"type": "RRP", "joins": ["D"], "length": 2, "new": "E",
+             "slide": {"through": [0, 4.5], "direction_deg": 175, "offset": 0.1}}],
+        point=[{"name": "D", "on": "bar", "at": [4.2, 0.1]}, {"name": "P", "on": ["D", "E"],
+                                                             "at": [0.7, 0.4]}]),
+     np.linspace(0.2, 1.2, 5)),
+    (cognate.Chain(
+        pivot=[{"name": "O", "at": [0.2, 0.1]}], crank={"at": "O", "pin": "B", "length": 1},
+        dyad=[{"type": "RPP", "joins": ["B"], "new": "C", "slot_deg": 80,
+               "slide": {"through": [0, -0.4], "direction_deg": 10, "offset": 0.2}}],
+        point=[{"name": "P", "on": "C", "at": [0.5, 0.3]}]),
+     np.linspace(0.2, 1.2, 5)),
+    (cognate.Chain(
+        pivot=[{"name": "D", "at": [4, 0.5]}],
+        slider={"pin": "B", "slide": {"through": [0.3, 0], "direction_deg": 80}},
+        dyad=[{"type": "RRR", "joins": ["B", "D"], "lengths": [3.5, 2], "new": "C",
+               "assembly": "crossed"},
+              {"type": "PRP", "new": "F", "slides": [
+                  {"through": [0, -2], "direction_deg": 5},
+                  {"through": [0.2, 0.1], "direction_deg": 70, "on": "BC", "offset": 0.3}]}],
+        point=[{"name": "P", "on": "F2", "at": [0.5, 0.25]}]),
+     np.linspace(0.2, 0.8, 5)),
+]
+
+
 def coupler_points(bar, angles):
     """Where two circles meet, in complex numbers."""
     (ax, ay), (dx, dy) = bar.fixed_pivots
@@ -105,6 +135,64 @@ class MechanismTest(unittest.TestCase):
                 by = (moved[0].curve(angles, point=point) - moved[1].curve(angles, point=point)) / (2 * h)
                 with self.subTest(mechanism=mechanism, key=key):
                     np.testing.assert_allclose(gradient, by, atol=2e-8)
+
+    def test_gradients_of_chains_are_those_of_classes(self):
+        pivots = [{"name": "A", "at": BAR.fixed_pivots[0]}, {"name": "D", "at": BAR.fixed_pivots[1]}]
+        chain = cognate.Chain(
+            pivot=pivots, crank={"at": "A", "pin": "B", "length": BAR.crank},
+            dyad=[{"type": "RRR", "joins": ["B", "D"], "lengths": [BAR.coupler, BAR.rocker],
+                   "new": "C"}], point=[{"name": "P", "on": ["B", "C"], "at": BAR.coupler_point}])
+        names = {"crank.length": "crank", "dyad[0].lengths[0]": "coupler",
+                 "dyad[0].lengths[1]": "rocker", "pivot[0].at[0]": "fixed_pivots[0][0]",
+                 "pivot[1].at[1]": "fixed_pivots[1][1]", "point[0].at[0]": "coupler_point[0]"}
+        here, there = chain.gradient(self.ANGLES), BAR.gradient(self.ANGLES)
+        self.assertEqual(len(here), len(there))
+        for name, key in names.items():
+            np.testing.assert_allclose(here[name], there[key], atol=2e-14)
+        further = BAR.replace(point=[{"name": "Q", "on": "coupler", "at": BAR.coupler_point}])
+        np.testing.assert_allclose(further.gradient(self.ANGLES, point="Q")["point[0].at[1]"],
+                                   there["coupler_point[1]"], atol=2e-14)
+
+    def test_gradients_of_chains_by_differences(self):
+        h = 1e-6
+
+        def set_in(value, path, change):
+            if len(path) > 1:
+                return set_in(value[path[0]], path[1:], change)
+            value[path[0]] += change
+
+        def moved(tables, key, change):
+            tables = copy.deepcopy(tables)
+            path = [int(part) if part.isdigit() else part
+                    for part in key.replace("[", ".").replace("]", "").split(".")]
+            set_in(tables, path, change)
+            return cognate.mechanism_of(tables)
+
+        for chain, drive in CHAINS:
+            for key, gradient in chain.gradient(drive, point="P").items():
+                by = [moved(chain.to_dict(), key, c).curve(drive, point="P") for c in (h, -h)]
+                with self.subTest(chain=chain, key=key):
+                    self.assertTrue(np.isfinite(gradient).all())
+                    np.testing.assert_allclose(gradient, (by[0] - by[1]) / (2 * h), atol=1e-8)
+
+    def test_replace(self):
+        other = BAR.replace(crank=0.5, assembly=None)
+        self.assertEqual(other.crank, 0.5)
+        self.assertEqual(other.coupler_point, BAR.coupler_point)
+        with self.assertRaisesRegex(AttributeError, "replace"):
+            BAR.crank = 2
+        self.assertEqual(BAR.crank, 1)
+
+    def test_rates_of_the_drive_may_vary(self):
+        speed = np.linspace(1, 2, 97)
+        link = [{"name": "coupler", "mass": 1.0, "centre": [1, 0.5]}]
+        velocity = BAR.velocities(self.ANGLES, speed)["P"]
+        forces = BAR.forces(self.ANGLES, speed=speed, link=link)["drive"]
+        for i in (0, 50):
+            angle, rate = float(self.ANGLES[i]), float(speed[i])
+            np.testing.assert_allclose(BAR.velocities(angle, rate)["P"], velocity[i], rtol=1e-12)
+            one = BAR.forces(angle, speed=rate, link=link)["drive"]
+            self.assertEqual(float(one), forces[i])
 
     def test_forces_by_virtual_work(self):
         """The drive's torque times its speed is the power of loads, weight and inertia."""
@@ -240,6 +328,17 @@ class BatchTest(unittest.TestCase):
         curvature = (v[..., 0] * a[..., 1] - v[..., 1] * a[..., 0]) / np.hypot(*v.T).T ** 3
         np.testing.assert_allclose(all_of_them["curvature"][inside], curvature[inside], rtol=1e-8)
 
+    def test_arrays_that_numpy_has_otherwise(self):
+        """Read-only, with strides, big-endian, shared with the output's memory: never a wrong answer."""
+        there = cognate.batch.positions(self.designs, self.angles)
+        fixed = self.designs.copy()
+        fixed.flags.writeable = False
+        strided = np.repeat(self.designs, 2, axis=0)[::2]
+        for form in (fixed, strided, self.designs.astype(">f8"), self.designs[::-1][::-1]):
+            np.testing.assert_array_equal(cognate.batch.positions(form, self.angles), there)
+        backwards = cognate.batch.positions(self.designs[::-1], self.angles[::-1])
+        np.testing.assert_allclose(backwards[::-1, ::-1], there, atol=1e-13)
+
     def test_out_is_filled(self):
         out = np.full((37, 23, 2), 7.0, order="F")
         found = cognate.batch.positions(self.designs, self.angles, out=out)
@@ -282,6 +381,11 @@ class ModelTest(unittest.TestCase):
         lengths = cognate.Model({"crank": (0.5, 1.5), "coupler": (3, 4), "rocker": (2.6, 3.5)}, residuals)
         found = cognate.model.solve(lengths, [0.9, 3.4, 3.1])
         np.testing.assert_allclose(found.x, [1, 3.5, 3], atol=1e-8)
+
+    def test_a_start_without_a_value(self):
+        found = cognate.model.solve(cognate.Model({"x": (0, 1)}, lambda x: [np.nan]))
+        self.assertEqual(found.stop, "no-value")
+        self.assertTrue(np.isnan(found.objective))
 
     def test_same_for_any_threads(self):
         one = cognate.model.search(self.model(), starts=30, threads=1)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Sequence
+import typing
+from collections import abc
+from typing import Optional
 
 
-class Fault(NamedTuple):
+class Fault(typing.NamedTuple):
     """One fault: what is wrong and what is allowed, and where."""
 
     file: Optional[str]
@@ -38,7 +40,7 @@ class ProblemError(ValueError):
     ['target.points', 'solver']
     """
 
-    def __init__(self, faults: Sequence[Sequence[object]]) -> None:
+    def __init__(self, faults: abc.Sequence[abc.Sequence[object]]) -> None:
         self.faults = tuple(Fault(*fault) for fault in faults)  # type: ignore[arg-type]
         super().__init__("\n".join(str(fault) for fault in self.faults))
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Mapping, Optional, Union
+from collections import abc
+from typing import Any, Optional, Union
 
 from . import _core
 from ._errors import ProblemError
 from ._progress import Progress, shown
 from ._result import Checked, Exported, Result, exported
 
-Problem = Union[None, str, "os.PathLike[str]", Mapping[str, Any]]
+Problem = Union[None, str, "os.PathLike[str]", abc.Mapping[str, Any]]
 
 
 def _name_of(problem: Problem) -> str:
@@ -128,6 +129,9 @@ def load(file: Union[str, "os.PathLike[str]"]) -> Result:
 
     It can be looked at, exported and analysed; only a report needs the run itself.
     """
+    if not isinstance(file, (str, os.PathLike)):
+        raise ProblemError([(None, None, None, "file", f"file is of the type {type(file).__name__}; "
+                             "expected the name of a file NAME.result.json")])
     path = Path(os.fspath(file))
     try:
         text = path.read_text(encoding="utf-8")

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 import sys
 import time
-from typing import Callable, Optional, TextIO, Union
+import typing
+from collections import abc
+from typing import Optional, Union
 
-Progress = Union[None, bool, Callable[[float, float], object]]
+Progress = Union[None, bool, abc.Callable[[float, float], object]]
 
 
 class Bar:
@@ -15,7 +17,7 @@ class Bar:
 
     WIDTH = 24
 
-    def __init__(self, stream: Optional[TextIO] = None) -> None:
+    def __init__(self, stream: Optional[typing.TextIO] = None) -> None:
         self._stream = stream or sys.stderr
         self._begun = time.monotonic()
         self._length = 0

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
+import typing
 import zlib
-from collections.abc import Sequence
+from collections import abc
 from pathlib import Path
-from typing import Any, NamedTuple, Optional, Union, overload
+from typing import Any, Optional, Union, overload
 
 import numpy as np
 
@@ -33,10 +34,12 @@ class Values(dict):  # type: ignore[type-arg]
 def _values(table: Any) -> Any:
     if isinstance(table, dict):
         return Values({key: _values(value) for key, value in table.items()})
+    if isinstance(table, list) and table and isinstance(table[0], dict):
+        return [_values(row) for row in table]
     return table
 
 
-class Constraint(NamedTuple):
+class Constraint(typing.NamedTuple):
     """A constraint of the file, checked on a finished design."""
 
     name: str
@@ -45,14 +48,14 @@ class Constraint(NamedTuple):
     satisfied: bool
 
 
-class Checked(NamedTuple):
+class Checked(typing.NamedTuple):
     """A problem that was read and has no fault."""
 
     description: str
     problem: dict[str, Any]
 
 
-class Exported(NamedTuple):
+class Exported(typing.NamedTuple):
     """What an export wrote."""
 
     files: list[Path]
@@ -70,6 +73,14 @@ def write_whole(path: Path, data: bytes) -> None:
     except OSError as error:
         beside.unlink(missing_ok=True)
         raise ProblemError([(str(path), None, None, "", f"cannot be written: {error}")]) from None
+
+
+def make_folder(folder: Path) -> None:
+    """The folder of files, with those above it."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ProblemError([(None, None, None, "out", f"out: {error}")]) from None
 
 
 def exported(
@@ -91,7 +102,7 @@ def exported(
     files: list[Path] = []
     if out is not None:
         folder = Path(os.fspath(out))
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         for file, text in made["files"].items():
             files.append(folder / file)
             write_whole(files[-1], text)
@@ -124,7 +135,7 @@ class Design:
     @property
     def document(self) -> dict[str, Any]:
         """Its entry of the result document."""
-        return self._table
+        return dict(self._table)
 
     @property
     def mechanism(self) -> Any:
@@ -175,7 +186,7 @@ class Design:
         """At the target points, in radians, (n,); of a driving slider displacements."""
         if "slide" in self._table:
             return np.array(self._table["slide"], dtype=float)
-        return np.radians(np.array(self._table.get("crank_deg", []), dtype=float))
+        return np.asarray(np.radians(np.array(self._table.get("crank_deg", []), dtype=float)))
 
     def analyze(self, **options: Any) -> "Result":
         """The motion of this design over its drive: see :func:`analyze`."""
@@ -217,7 +228,7 @@ def _core_types() -> set[str]:
     return {word for word, _, _ in _core.mechanism_types()}
 
 
-class Designs(Sequence):  # type: ignore[type-arg]
+class Designs(abc.Sequence):  # type: ignore[type-arg]
     """The designs of a result, best first; the first has index 0 and the number 1."""
 
     def __init__(self, result: "Result") -> None:

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from ._errors import ProblemError
+
 if TYPE_CHECKING:
-    from ._result import Design, Result
-    from .mechanisms import Mechanism
+    from . import _result
+    from . import mechanisms as _mechanisms
 
 _STEPS = 72
 _SECONDS = 4
@@ -34,7 +36,7 @@ def _closed_run(closed: Any) -> Any:
     return np.array(best, dtype=int)
 
 
-def _frames(mechanism: "Mechanism", stations: Any) -> dict[str, Any]:
+def _frames(mechanism: "_mechanisms.Mechanism", stations: Any) -> dict[str, Any]:
     """Where the points are, frame by frame: over the turn, or to and fro where that is not closed."""
     if mechanism.tables().get("slider") is not None:
         ends = (min(stations), max(stations)) if stations is not None and len(stations) else (0, 0)
@@ -112,7 +114,7 @@ class _Picture:
                 f'{_text(height)}">{"".join(self.parts)}</svg>')
 
 
-def mechanism_svg(mechanism: "Mechanism", stations: Any = None, targets: Any = (),
+def mechanism_svg(mechanism: "_mechanisms.Mechanism", stations: Any = None, targets: Any = (),
                   moving: bool = True) -> str:
     """A mechanism with the paths of its points, moving over its drive."""
     frames = _frames(mechanism, stations)
@@ -138,25 +140,28 @@ def no_picture(why: str) -> str:
             f'font-family="sans-serif" font-size="13">no picture: {html.escape(why)}</text></svg>')
 
 
-def _targets(design: "Design") -> Any:
+def _targets(design: "_result.Design") -> Any:
     points = design._result.document["problem"].get("target", {})
     rows = points.get("points", ()) if isinstance(points, dict) else ()
     return [row for row in rows if isinstance(row, list) and len(row) == 2]
 
 
-def moving_picture(design: "Design", moving: bool = True) -> Optional[str]:
+def moving_picture(design: "_result.Design", moving: bool = True) -> Optional[str]:
     """The design in motion where it is a linkage."""
     if not design.is_linkage:
         return None
     return mechanism_svg(design.mechanism, design.crank_angles, _targets(design), moving)
 
 
-def still_picture(design: "Design") -> str:
+def still_picture(design: "_result.Design") -> str:
     """The design in one position: of cams and gears the drawing that an export makes."""
     picture = moving_picture(design, moving=False)
     if picture is not None:
         return picture
-    texts = design.export("svg", out=None).texts
+    try:
+        texts = design.export("svg", out=None).texts
+    except ProblemError as error:  # bevel gears, machines without a shape
+        return no_picture(error.message)
     return next(iter(texts.values())).decode() if texts else no_picture("nothing to draw")
 
 
@@ -174,7 +179,7 @@ def _table(rows: list[dict[str, Any]]) -> str:
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def _brief(design: "Design") -> dict[str, Any]:
+def _brief(design: "_result.Design") -> dict[str, Any]:
     row = design.row()
     wanted = ("class", "error.rms", "error.rms_deg", "error.max", "transmission_angle_deg.acute_min",
               "time_ratio")
@@ -185,7 +190,7 @@ def _brief(design: "Design") -> dict[str, Any]:
     return {"design": design.number, **links, **short, "feasible": row["feasible"]}
 
 
-def result_html(result: "Result") -> str:
+def result_html(result: "_result.Result") -> str:
     """The best design moving, the table of the designs, and the notes."""
     count = len(result.designs)
     head = f"<p><b>{html.escape(result.status)}</b>, {count} design{'s' if count != 1 else ''}</p>"
@@ -195,7 +200,7 @@ def result_html(result: "Result") -> str:
             + (f"<ul>{notes}</ul>" if notes else ""))
 
 
-def _moving(design: "Design") -> str:
+def _moving(design: "_result.Design") -> str:
     picture = moving_picture(design)
     if picture is not None:
         return picture
@@ -205,7 +210,7 @@ def _moving(design: "Design") -> str:
     return still_picture(design)
 
 
-def design_html(design: "Design") -> str:
+def design_html(design: "_result.Design") -> str:
     """The design moving, its numbers, and what is to be said against it."""
     warnings = "".join(f"<li>{html.escape(text)}</li>" for text in design.warnings)
     return _moving(design) + _table([_brief(design)]) + (f"<ul>{warnings}</ul>" if warnings else "")

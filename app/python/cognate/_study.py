@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Iterator, Mapping, Optional, Sequence, Union
+from collections import abc
+from typing import Any, Optional, Union
 
 from . import _core, _show
+from ._errors import ProblemError
 from ._problems import Problem
 from ._progress import Progress, shown
-from ._result import Values, _values, write_whole
+from ._result import Values, _values, make_folder, write_whole
 
 
 class Study:
@@ -29,17 +31,20 @@ class Study:
         found = {key: value for key, value in self.document.items() if isinstance(value, int)}
         return _values({**found, **self.document.get("counts", {})})
 
-    def columns(self, names: Sequence[str] = (), *, first: int = 0,
+    def columns(self, names: abc.Sequence[str] = (), *, first: int = 0,
                 most: Optional[int] = None) -> dict[str, Any]:
         """The rows by columns: ``id``, ``status``, the varied keys and the metrics.
 
         Numbers are arrays (n,), NaN where a row has none; words are lists. ``names`` chooses
         columns, ``first`` the least id, ``most`` the number of rows.
         """
-        return _core.read_rows(str(self.file), first, -1 if most is None else most, [*names])
+        wanted = [names] if isinstance(names, str) else [*names]
+        return _core.read_rows(str(self.file), first, most, wanted)
 
-    def blocks(self, rows: int = 100_000, names: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
+    def blocks(self, rows: int = 100_000, names: abc.Sequence[str] = ()) -> abc.Iterator[dict[str, Any]]:
         """The same in blocks of so many rows, for studies that are larger than the memory."""
+        if rows == 0:
+            raise _fault("rows", "is 0; 1 or more are allowed")
         first = 0
         while True:
             block = self.columns(names, first=first, most=rows)
@@ -48,7 +53,7 @@ class Study:
             yield block
             first = int(block["id"][-1]) + 1
 
-    def to_frame(self, names: Sequence[str] = ()) -> Any:
+    def to_frame(self, names: abc.Sequence[str] = ()) -> Any:
         """The rows as a DataFrame of pandas, which must be installed, by ``id``."""
         try:
             import pandas  # type: ignore[import]
@@ -97,14 +102,17 @@ def sweep(
     is written to NAME.base.toml in the folder ``out``. Rows are stored in NAME.study.db there;
     Ctrl-C and the time limit lose none of them, and the same call goes on.
     """
-    is_file = isinstance(study, (str, os.PathLike))
-    stem = name or (Path(os.fspath(study)).stem if is_file else "study")  # type: ignore[arg-type]
+    if name is not None and (not isinstance(name, str) or Path(name).name != name):
+        raise _fault("name", f"is {name!r}; expected what files are to be called, without a folder")
+    if not isinstance(out, (str, os.PathLike)):
+        raise _fault("out", f"is of the type {type(out).__name__}; expected a folder")
+    stem = name or (Path(os.fspath(study)).stem if isinstance(study, (str, os.PathLike)) else "study")
     folder = Path(os.fspath(out))
     keys = dict(tables)
-    if isinstance(study, Mapping):
+    if isinstance(study, abc.Mapping):
         keys, study = {**study, **keys}, None
-    if isinstance(keys.get("base"), Mapping):
-        folder.mkdir(parents=True, exist_ok=True)
+    if isinstance(keys.get("base"), abc.Mapping):
+        make_folder(folder)
         base = folder / f"{stem}.base.toml"
         write_whole(base, _core.toml_text(dict(keys["base"])).encode())
         keys["base"] = str(base.resolve())
@@ -112,6 +120,10 @@ def sweep(
     with shown(progress) as report:
         document, page, file = _core.sweep(study, keys, stem, str(folder), {**run, "progress": report})
     return Study(file, document, page)
+
+
+def _fault(key: str, message: str) -> ProblemError:
+    return ProblemError([(None, None, None, key, f"{key} {message}")])
 
 
 __all__ = ["Study", "Values", "sweep"]

@@ -18,7 +18,8 @@ in Fortran's order, the designs fastest: the kernel writes into them, and nothin
 
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional, Sequence
+from collections import abc
+from typing import Any, Optional
 
 import numpy as np
 
@@ -43,9 +44,11 @@ def columns(designs: Any) -> dict[str, Any]:
     """The designs as a dictionary of columns (m,)."""
     if isinstance(designs, Mechanism):
         designs = [designs]
-    if isinstance(designs, Mapping) or hasattr(designs, "columns"):
+    if isinstance(designs, abc.Mapping) or hasattr(designs, "columns"):
         return {str(name): designs[name] for name in designs}
-    if isinstance(designs, (list, tuple)) and designs and isinstance(designs[0], Mechanism):
+    if isinstance(designs, (list, tuple)) and not designs:
+        designs = np.empty((0, len(COLUMNS)))
+    if isinstance(designs, (list, tuple)) and isinstance(designs[0], Mechanism):
         designs = np.array([_row(i, design) for i, design in enumerate(designs)], order="F")
     try:
         array = np.asarray(designs, dtype=float)
@@ -58,28 +61,33 @@ def columns(designs: Any) -> dict[str, Any]:
     return {name: array[:, i] for i, name in enumerate(COLUMNS)}
 
 
-def positions(designs: Any, angles: Any, *, out: Any = None, threads: int = 1) -> Any:
+def positions(designs: Any, angles: Any, *, out: Any = None, threads: Optional[int] = 1) -> Any:
     """The coupler points, (m, n, 2) for m designs and n angles.
 
-    ``out`` is an array to be filled, ``numpy.empty((m, n, 2), order="F")``; ``threads`` 0 means as
-    many as the machine has. NaN where a design cannot be assembled.
+    ``out`` is an array to be filled, ``numpy.empty((m, n, 2), order="F")``; ``threads`` None or 0
+    means as many as the machine has. NaN where a design cannot be assembled.
     """
     given = {} if out is None else {"position": out}
     return evaluate(designs, angles, ["position"], out=given, threads=threads)["position"]
 
 
-def evaluate(designs: Any, angles: Any, quantities: Sequence[str] = ("position",), *,
-             out: Optional[Mapping[str, Any]] = None, threads: int = 1) -> dict[str, Any]:
+def evaluate(designs: Any, angles: Any, quantities: abc.Sequence[str] = ("position",), *,
+             out: Optional[abc.Mapping[str, Any]] = None,
+             threads: Optional[int] = 1) -> dict[str, Any]:
     """The quantities wanted, of m designs at n angles, and no others are computed.
 
     ``position``, ``velocity`` and ``acceleration`` are (m, n, 2), the last two derivatives by the
     crank angle; ``curvature`` of the coupler curve, ``transmission_sin`` and ``transmission_cos``
     of the angle BCD are (m, n); ``gradient`` is (m, n, 2, 9), by the dimensions :data:`GRADIENT`.
     """
-    if isinstance(quantities, str):
-        quantities = [quantities]
-    return _core.evaluate_four_bars(columns(designs), angles, list(quantities), dict(out or {}),
-                                    threads)
+    wanted = [quantities] if isinstance(quantities, str) else quantities
+    if not isinstance(wanted, (list, tuple, set, frozenset)):
+        raise _fault(f"quantities are of the type {type(wanted).__name__}; expected a list of names",
+                     "quantities")
+    if out is not None and not isinstance(out, abc.Mapping):
+        raise _fault(f"out is of the type {type(out).__name__}; expected a dictionary of arrays",
+                     "out")
+    return _core.evaluate_four_bars(columns(designs), angles, list(wanted), dict(out or {}), threads)
 
 
 def _row(index: int, design: Any) -> list[float]:
@@ -92,5 +100,5 @@ def _row(index: int, design: Any) -> list[float]:
             *tables["coupler_point"]]
 
 
-def _fault(message: str) -> ProblemError:
-    return ProblemError([(None, None, None, "designs", message)])
+def _fault(message: str, key: str = "designs") -> ProblemError:
+    return ProblemError([(None, None, None, key, message)])

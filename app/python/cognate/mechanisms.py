@@ -17,7 +17,8 @@ from __future__ import annotations
 
 import copy
 import inspect
-from typing import Any, Mapping, Optional, Sequence
+from collections import abc
+from typing import Any, Optional
 
 import numpy as np
 
@@ -41,7 +42,7 @@ class Mechanism(_core.Mechanism):
                                      f"type is given; a {type(self).__name__} has its own")])
             keys = {"type": self._word, **keys}
         super().__init__(keys)
-        self._given = copy.deepcopy(keys)
+        object.__setattr__(self, "_given", copy.deepcopy(keys))
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of ``[mechanism]``, with every default."""
@@ -49,73 +50,86 @@ class Mechanism(_core.Mechanism):
 
     __cognate_tables__ = to_dict
 
-    def positions(self, angles: Any, *, points: Optional[Sequence[str]] = None,
-                  threads: int = 1) -> dict[str, Any]:
+    def replace(self, **keys: Any) -> "Mechanism":
+        """The same mechanism with other values of some keys, None for the default.
+
+        >>> bar = FourBar(fixed_pivots=[[0, 0], [4, 0]], crank=1, coupler=3.5, rocker=3)
+        >>> bar.replace(crank=0.5).crank
+        0.5
+        """
+        return mechanism_of({**self.to_dict(), **keys})
+
+    def positions(self, angles: Any, *, points: Optional[abc.Sequence[str]] = None,
+                  threads: Optional[int] = 1) -> dict[str, Any]:
         """Where the points are: a dictionary of arrays (..., 2) in the unit of the lengths.
 
-        ``points`` names those wanted, all where it is None; ``threads`` is for large arrays, 0 as
-        many as the machine has. Points of the frame are arrays that cannot be written to.
+        ``points`` names those wanted, all where it is None; ``threads`` is for large arrays, None
+        or 0 as many as the machine has. Points of the frame are arrays that cannot be written to.
         """
         return self._positions(angles, 0, points, threads)
 
     def velocities(self, angles: Any, speed: Any = 1.0, *,
-                   points: Optional[Sequence[str]] = None, threads: int = 1) -> dict[str, Any]:
+                   points: Optional[abc.Sequence[str]] = None,
+                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Velocities (..., 2) while the drive moves at ``speed`` (rad/s, a number or an array)."""
         rates = self._positions(angles, 1, points, threads)
-        factor = _factor(speed, "speed")
+        factor = _factor(speed, "speed", angles)
         return {name: factor * rate for name, rate in rates.items()}
 
     def accelerations(self, angles: Any, speed: Any = 1.0, acceleration: Any = 0.0, *,
-                      points: Optional[Sequence[str]] = None, threads: int = 1) -> dict[str, Any]:
+                      points: Optional[abc.Sequence[str]] = None,
+                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Accelerations (..., 2) for a drive of such ``speed`` and ``acceleration`` (rad/s2)."""
         seconds = self._positions(angles, 2, points, threads)
-        square = _factor(speed, "speed") ** 2
-        if np.all(np.equal(acceleration, 0.0)):
+        square = _factor(speed, "speed", angles) ** 2
+        along = _factor(acceleration, "acceleration", angles)
+        if not np.any(along):
             return {name: square * second for name, second in seconds.items()}
-        along = _factor(acceleration, "acceleration")
         rates = self._positions(angles, 1, points, threads)
         return {name: square * second + along * rates[name] for name, second in seconds.items()}
 
-    def derivatives(self, angles: Any, order: int, *, points: Optional[Sequence[str]] = None,
-                    threads: int = 1) -> dict[str, Any]:
+    def derivatives(self, angles: Any, order: int, *, points: Optional[abc.Sequence[str]] = None,
+                    threads: Optional[int] = 1) -> dict[str, Any]:
         """The derivative ``order`` (0 to 3) of the points by the drive: arrays (..., 2)."""
         return self._positions(angles, order, points, threads)
 
     def curve(self, angles: Any = None, *, point: Optional[str] = None,
-              threads: int = 1) -> "np.ndarray[Any, np.dtype[np.float64]]":
+              threads: Optional[int] = 1) -> "np.ndarray[Any, np.dtype[np.float64]]":
         """The path of one point, (..., 2): over a whole turn in 360 steps without ``angles``.
 
         ``point`` is the coupler point P, where there is one, else the last point.
         """
         if angles is None:
             angles = np.linspace(0, 2 * np.pi, 360, endpoint=False)
-        return self._point(self._drawn_point() if point is None else point, angles, 0, threads)
+        return self._point(self._drawn_point() if point is None else point, angles, threads)
 
-    def rotations(self, angles: Any, *, order: int = 0, threads: int = 1) -> dict[str, Any]:
+    def rotations(self, angles: Any, *, order: int = 0, threads: Optional[int] = 1) -> dict[str, Any]:
         """Angles of the moving bodies in (-pi, pi], (...), or their derivatives by the drive."""
         return self._bodies(angles, order, threads)
 
-    def transmission(self, angles: Any, *, threads: int = 1) -> Any:
+    def transmission(self, angles: Any, *, threads: Optional[int] = 1) -> Any:
         """The transmission angle of each dyad in [0, pi], (..., dyads)."""
         return self._transmission(angles, threads)
 
     def gradient(self, angles: Any, *, point: Optional[str] = None) -> dict[str, Any]:
         """Derivatives of a point by each number of the dimensions: arrays (..., 2) by its place.
 
-        ``"crank"``, ``"fixed_pivots[0][1]"``, ``"coupler_point[0]"``; those by ``"..._deg"`` are
-        for a degree. The angles of the drive stay as they are. Not for chains.
+        ``"crank"``, ``"fixed_pivots[0][1]"``, ``"coupler_point[0]"``, of a chain
+        ``"dyad[1].lengths[0]"``; those by ``"..._deg"`` are for a degree. The angles of the drive
+        stay as they are. Exact but for roundings.
         """
         return self._gradient(self._drawn_point() if point is None else point, angles)
 
-    def forces(self, angles: Any, *, speed: float = 1.0, acceleration: float = 0.0,
-               link: Optional[Sequence[Mapping[str, Any]]] = None,
-               load: Optional[Sequence[Mapping[str, Any]]] = None,
+    def forces(self, angles: Any, *, speed: Any = 1.0, acceleration: Any = 0.0,
+               link: Optional[abc.Sequence[abc.Mapping[str, Any]]] = None,
+               load: Optional[abc.Sequence[abc.Mapping[str, Any]]] = None,
                gravity: Any = None, length_unit: Optional[str] = None) -> dict[str, Any]:
         """Forces of the moving mechanism, by inverse dynamics.
 
         ``link`` (masses) and ``load`` are the tables ``[[link]]`` and ``[[load]]`` of an analysis
         file, ``gravity`` is [x, y]; ``speed`` (rad/s) and ``acceleration`` (rad/s2) are those of
-        the drive. Lengths are in metres unless ``length_unit`` says otherwise.
+        the drive, numbers or arrays of the shape of ``angles``. Lengths are in metres unless
+        ``length_unit`` says otherwise.
 
         ``"drive"`` (...) is the driving torque in N m (of a slider the force in N); under the names
         of the joints are the forces in N, (..., 2), from the body nearer to the frame or the drive
@@ -144,6 +158,10 @@ class Mechanism(_core.Mechanism):
         raise AttributeError(f"{type(self).__name__} has no {name!r}; its keys are "
                              f"{', '.join(tables)}")
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name} cannot be set, a mechanism never changes; "
+                             f"replace({name}=...) makes another one")
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.tables()]
 
@@ -168,11 +186,16 @@ class Mechanism(_core.Mechanism):
         return mechanism_of, (self._given,)
 
 
-def _factor(value: Any, name: str) -> Any:
+def _factor(value: Any, name: str, angles: Any) -> Any:
+    if isinstance(value, float):
+        return value
     try:
+        if value is None:
+            raise TypeError("None")
         array = np.asarray(value, dtype=float)
+        np.broadcast_shapes(array.shape, np.shape(angles))
     except (TypeError, ValueError) as error:
-        message = f"{name} is no number ({error}); expected a number or an array"
+        message = f"{name} is no number ({error}); expected a number, or one for each of the angles"
         raise ProblemError([(None, None, None, name, message)]) from None
     return array[..., np.newaxis] if array.ndim else float(array)
 
@@ -186,13 +209,16 @@ _FORMS = {"length": "float", "number": "float", "place": "[x, y]", "pivots": "[[
 
 
 def _class_of(word: str, meaning: str,
-              keys: Sequence[tuple[str, str, str, bool]]) -> type[Mechanism]:
+              keys: abc.Sequence[tuple[str, str, str, bool]]) -> type[Mechanism]:
     lines = [f"{meaning[0].upper()}{meaning[1:]}.", "", "Keywords", "--------"]
     for key, form, text, _ in keys:
         lines += [f"{key} : {_FORMS[form]}", f"    {text[0].upper()}{text[1:]}."]
     lines += ["point : list of dictionaries", "    ``[[point]]``: further points of its links."]
 
-    def __init__(self: Mechanism, **values: Any) -> None:
+    def __init__(self: Mechanism, *unnamed: Any, **values: Any) -> None:
+        if unnamed:
+            raise TypeError(f"{_name(word)} takes keywords alone: "
+                            f"{', '.join(key for key, _, _, _ in keys)}")
         Mechanism.__init__(self, **values)
 
     kind = inspect.Parameter.KEYWORD_ONLY
@@ -231,8 +257,11 @@ EllipticTrammel = _CLASSES["elliptic-trammel"]
 OldhamCoupling = _CLASSES["oldham-coupling"]
 
 
-def mechanism_of(tables: Mapping[str, Any]) -> Mechanism:
+def mechanism_of(tables: abc.Mapping[str, Any]) -> Mechanism:
     """The mechanism with these keys of ``[mechanism]``, as an object of the class of its type."""
+    if not isinstance(tables, abc.Mapping):
+        raise ProblemError([(None, None, None, "mechanism", "mechanism is of the type "
+                             f"{type(tables).__name__}; expected a dictionary")])
     keys = dict(tables)
     made = _CLASSES.get(str(keys.get("type")))
     if made is None:

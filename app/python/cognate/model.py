@@ -9,14 +9,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
+import typing
+from collections import abc
+from typing import Any, Optional, Union
 
 from . import _core
 from ._errors import ProblemError
 from ._progress import Progress, shown
 from ._result import Values
 
-Function = Callable[[Any], Any]
+Function = abc.Callable[[Any], Any]
 SOLVERS: tuple[str, ...] = _core.SOLVERS
 """Names of the solvers."""
 
@@ -41,10 +43,13 @@ class Model:
         ``"sum-of-squares"`` or ``"max-abs"``.
     """
 
-    def __init__(self, variables: Mapping[str, Sequence[float]], residuals: Function, *,
+    def __init__(self, variables: abc.Mapping[str, abc.Sequence[float]], residuals: Function, *,
                  jacobian: Optional[Function] = None, constraints: Optional[Function] = None,
                  constraint_jacobian: Optional[Function] = None, equalities: int = 0,
                  objective: str = "sum-of-squares") -> None:
+        if not isinstance(variables, abc.Mapping):
+            raise _fault("variables", f"are of the type {type(variables).__name__}; expected "
+                         '{"name": (lower, upper)}')
         self.variables = [_variable(name, bounds) for name, bounds in variables.items()]
         self.residuals, self.jacobian = residuals, jacobian
         self.constraints, self.constraint_jacobian = constraints, constraint_jacobian
@@ -64,7 +69,7 @@ class Model:
         return {**vars(self)}
 
 
-class Minimum(NamedTuple):
+class Minimum(typing.NamedTuple):
     """A local minimum of a model."""
 
     x: Any
@@ -76,14 +81,15 @@ class Minimum(NamedTuple):
     multipliers: Any
     """Of the constraints, (k,); empty where the solver has none."""
     stop: str
-    """``"converged"``, ``"iteration-limit"``, ``"time-limit"``, ``"interrupted"``, ..."""
+    """``"converged"``, ``"iteration-limit"``, ``"time-limit"``, ``"interrupted"``, ``"no-value"``,
+    ``"infeasible"`` or ``"failed"``."""
     iterations: int
     evaluations: int
     hits: int
     """How many starts led here."""
 
 
-class Search(NamedTuple):
+class Search(typing.NamedTuple):
     """What a search found."""
 
     status: str
@@ -99,7 +105,8 @@ def solve(model: Model, start: Any = None, *, solver: str = "auto", tolerance: f
           iterations: int = 200, seed: int = 1, time_limit: Optional[float] = None) -> Minimum:
     """The local minimum that ``solver`` reaches from ``start`` (n,), the middle of the bounds without.
 
-    What the model's functions raise is raised here.
+    What the model's functions raise is raised here. ``objective`` is NaN where the residuals have no
+    value at the start (``stop`` is then ``"no-value"``).
     """
     run = {"seed": seed, "threads": None, "time_limit": time_limit}
     found = _core.solve_model(_tables(model), start, solver, tolerance, iterations, run)
@@ -120,7 +127,7 @@ def search(model: Model, *, start: Any = None, solver: str = "auto", starts: Opt
     return Search(**found)
 
 
-def _variable(name: str, bounds: Sequence[float]) -> tuple[str, float, float, float]:
+def _variable(name: str, bounds: abc.Sequence[float]) -> tuple[str, float, float, float]:
     try:
         numbers = [float(number) for number in bounds]
     except (TypeError, ValueError):
