@@ -44,13 +44,16 @@ function drawScene() {
   goTo(state.deg);
 }
 
+// Columns are left out where there is little room, but for these.
+const KEPT = ["speed", "torque"];
 const COLUMNS = [["exact", "train.of_input"], ["speed", "train.speed"], ["relative", "train.relative"], ["torque", "train.torque"], ["power", "train.power"], ["inertia", "train.inertia"]];
 
 function showMembers({ members }) {
+  const classOf = (key) => (KEPT.includes(key) ? "number" : "number wide");
   const shown = COLUMNS.filter(([key]) => members.some((member) => member[key] !== null && member[key] !== ""));
-  byId("members-table").tHead.replaceChildren(headRow([[say("train.member")], [say("train.role")], ...shown.map(([, words]) => [say(words), "number"])]));
-  const cell = (value) => element("td", { class: "number" }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : value);
-  byId("members-rows").replaceChildren(...members.map((member) => element("tr", {}, element("td", {}, term(member.name)), element("td", {}, term(member.role)), ...shown.map(([key]) => cell(member[key])))));
+  byId("members-table").tHead.replaceChildren(headRow([[say("train.member")], [say("train.role"), "wide"], ...shown.map(([key, words]) => [say(words), classOf(key)])]));
+  const cell = (key, value) => element("td", { class: classOf(key) }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : value);
+  byId("members-rows").replaceChildren(...members.map((member) => element("tr", {}, element("td", {}, term(member.name)), element("td", { class: "wide" }, term(member.role)), ...shown.map(([key]) => cell(key, member[key])))));
 }
 
 function choose(index) {
