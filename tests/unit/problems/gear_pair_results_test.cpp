@@ -223,8 +223,8 @@ TEST(GearPairResults, TheTextbooksTableOfATooth) {
   EXPECT_NEAR(of("dedendum"), 4 * 0.95, 1e-12);
   EXPECT_NEAR(of("tooth_depth"), 4 * 2.25, 1e-12);
   // s_b = cos α (s + d inv α)
-  EXPECT_NEAR(of("base_thickness"),
-              std::cos(alpha) * (thickness + 140 * (std::tan(alpha) - alpha)), 1e-12);
+  EXPECT_NEAR(of("base_thickness"), std::cos(alpha) * (thickness + 140 * (std::tan(alpha) - alpha)),
+              1e-12);
 }
 
 // The wheel of a worm is, in its middle plane, the gear that kind = "gear" makes of its numbers.
