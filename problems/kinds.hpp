@@ -15,14 +15,16 @@
 #include "problems/path/problem.hpp"
 #include "problems/quick_return/problem.hpp"
 #include "problems/straight_line/problem.hpp"
+#include "problems/train/problem.hpp"
 
 namespace cognate::problems {
 
 /// Whatever a file may ask for: the one list of kinds. Messages name them in this order, those of
 /// one word once.
-using Task = std::variant<PathProblem, ChainPathProblem, FunctionProblem, DwellProblem,
-                          MotionProblem, QuickReturnProblem, StraightLineProblem, CamProblem,
-                          GearProblem, GearPairProblem, AnalysisProblem, MachineProblem>;
+using Task =
+    std::variant<PathProblem, ChainPathProblem, FunctionProblem, DwellProblem, MotionProblem,
+                 QuickReturnProblem, StraightLineProblem, CamProblem, GearProblem, GearPairProblem,
+                 GearTrainProblem, AnalysisProblem, MachineProblem>;
 
 /// Calls `visit` with `std::type_identity` of each kind of problem, in the order of `Task`.
 template <class Visit>

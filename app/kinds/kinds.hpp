@@ -13,6 +13,7 @@
 #include "app/kinds/path/kind.hpp"
 #include "app/kinds/quick_return/kind.hpp"
 #include "app/kinds/straight_line/kind.hpp"
+#include "app/kinds/train/kind.hpp"
 #include "problems/kinds.hpp"
 
 namespace cognate::app {

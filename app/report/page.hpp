@@ -20,6 +20,9 @@ std::string machine_page();
 /// The page of a gear or a gear pair, likewise.
 std::string gear_page();
 
+/// The page of a gear train, likewise.
+std::string train_page();
+
 /// The page of a study, likewise.
 std::string study_page();
 

@@ -71,8 +71,18 @@ class Quantities {
   }
 
   void add_thicknesses() {
-    add("tooth_thickness", gear::tooth_thickness(section_, gear::reference_radius(section_)));
-    const double tip = gear::tip_radius(section_);
+    const double reference = gear::reference_radius(section_), tip = gear::tip_radius(section_);
+    const double base = gear::base_radius(section_), root = gear::root_radius(section_);
+    const double thickness = gear::tooth_thickness(section_, reference);
+    const double pitch = 2 * kPi * reference / section_.teeth;
+    add("addendum", tip - reference);
+    add("dedendum", reference - root);
+    add("tooth_depth", tip - root);
+    add("pitch", pitch);
+    add("base_pitch", 2 * kPi * base / section_.teeth);
+    add("tooth_thickness", thickness);
+    add("space_width", pitch - thickness);
+    add("base_thickness", gear::tooth_thickness(section_, base));
     if (tip >= gear::base_radius(section_)) {
       add("tip_thickness", gear::tooth_thickness(section_, tip));
     }

@@ -79,6 +79,8 @@ constexpr KeyWords kKeys[] = {
     {"centre_distance", "centre distance", "length", kLeast},
     {"ratio_tolerance", "relative error of the ratio", "", kMost},
     {"hunting", "common divisor of the teeth", "", kMost},
+    {"planet_assembly", "equally spaced planets", ""},
+    {"neighbour_clearance", "clearance of neighbouring planets", "length", kLeast},
     {"teeth", "teeth", ""},
     {"face_width", "width of the teeth", "length", kMost},
     {"cone_angle_deg", "cone angle", "deg", kMost},

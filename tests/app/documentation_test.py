@@ -28,6 +28,7 @@ PAGE_OF_KIND = {"function-generation": "function-generation", "function-generati
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
                    "gear_tables": ["gears"], "gear_pair_tables": ["gears"],
+                   "gear_train_tables": ["gear-trains"],
                    "machine_tables": ["machines"], "mechanisms": ["analysis"], "dyads": ["analysis"],
                    "analysis_tables": ["analysis"],
                    "study_tables": ["studies"]}

@@ -15,9 +15,9 @@ import unittest
 
 PROGRAM = ""
 
-KINDS = ["analysis", "cam", "function-generation", "gear", "gear-pair", "machine", "motion-generation",
+KINDS = ["analysis", "cam", "function-generation", "gear", "gear-pair", "gear-train", "machine", "motion-generation",
          "path-generation", "quick-return", "straight-line", "study"]
-COMMANDS = {"analysis": "analyze", "gear": "analyze", "machine": "analyze", "study": "sweep"}
+COMMANDS = {"analysis": "analyze", "gear": "analyze", "gear-train": "analyze", "machine": "analyze", "study": "sweep"}
 
 
 class NewTest(unittest.TestCase):

@@ -146,7 +146,7 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "export", "c.result.json", "--curve", ""],
              {"profile", "pitch", "cutter"}),
             (["cognate", "export", "--curve", "=", "c"], {"cutter"}),
-            (["cognate", "list", "g"], {"gear", "gear-pair"}),
+            (["cognate", "list", "g"], {"gear", "gear-pair", "gear-train"}),
             (["cognate", "new", "m"], {"machine", "motion-generation"}),
             (["cognate", "analyze", "c"], {"c.result.json"}),
         ]:

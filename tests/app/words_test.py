@@ -72,6 +72,10 @@ VALUES = {
     "study.wanted_": ["least", "greatest"],
     "theme.": ["auto", "light", "dark"],
     "zoom.": ["nearer", "farther", "all", "large"],
+    "train.fact.": ["state", "ratio", "ratio_exact", "ratio_error", "degrees_of_freedom",
+                    "output_speed_rad_s", "torque_ratio", "efficiency", "reverse_efficiency",
+                    "self_locking", "reverse_self_locking", "power_W", "loss_W",
+                    "equivalent_inertia_kg_m2", "teeth_sum", "teeth_max"],
     "values.": ["column", "of", "now", "least", "greatest", "unit"],
 }
 

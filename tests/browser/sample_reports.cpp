@@ -210,6 +210,11 @@ int main(int argc, char** argv) {
     if (!problem) return 1;
     write_computed(folder / ("machine-" + file.path().stem().string() + ".html"), *problem);
   }
+  for (const auto& file : std::filesystem::directory_iterator(library / "gear-train")) {
+    const auto problem = read_task<GearTrainProblem>(file.path());
+    if (!problem) return 1;
+    write_computed(folder / ("train-" + file.path().stem().string() + ".html"), *problem);
+  }
   for (const char* name :
        {"function/log10-refined", "function/three-angle-pairs", "path/drop-of-any-size"}) {
     const std::filesystem::path file = library / (std::string(name) + ".toml");

@@ -30,7 +30,7 @@ const leftInEnglish = (page) => page.evaluate(() => {
   return found;
 });
 
-for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-translating-roller", "gear-pair", "gear-undercut", "machine-compressor", "study-grid"]) {
+for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-translating-roller", "gear-pair", "gear-undercut", "train-planetary", "machine-compressor", "study-grid"]) {
   test(`${name} is told in Chinese`, () => visit(name, { size: "phone", locale: "zh-CN" }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hans");
     assert.deepEqual(await leftInEnglish(page), []);

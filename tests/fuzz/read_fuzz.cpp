@@ -6,7 +6,7 @@
 //   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
 //       problems/library/function problems/library/analysis
 //       problems/library/cam problems/library/machine problems/library/gear
-//       problems/library/gear-pair
+//       problems/library/gear-pair problems/library/gear-train
 
 #include <cmath>
 #include <cstddef>
@@ -30,6 +30,7 @@ using cognate::problems::FunctionOfX;
 using cognate::problems::FunctionProblem;
 using cognate::problems::GearPairProblem;
 using cognate::problems::GearProblem;
+using cognate::problems::GearTrainProblem;
 using cognate::problems::MachineProblem;
 using cognate::problems::PathProblem;
 
@@ -68,6 +69,10 @@ void check(const GearProblem& problem) {
 }
 
 void check(const GearPairProblem& problem) {
+  require(is_sound(problem));
+}
+
+void check(const GearTrainProblem& problem) {
   require(is_sound(problem));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problems/gear/result.hpp"
+#include "problems/train/result.hpp"
 
 namespace cognate::problems {
 
@@ -44,6 +45,18 @@ inline bool is_sound(const GearPairProblem& problem) {
   return problem.module
              ? is_positive(*problem.module)
              : !problem.modules.empty() && std::ranges::all_of(problem.modules, is_positive);
+}
+
+/// A train that is given can be analysed, and all its speeds are finite.
+inline bool is_sound(const GearTrainProblem& problem) {
+  if (problem.target) return problem.target->teeth[0] <= problem.target->teeth[1];
+  const GearTrainResult result = solve(problem, {});
+  if (result.designs.empty()) return false;
+  return std::ranges::all_of(result.designs, [](const GearTrainDesign& design) {
+    return std::ranges::all_of(design.members, [](const TrainMember& member) {
+      return std::isfinite(member.speed) && std::isfinite(member.torque.value_or(0));
+    });
+  });
 }
 
 }  // namespace cognate::problems

@@ -48,9 +48,12 @@ export function unitOfKey(key, scope) {
 // The drive of a slider has a place in the place of an angle.
 const scopeOf = (name, table) => (name === "drive" && "end" in table ? "sliding_drive" : name);
 
+// Under these keys stand names that the file gives, which may be words by chance.
+const GIVEN_NAMES = /^(name|carrier|member|gears|fixed|holds|joins|engaged)$/;
+
 // A word of files in the reader's language; expressions and names as they are written.
 function wordText(text, key) {
-  const known = keyword(`${key}.${text}`) ?? keyword(text);
+  const known = GIVEN_NAMES.test(key) ? undefined : keyword(`${key}.${text}`) ?? keyword(text);
   if (known) return known;
   if (language === "en" && /^[a-z]+([-_][a-z]+)*$/.test(text)) return text.replaceAll("_", " ");
   return element("code", {}, text.length > LONG ? `${text.slice(0, LONG)}…` : text);

@@ -206,6 +206,27 @@ TEST(GearPairResults, HelicalTipsAndPlayAreMeasuredAcrossTheTeeth) {
   EXPECT_NEAR(quantity(solve(given, {}).designs[0].metrics, "normal_backlash"), 0.0095687, 5e-8);
 }
 
+TEST(GearPairResults, TheTextbooksTableOfATooth) {
+  GearProblem problem;
+  problem.gear.normal.teeth = 35;
+  problem.gear.normal.module = 4;
+  problem.gear.normal.profile_shift = 0.3;
+  const auto of = [metrics = analyse(problem, {}).metrics](const char* name) {
+    return quantity(metrics, name);
+  };
+  const double alpha = kPi / 9, thickness = 4 * (kPi / 2 + 2 * 0.3 * std::tan(alpha));
+  EXPECT_NEAR(of("pitch"), 4 * kPi, 1e-12);
+  EXPECT_NEAR(of("base_pitch"), 4 * kPi * std::cos(alpha), 1e-12);
+  EXPECT_NEAR(of("tooth_thickness"), thickness, 1e-12);
+  EXPECT_NEAR(of("space_width"), 4 * kPi - thickness, 1e-12);
+  EXPECT_NEAR(of("addendum"), 4 * 1.3, 1e-12);
+  EXPECT_NEAR(of("dedendum"), 4 * 0.95, 1e-12);
+  EXPECT_NEAR(of("tooth_depth"), 4 * 2.25, 1e-12);
+  // s_b = cos α (s + d inv α)
+  EXPECT_NEAR(of("base_thickness"), std::cos(alpha) * (thickness + 140 * (std::tan(alpha) - alpha)),
+              1e-12);
+}
+
 // The wheel of a worm is, in its middle plane, the gear that kind = "gear" makes of its numbers.
 TEST(GearPairResults, AWormWheelIsJudgedAsTheGearThatItIs) {
   int impossible = 0;

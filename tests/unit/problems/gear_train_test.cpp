@@ -1,0 +1,229 @@
+/// Gear trains of files: published gearboxes, found trains against every choice of teeth.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "problems/read.hpp"
+#include "problems/train/result.hpp"
+#include "problems/train/tooth_products.hpp"
+#include "tests/support/folders.hpp"
+
+namespace cognate::problems::gear_train_test {
+namespace {
+
+GearTrainProblem library(const std::string& name) {
+  const auto read =
+      read_task<GearTrainProblem>(std::string(kLibraryFolder) + "/gear-train/" + name + ".toml");
+  if (!read) throw std::runtime_error(read.error().front().message);
+  return *read;
+}
+
+double number(const GearTrainDesign& design, std::string_view name) {
+  const auto found = std::ranges::find(design.metrics, name, &Quantity::name);
+  return found == design.metrics.end() ? NAN : std::get<double>(found->value);
+}
+
+TEST(GearTrainTest, SimpsonsTable) {
+  // Published for this gearset with 28 and 62 teeth: 2.45, 1.45, 1 and −2.21 (TorqueFlite).
+  const auto result = solve(library("simpson"), {});
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_EQ(result.designs.size(), 4U);
+  const double k = 62.0 / 28;
+  const double expected[] = {(1 + 2 * k) / k, (1 + k) / k, 1, -k};
+  const double published[] = {2.45, 1.45, 1, -2.21};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(number(result.designs[i], "ratio"), expected[i], 1e-14);
+    EXPECT_NEAR(number(result.designs[i], "ratio"), published[i], 0.005);
+    EXPECT_EQ(result.designs[i].constraints.size(), 4U);
+  }
+  // No gear rolls in direct drive, so nothing is lost; elsewhere a few per cent.
+  EXPECT_NEAR(number(result.designs[2], "efficiency"), 1, 1e-12);
+  for (const std::size_t i : {0U, 1U, 3U}) {
+    EXPECT_GT(number(result.designs[i], "efficiency"), 0.95);
+    EXPECT_LT(number(result.designs[i], "efficiency"), 0.995);
+  }
+}
+
+TEST(GearTrainTest, AGreatReductionCannotBeDrivenBack) {
+  const auto result = solve(library("ten-thousand-to-one"), {});
+  const auto& design = result.designs.front();
+  EXPECT_EQ(number(design, "ratio"), 10000);
+  const double eta = 0.99 * 0.99, standing = 0.9999;
+  EXPECT_NEAR(number(design, "efficiency"), (1 - standing) / (1 - standing * eta), 1e-12);
+  const auto found = std::ranges::find(design.metrics, "reverse_self_locking", &Quantity::name);
+  EXPECT_TRUE(std::get<bool>(found->value));
+}
+
+TEST(GearTrainTest, ADifferentialSharesTorqueEqually) {
+  const auto design = solve(library("differential"), {}).designs.front();
+  for (const auto& member : design.members) {
+    if (member.name == "cage") {
+      EXPECT_DOUBLE_EQ(member.speed, 50);
+    }
+    if (member.name == "left" || member.name == "right") {
+      EXPECT_NEAR(*member.torque, 150, 1e-10);
+    }
+  }
+}
+
+TEST(GearTrainTest, ClockCountsSeconds) {
+  const auto design = solve(library("clock"), {}).designs.front();
+  EXPECT_NEAR(number(design, "ratio"), -1.0 / 720, 1e-18);
+  EXPECT_NEAR(number(design, "efficiency"), 0.95 * 0.95 * 0.95, 1e-14);
+  // 2e-7·720² + 3e-6·12²
+  EXPECT_NEAR(number(design, "equivalent_inertia_kg_m2"), 0.104112, 1e-12);
+}
+
+TEST(GearTrainTest, ProductsAreAllAndOnce) {
+  for (const int count : {1, 2, 3}) {
+    std::map<std::uint64_t, int> expected;
+    const int lo = 12, hi = 26;
+    const auto put = [&](std::uint64_t product, int sum) {
+      const auto [place, is_new] = expected.emplace(product, sum);
+      if (!is_new) place->second = std::min(place->second, sum);
+    };
+    for (int a = lo; a <= hi; ++a) {
+      if (count == 1) put(std::uint64_t(a), a);
+      for (int b = lo; b <= hi && count > 1; ++b) {
+        if (count == 2) put(std::uint64_t(a * b), a + b);
+        for (int c = lo; c <= hi && count > 2; ++c) put(std::uint64_t(a * b * c), a + b + c);
+      }
+    }
+    const auto products = tooth_products({lo, hi}, count);
+    ASSERT_EQ(products.size(), expected.size());
+    auto next = expected.begin();
+    for (const auto& product : products) {
+      EXPECT_EQ(product.product, next->first);
+      EXPECT_EQ(product.sum, next->second);
+      const auto teeth = teeth_of(product, {lo, hi}, count);
+      EXPECT_EQ(std::accumulate(teeth.begin(), teeth.end(), 0), product.sum);
+      ++next;
+    }
+  }
+}
+
+/// The least error, and the least sum of teeth within `tolerance`, of all choices of two pairs.
+struct Brute {
+  double error = HUGE_VAL;
+  int size = 1 << 30;
+};
+
+Brute by_trial(double ratio, int lo, int hi, double tolerance, bool coaxial) {
+  Brute best;
+  for (int a = lo; a <= hi; ++a)
+    for (int b = lo; b <= hi; ++b)
+      for (int c = lo; c <= hi; ++c)
+        for (int d = lo; d <= hi; ++d) {
+          if (coaxial && a + b != c + d) continue;
+          const double error = std::abs(double(b) * d / (double(a) * c) / ratio - 1);
+          best.error = std::min(best.error, error);
+          if (error <= tolerance + 1e-15) best.size = std::min(best.size, a + b + c + d);
+        }
+  return best;
+}
+
+class FoundTrains : public ::testing::TestWithParam<double> {};
+
+TEST_P(FoundTrains, AreThoseOfEveryChoice) {
+  const int lo = 17, hi = 44;
+  for (const bool coaxial : {false, true}) {
+    for (const double tolerance : {1e-3, 0.02}) {
+      const Brute brute = by_trial(GetParam(), lo, hi, tolerance, coaxial);
+      GearTrainProblem problem;
+      problem.target = TrainTarget{.ratio = GetParam(),
+                                   .ratio_tolerance = tolerance,
+                                   .teeth = {lo, hi},
+                                   .pairs = {2, 2},
+                                   .coaxial = coaxial,
+                                   .designs = 1};
+      const auto by_error = solve(problem, {});
+      ASSERT_EQ(by_error.designs.size(), 1U);
+      EXPECT_EQ(by_error.status == Status::solved, brute.error <= tolerance + 1e-15);
+      EXPECT_NEAR(number(by_error.designs[0], "ratio_error"), brute.error, 1e-15);
+      problem.target->objective = TrainObjective::size;
+      const auto by_size = solve(problem, {});
+      if (by_size.status == Status::solved) {
+        EXPECT_EQ(number(by_size.designs[0], "teeth_sum"), brute.size);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, FoundTrains,
+                         ::testing::Values(1.0, 3.14159265358979, 355.0 / 113, 4.0, 0.37, 5.9,
+                                           2.718281828, 127.0 / 50));
+
+TEST(GearTrainTest, TheBestFewAreTheBestFewOfAll) {
+  const int lo = 15, hi = 32;
+  const double ratio = 2.3456;
+  std::set<std::pair<double, std::uint64_t>> all;
+  for (int a = lo; a <= hi; ++a)
+    for (int b = a; b <= hi; ++b)
+      for (int c = lo; c <= hi; ++c)
+        for (int d = c; d <= hi; ++d) {
+          const std::uint64_t key = std::uint64_t(a * b) * 1000000 + std::uint64_t(c * d);
+          all.emplace(std::abs(double(c * d) / (ratio * (a * b)) - 1), key);
+        }
+  std::vector<ToothQuotient> best;
+  add_quotients(tooth_products({lo, hi}, 2), 2,
+                {.ratio = ratio, .tolerance = 0.01, .by_size = false, .count = 20, .is_over = {}},
+                best);
+  ASSERT_EQ(best.size(), 20U);
+  auto next = all.begin();
+  for (const auto& quotient : best) EXPECT_NEAR(quotient.error, (next++)->first, 1e-15);
+}
+
+TEST(GearTrainTest, PlanetaryTrainsOfEveryArrangement) {
+  // The ratios of the textbooks' table, k = ring/sun.
+  using M = PlanetaryMember;
+  const auto expected = [](M in, M out, double k) {
+    if (in == M::sun) return out == M::carrier ? 1 + k : -k;
+    if (in == M::ring) return out == M::carrier ? 1 + 1 / k : -1 / k;
+    return out == M::sun ? 1 / (1 + k) : k / (1 + k);
+  };
+  for (const M in : {M::sun, M::ring, M::carrier}) {
+    for (const M out : {M::sun, M::ring, M::carrier}) {
+      if (in == out) continue;
+      GearTrainProblem problem;
+      problem.target = TrainTarget{.train = TrainType::planetary,
+                                   .ratio = expected(in, out, 84.0 / 24),
+                                   .ratio_tolerance = 0,
+                                   .teeth = {24, 30},
+                                   .ring_teeth = {84, 84},
+                                   .input = in,
+                                   .output = out};
+      const auto result = solve(problem, {});
+      ASSERT_EQ(result.status, Status::solved);
+      EXPECT_EQ(result.designs[0].settled.meshes[0].teeth, (std::array{24, 30}));
+      EXPECT_NEAR(number(result.designs[0], "ratio"), problem.target->ratio, 1e-14);
+    }
+  }
+}
+
+TEST(GearTrainTest, PlanetsThatDoNotFitAreSaid) {
+  GearTrainProblem problem = library("planetary");
+  problem.planets[0].count = 5;
+  const auto result = solve(problem, {});
+  EXPECT_EQ(result.status, Status::infeasible);
+  EXPECT_FALSE(result.notes.empty());
+}
+
+TEST(GearTrainTest, ALoopThatSharesTheLoadHasNoTorques) {
+  GearTrainProblem problem;
+  problem.meshes = {{.gears = {"a", "b"}, .teeth = {20, 40}},
+                    {.gears = {"a", "b"}, .teeth = {30, 60}}};
+  problem.inputs = {{.member = "a"}};
+  problem.output = TrainOutput{.member = "b"};
+  const auto result = solve(problem, {});
+  ASSERT_EQ(result.designs.size(), 1U);
+  EXPECT_EQ(number(result.designs[0], "ratio"), -2);
+  EXPECT_FALSE(result.designs[0].members[0].torque);
+  EXPECT_FALSE(result.notes.empty());
+}
+
+}  // namespace
+}  // namespace cognate::problems::gear_train_test
