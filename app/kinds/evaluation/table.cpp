@@ -136,7 +136,7 @@ std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
   constexpr std::size_t kMostBodies = 40;
   constexpr int kMostSteps = 5000;
   const bool editable = problem.mechanism.bodies.size() <= kMostBodies &&
-                        problem.drive.steps <= kMostSteps && !problem.tolerances;
+                        problem.drive.steps <= kMostSteps;
   return editable ? analysis_page() : without_kernel(analysis_page());
 }
 
