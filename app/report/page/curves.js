@@ -105,7 +105,7 @@ function plotOptions(sheet, width) {
       dash: line.dash, points: line.dots ? { show: true, size: 7, fill: () => colour(line.colour) } : { show: false },
       ...(line.dots || line.ends ? { paths: () => null } : {}) }))],
     bands: (sheet.bands ?? []).map(({ low, high, colour: name }) => ({ series: [high + 1, low + 1], fill: () => colour(name) })),
-    hooks: { drawClear: [(u) => shade(u, sheet), (u) => marks(u, sheet)], draw: [(u) => stems(u, sheet), (u) => whiskers(u, sheet)] },
+    hooks: { drawClear: [(u) => shade(u, sheet), (u) => marks(u, sheet)], draw: [(u) => stems(u, sheet), (u) => whiskers(u, sheet), (u) => spots(u, sheet)] },
   };
 }
 
@@ -195,6 +195,21 @@ function whiskers(u, sheet) {
       ends.forEach((value, k) => u.ctx[k ? "lineTo" : "moveTo"](left, u.valToPos(value, "y", true)));
       u.ctx.stroke();
     });
+  }
+  u.ctx.restore();
+}
+
+// Single places that a plot is about.
+function spots(u, sheet) {
+  u.ctx.save();
+  u.ctx.lineWidth = 2 * devicePixelRatio;
+  u.ctx.fillStyle = colour("--card");
+  for (const { x, y, colour: name } of sheet.spots ?? []) {
+    u.ctx.strokeStyle = colour(name);
+    u.ctx.beginPath();
+    u.ctx.arc(u.valToPos(x, "x", true), u.valToPos(y, "y", true), 4 * devicePixelRatio, 0, 2 * Math.PI);
+    u.ctx.fill();
+    u.ctx.stroke();
   }
   u.ctx.restore();
 }
