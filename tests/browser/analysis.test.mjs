@@ -216,8 +216,8 @@ test("the table is saved as CSV, gaps as empty cells", () => visit("four-bar-gap
   assert.match(lines[181], /,,/);
 }));
 
-test("a hundred links make a page below 1.5 MB", () => visit("hundred-links", still, async (page) => {
-  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.5e6);
+test("a hundred links make a page below 1.1 MB", () => visit("hundred-links", still, async (page) => {
+  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.1e6);
   await driveTo(page, 123.4);
   assert.equal(await page.locator(".layer-bodies .body").count(), 99);
   assert.match(await page.locator("#save-table").textContent(), /rows drawn/);

@@ -166,6 +166,10 @@ test("the raster stands beside the optimum without one and that rounded", () => 
   assert.ok(text.includes(`${Number((100 * (facts.raster_error - facts.raster_bound) / facts.raster_error).toPrecision(3))} %`), text);
   assert.ok(text.includes(`(${Number((100 * facts.raster_covered / facts.raster_combinations).toPrecision(3))} %)`), text);
   assert.equal(await page.locator("#findings").filter({ hasText: /raster/i }).count(), 0);
+  if (!await page.locator(".edit-toggle").isVisible()) return;
+  await page.locator(".edit-toggle").click();
+  await page.locator("#edit").waitFor();
+  for (const id of ["raster", "choice", "findings", "work"]) assert.equal(await page.locator(`#${id}`).evaluate((card) => card.classList.contains("of-original")), true, id);
 }));
 
 // A front as a robust search writes it: the designs of a result again, each with other figures.

@@ -34,9 +34,9 @@ for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-tra
   "library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller", "ellipse-on-half-units"]) {
   test(`${name} is told in Chinese`, () => visit(name, { size: "phone", locale: "zh-CN" }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hans");
+    await assertFits(page);
     assert.deepEqual(await leftInEnglish(page), []);
     assert.match(await page.locator("#status").textContent(), /^\p{Script=Han}+$/u);
-    await assertFits(page);
   }));
 }
 
