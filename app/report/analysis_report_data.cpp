@@ -21,7 +21,7 @@ using problems::AnalysisResult;
 
 /// Rows and values of the table that a page holds at most: curves are some hundred pixels wide, and
 /// a value takes about ten characters.
-constexpr std::size_t kAnalysisRows = 721, kAnalysisCells = 70'000;
+constexpr std::size_t kAnalysisRows = 721, kAnalysisCells = 28'000;
 
 /// Whether the last position of the drive is the first one again.
 bool comes_round(const AnalysisProblem& problem) {

@@ -216,8 +216,8 @@ test("the table is saved as CSV, gaps as empty cells", () => visit("four-bar-gap
   assert.match(lines[181], /,,/);
 }));
 
-test("a hundred links make a page below 1.5 MB", () => visit("hundred-links", still, async (page) => {
-  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.5e6);
+test("a hundred links make a page below 1.1 MB", () => visit("hundred-links", still, async (page) => {
+  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.1e6);
   await driveTo(page, 123.4);
   assert.equal(await page.locator(".layer-bodies .body").count(), 99);
   assert.match(await page.locator("#save-table").textContent(), /rows drawn/);
@@ -226,4 +226,28 @@ test("a hundred links make a page below 1.5 MB", () => visit("hundred-links", st
 test("an analysis prints in light colours", () => visit("shaper", { ...still, scheme: "dark" }, async (page) => {
   const pdf = await page.pdf({ format: "A4" });
   assert.ok(pdf.length > 20000);
+}));
+
+// Weights are mass times gravity, on their bodies; the arrows have one scale, which the bar at the foot gives.
+test("loads, weights and the torque of the drive are drawn to scale, and say what they are", () => visitReport(browser, "library-four-bar-forces", still, async (page) => {
+  const { problem: { link, load, gravity }, analysis } = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result);
+  await page.locator('[data-extra="loads"]').click();
+  await driveTo(page, 60);
+  const arrows = await page.locator(".loads .arrow").evaluateAll((all) => all.map((arrow) => ({ kind: arrow.classList[1], title: arrow.querySelector("title").textContent, d: arrow.querySelector("path:not(.halo)").getAttribute("d"), hit: arrow.querySelector(".halo") !== null })));
+  const [text, line] = [await page.locator(".loads .scale-text").textContent(), await page.locator(".loads .scale-line").getAttribute("d")];
+  const [, from, to] = /M([\d.]+) [\d.]+v4H([\d.]+)/.exec(line);
+  const perNewton = (Number(to) - Number(from)) / parseFloat(text);
+  const weights = arrows.filter(({ kind }) => kind === "weight");
+  assert.equal(weights.length, link.length);
+  for (const { name, mass } of link) {
+    const force = mass * Math.hypot(...gravity);
+    const arrow = weights.find(({ title }) => title.includes(` ${name}:`));
+    assert.ok(arrow.title.startsWith(`Weight on ${name}: ${force} N`), arrow.title);
+    const [, x0, y0, x1, y1] = /^M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/.exec(arrow.d).map(Number);
+    assert.ok(Math.abs(y1 - y0 - perNewton * force) < 0.5 && Math.abs(x1 - x0) < 0.5, `${name}: ${y1 - y0} px of ${perNewton * force}`);
+  }
+  assert.equal(arrows.find(({ kind }) => kind === "load").title, `Load on ${load[0].on}: ${String(load[0].torque).replace("-", "−")} N·m`);
+  const torque = analysis.columns.find(({ quantity }) => quantity === "torque").values[60];
+  assert.equal(arrows.find(({ kind }) => kind === "drive").title, `Drive on crank: ${Number(torque.toPrecision(5))} N·m`.replace("-", "−"));
+  assert.ok(arrows.every(({ hit }) => hit));
 }));

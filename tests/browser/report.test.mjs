@@ -106,7 +106,7 @@ test("the table switches by click and by key", () => visit("ellipse", still, asy
   await page.locator("#designs tbody").nth(1).locator(".origin").click();
   assert.equal(await fact(page, "dimensions", "Crank"), "8.2");
   assert.equal(await page.locator("#stage-title").textContent(), "Linkage of design 2");
-  const plots = await page.locator(".plot").evaluateAll((all) => all.map((p) => [p.clientWidth, p.querySelector(".u-wrap")?.clientWidth]));
+  const plots = await page.locator("#plots .plot").evaluateAll((all) => all.map((p) => [p.clientWidth, p.querySelector(".u-wrap")?.clientWidth]));
   if (hasCurves) for (const [room, taken] of plots) assert.ok(taken <= room, `a plot of ${taken} pixels where there are ${room}`);
   await page.keyboard.press("ArrowUp");
   assert.equal(await fact(page, "dimensions", "Crank"), "8.045683");

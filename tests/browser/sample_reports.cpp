@@ -215,8 +215,9 @@ int main(int argc, char** argv) {
     if (!problem) return 1;
     write_computed(folder / ("train-" + file.path().stem().string() + ".html"), *problem);
   }
-  for (const char* name :
-       {"function/log10-refined", "function/three-angle-pairs", "path/drop-of-any-size"}) {
+  for (const char* name : {"function/log10", "function/log10-refined", "function/three-angle-pairs",
+                           "path/drop-of-any-size", "path/toleranced-ellipse",
+                           "path/ellipse-on-half-units", "cam/toleranced-roller"}) {
     const std::filesystem::path file = library / (std::string(name) + ".toml");
     const auto problem = read_task(file);
     if (!problem) return 1;

@@ -91,7 +91,7 @@ test("what the synthesis tells of itself is shown", () => visit("motion", still,
   assert.equal(await fact(page, "findings", "Real dyads"), "12");
   assert.match(await page.locator("#notes").textContent(), /unbounded/);
   await choose(page, 1);
-  assert.equal(await fact(page, "qualities", "Pressure angle max"), "28.5°");
+  assert.equal(await fact(page, "qualities", "Maximum pressure angle"), "28.5°");
   assert.equal(await fact(page, "qualities", "Class"), "crank turns fully");
 }));
 
@@ -130,4 +130,38 @@ test("two hundred designs make a page below 1.5 MB", () => visit("nine-points", 
 
 test("a synthesis prints in light colours", () => visit("motion", { ...still, scheme: "dark" }, async (page) => {
   assert.ok((await page.pdf({ format: "A4" })).length > 20000);
+}));
+
+// Columns of the plot that have the colour of a custom property, as [first, last].
+const columnsOf = (page, nth, name) => page.evaluate(([n, property]) => {
+  const canvas = document.querySelectorAll("#plots canvas")[n];
+  const probe = document.createElement("canvas").getContext("2d");
+  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(property).trim();
+  probe.fillRect(0, 0, 1, 1);
+  const [r, g, b] = probe.getImageData(0, 0, 1, 1).data;
+  const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const has = Array.from({ length: width }, (_, x) => { for (let y = 0; y < height; ++y) { const i = 4 * (y * width + x); if (data[i] === r && data[i + 1] === g && data[i + 2] === b) return true; } return false; });
+  return has.reduce((groups, on, x) => { if (on) { if (has[x - 1]) groups.at(-1)[1] = x; else groups.push([x, x]); } return groups; }, []);
+}, [nth, name]);
+
+// Chebyshev's spacing: x = 3/2 − cos((2k − 1)π/6)/2.
+test("precision points stand on the plot of the structural error", { skip: withoutPlots }, () => visitReport(browser, "log10", still, async (page) => {
+  const wanted = [1, 2, 3].map((k) => 1.5 - 0.5 * Math.cos(((2 * k - 1) * Math.PI) / 6));
+  const note = await page.locator("#plots .plot p").nth(1).textContent();
+  const told = /x = ([\d., ]+)$/.exec(note)[1].split(", ").map(Number);
+  assert.equal(told.length, 3, note);
+  told.forEach((x, k) => assert.ok(Math.abs(x - wanted[k]) < 5e-4, note));
+  const rings = await columnsOf(page, 1, "--target");
+  const groups = rings.reduce((all, [from, to]) => { if (all.length && from - all.at(-1)[1] < 12) all.at(-1)[1] = to; else all.push([from, to]); return all; }, []);
+  const [first, second, third] = groups.map(([from, to]) => (from + to) / 2);
+  assert.equal(groups.length, 3, JSON.stringify(rings));
+  assert.ok(Math.abs((second - first) / (third - second) - (wanted[1] - wanted[0]) / (wanted[2] - wanted[1])) < 0.05, JSON.stringify(groups));
+}));
+
+test("an edited design has no precision points", { skip: withoutPlots }, () => visitReport(browser, "log10", still, async (page) => {
+  if (!await page.locator(".edit-toggle").isVisible()) return;
+  await page.locator(".edit-toggle").click();
+  await page.locator('[data-field="coupler"]').fill("2.2");
+  await page.locator('[data-field="coupler"]').press("Tab");
+  assert.doesNotMatch(await page.locator("#plots .plot p").nth(1).textContent(), /precision points/);
 }));

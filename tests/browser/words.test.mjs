@@ -30,12 +30,13 @@ const leftInEnglish = (page) => page.evaluate(() => {
   return found;
 });
 
-for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-translating-roller", "gear-pair", "gear-undercut", "train-planetary", "machine-compressor", "study-grid"]) {
+for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-translating-roller", "gear-pair", "gear-undercut", "train-planetary", "machine-compressor", "study-grid",
+  "library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller", "ellipse-on-half-units"]) {
   test(`${name} is told in Chinese`, () => visit(name, { size: "phone", locale: "zh-CN" }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hans");
+    await assertFits(page);
     assert.deepEqual(await leftInEnglish(page), []);
     assert.match(await page.locator("#status").textContent(), /^\p{Script=Han}+$/u);
-    await assertFits(page);
   }));
 }
 

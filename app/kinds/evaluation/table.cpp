@@ -135,8 +135,8 @@ std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
   // What is edited is evaluated anew at every change.
   constexpr std::size_t kMostBodies = 40;
   constexpr int kMostSteps = 5000;
-  const bool editable = problem.mechanism.bodies.size() <= kMostBodies &&
-                        problem.drive.steps <= kMostSteps && !problem.tolerances;
+  const bool editable =
+      problem.mechanism.bodies.size() <= kMostBodies && problem.drive.steps <= kMostSteps;
   return editable ? analysis_page() : without_kernel(analysis_page());
 }
 

@@ -74,6 +74,11 @@ export class Curves {
     }
   }
 
+  // After values of the lines have changed.
+  refill() {
+    for (const { plot, sheet } of this.plots) plot.setData([sheet.x, ...sheet.lines.map((line) => line.y)]);
+  }
+
   redraw() {
     this.#resize();
     for (const { plot } of this.plots) plot.redraw(false, true);
@@ -98,15 +103,16 @@ function plotOptions(sheet, width) {
     axes: [axis({ label: sheet.xLabel, size: 30, incrs: sheet.xSteps }), axis({ size: 46 })],
     series: [{}, ...sheet.lines.map((line) => ({ stroke: () => colour(line.colour), width: 2, spanGaps: false,
       dash: line.dash, points: line.dots ? { show: true, size: 7, fill: () => colour(line.colour) } : { show: false },
-      ...(line.dots ? { paths: () => null } : {}) }))],
-    hooks: { drawClear: [(u) => shade(u, sheet), (u) => marks(u, sheet)], draw: [(u) => stems(u, sheet)] },
+      ...(line.dots || line.ends ? { paths: () => null } : {}) }))],
+    bands: (sheet.bands ?? []).map(({ low, high, colour: name }) => ({ series: [high + 1, low + 1], fill: () => colour(name) })),
+    hooks: { drawClear: [(u) => shade(u, sheet), (u) => marks(u, sheet)], draw: [(u) => stems(u, sheet), (u) => whiskers(u, sheet), (u) => spots(u, sheet)] },
   };
 }
 
 function showValues(sheet, x) {
-  if (!sheet.lines[0]?.value || sheet.x.length < 2) return;
+  if (!sheet.lines.some((line) => line.value) || sheet.x.length < 2) return;
   const place = locate(sheet.x, x);
-  for (const line of sheet.lines) line.value.textContent = line.show(interpolate(line.y, place));
+  for (const line of sheet.lines) if (line.value) line.value.textContent = line.show(interpolate(line.y, place));
 }
 
 // The sign of a line in a key: its colour and its dashes.
@@ -172,5 +178,38 @@ function stems(u, sheet) {
     u.ctx.lineTo(left, u.valToPos(value, "y", true));
     u.ctx.stroke();
   });
+  u.ctx.restore();
+}
+
+// At single places a band is a line from one of its ends to the other.
+function whiskers(u, sheet) {
+  u.ctx.save();
+  for (const [low, high, width] of sheet.whiskers ?? []) {
+    u.ctx.strokeStyle = colour(sheet.lines[low].colour);
+    u.ctx.lineWidth = width * devicePixelRatio;
+    sheet.x.forEach((x, i) => {
+      const ends = [low, high].map((line) => sheet.lines[line].y[i]);
+      if (ends.includes(null)) return;
+      const left = u.valToPos(x, "x", true);
+      u.ctx.beginPath();
+      ends.forEach((value, k) => u.ctx[k ? "lineTo" : "moveTo"](left, u.valToPos(value, "y", true)));
+      u.ctx.stroke();
+    });
+  }
+  u.ctx.restore();
+}
+
+// Single places that a plot is about.
+function spots(u, sheet) {
+  u.ctx.save();
+  u.ctx.lineWidth = 2 * devicePixelRatio;
+  u.ctx.fillStyle = colour("--card");
+  for (const { x, y, colour: name } of sheet.spots ?? []) {
+    u.ctx.strokeStyle = colour(name);
+    u.ctx.beginPath();
+    u.ctx.arc(u.valToPos(x, "x", true), u.valToPos(y, "y", true), 4 * devicePixelRatio, 0, 2 * Math.PI);
+    u.ctx.fill();
+    u.ctx.stroke();
+  }
   u.ctx.restore();
 }

@@ -27,6 +27,9 @@ import { showFacts, showLandmarks, Values } from "./facts.js";
 import { Loci, lociSheets } from "./loci.js";
 import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
 import { partName, Table } from "./table.js";
+import { ToleranceCard } from "../tolerance/card.js";
+import { ToleranceLayer } from "../tolerance/layer.js";
+import { analysisTolerances } from "../tolerance/of_analysis.js";
 import { AnalysisEditor } from "../edit/analysis_editor.js";
 import { markOriginal, offerNoEdit } from "../original.js";
 import { showProblem } from "../problem.js";
@@ -39,7 +42,9 @@ const state = { drive: mechanism.start, parts: new Set() };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => goTo(drive, true), table, angular ? 1 / RADIANS : 1);
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
 const traced = new TracedPoints(byId("picture"), byId("ghosts"), () => extras.toggle(traced, traced.points.length > 0));
-const extras = new Extras(byId("extras"), [new Trace(), traced, new Loads(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
+const tolerances = new ToleranceCard(byId("curves"), { goTo: (drive) => goTo(drive, true), redraw: (on) => extras.toggle(toleranceLayer, on || extras.shown.has(toleranceLayer)) });
+const toleranceLayer = new ToleranceLayer(tolerances);
+const extras = new Extras(byId("extras"), [toleranceLayer, new Trace(), traced, new Loads(), ...missingVectors(), ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, byId("ghosts")))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
 let colours = partColours(table, scene);
@@ -77,6 +82,7 @@ function goTo(drive, byHand = false) {
   traced.see(scene, state.drive);
   editor?.place(scene.view);
   curves.move(state.drive);
+  tolerances.move(state.drive);
   loci.move(state.drive);
   values.move(state.drive);
   const slider = byId("drive");
@@ -90,8 +96,7 @@ function choose(parts) {
   state.parts = parts;
   for (const button of document.querySelectorAll("[data-part]")) button.setAttribute("aria-pressed", String(parts.has(button.dataset.part)));
   byId("all-parts").setAttribute("aria-pressed", String(parts.size === table.parts.length));
-  const xLabel = say(angular ? "drive.angle_axis" : "drive.way_axis", { name: sentence(term(driving.name)) });
-  curves.build(analysisSheets(table, mechanism, parts, landmarks, xLabel, colours));
+  curves.build(analysisSheets(table, mechanism, parts, landmarks, driveAxis(), colours));
   const sheets = lociSheets(table, parts, colours);
   byId("loci").hidden = sheets.length === 0;
   loci.build(sheets);
@@ -180,7 +185,7 @@ function showAnalysis(edited, problem, drive) {
   set(byId("drive"), { min: mechanism.from, max: mechanism.to });
   showProblem(problem, say("kind.analysis"));
   showAll(edited ?? data, (edited ?? result).notes);
-  markOriginal(["work"], Boolean(edited));
+  markOriginal(["work", "tolerances"], Boolean(edited));
   drawScene();
   choose(new Set(table.parts.filter((part) => state.parts.has(part))));
 }
@@ -191,6 +196,12 @@ function showAll({ facts }, notes = []) {
   showFacts(facts, driving, mechanism);
   showLandmarks(landmarks, mechanism, driveText, (drive) => goTo(drive, true));
   showLegend();
+}
+
+const driveAxis = () => say(angular ? "drive.angle_axis" : "drive.way_axis", { name: sentence(term(driving.name)) });
+
+function showTolerances() {
+  tolerances.show(result.designs?.[0]?.tolerance, analysisTolerances(result.problem ?? {}, driving, mechanism, driveAxis(), Boolean(editor)));
 }
 
 function listen() {
@@ -204,13 +215,14 @@ function listen() {
 
 const editor = Kernel.available && result.problem?.mechanism && mechanism.closes
   ? new AnalysisEditor({ problem: result.problem, driving: () => driving, drive: () => state.drive, mechanism: () => mechanism, show: showAnalysis, move: showMotion }) : null;
-if (!editor && mechanism.closes) offerNoEdit(say(result.problem?.tolerance ? "edit.by_file" : "edit.too_large"));
+if (!editor && mechanism.closes) offerNoEdit(say("edit.too_large"));
 byId("drive-name").textContent = sentence(term(driving.name));
 showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanism.bodies.length - 1 }),
   say("count.positions", { n: table.rows }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"));
 showWork(result.work);
 showAll(data, result.notes);
-followTheme(() => curves.redraw());
+showTolerances();
+followTheme(() => { curves.redraw(); tolerances.redraw(); });
 if (!result.analysis?.columns) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));
 byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", table.csv));

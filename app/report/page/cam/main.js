@@ -17,6 +17,7 @@ import { Trace } from "../trace.js";
 import { say, sentenceOf } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments } from "./facts.js";
+import { ToleranceCard } from "../tolerance/card.js";
 import { CamDesign } from "./model.js";
 import { CamScene } from "./scene.js";
 import { camSheets, JUMP_COLOURS, JUMPS, missesPressure } from "./sheets.js";
@@ -30,6 +31,7 @@ const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, 
 const extras = new Extras(document.querySelector(".layers"), [new Trace()]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => showLegend();
+const tolerances = new ToleranceCard(byId("curves"), { goTo: (deg) => goTo(deg, true), redraw: () => {} });
 const values = new CamValues();
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
   (sense, large) => goTo(state.deg + sense * (large ? 10 : 1), true));
@@ -45,6 +47,7 @@ function goTo(deg, byHand = false) {
   scene.move(state.deg, state.turns, missesPressure(current(), state.deg));
   extras.move(state.deg);
   curves.move(state.deg);
+  tolerances.move(state.deg);
   values.move(state.deg);
   const slider = byId("drive");
   slider.value = state.deg;
@@ -84,10 +87,11 @@ function choose(index) {
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   const design = current();
   showCamDimensions(design);
-  showMetrics(camMetrics(design.drawn.metrics));
+  showMetrics(camMetrics(design.drawn.metrics).filter(({ name }) => !name.startsWith("tolerance_")));
   showChecks(design.drawn.constraints);
   showSegments(design, (deg) => goTo(deg, true));
   showWarnings(result.designs?.[index]);
+  tolerances.show(result.designs?.[index]?.tolerance, { xOf: (deg) => deg, range: [0, 360], xLabel: say("sheet.cam_angle"), size: 1, mover: null, limit: result.problem?.tolerance?.yield?.max_error });
   document.querySelector("[data-layer=base]").textContent = circleName(design.kind);
   byId("rates").hidden = !design.drawn.speed;
   if (!design.drawn.speed) state.byTime = false;
@@ -146,7 +150,7 @@ showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: 
   say("head.keys_cam"));
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
-followTheme(() => curves.redraw());
+followTheme(() => { curves.redraw(); tolerances.redraw(); });
 if (result.problem && !result.problem.motion) byId("save").textContent = say("save.without_motion");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {

@@ -8,6 +8,7 @@ import { isOfComputation, showMore } from "../meaning.js";
 import { errorText, sizeOf, withoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
 import { LENGTH_UNIT, knows, say, term } from "../words.js";
+import { ofRaster } from "./raster.js";
 import { ERRORS, isExact, isSearched, originText, straightLength } from "./table.js";
 
 const units = (x, size) => element("span", { title: String(withoutRounding(x, size)) }, number(x, 7));
@@ -69,7 +70,7 @@ export function flatMetrics(table, above = "") {
 }
 
 // Metrics that have a row of their own; all others are told by their names.
-const TOLD_METRICS = /^(class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
+const TOLD_METRICS = /^(tolerance_.*|class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
 
 function otherMetrics(metrics) {
   const facts = flatMetrics(metrics).filter(([name]) => !TOLD_METRICS.test(name)).map(([name, value]) => ({ name, value }));
@@ -116,7 +117,7 @@ const computed = (key, name, metrics, show) => (metrics[key] === undefined || me
 
 // What the synthesis tells of itself as a whole.
 export function showFindings(facts) {
-  const all = flatMetrics(facts ?? {}).map(([name, value]) => ({ name, value }));
+  const all = flatMetrics(facts ?? {}).filter(([name]) => !ofRaster(name)).map(([name, value]) => ({ name, value }));
   const pairs = factPairs(all.filter(({ name }) => !isOfComputation(name)));
   const rows = all.filter(({ name }) => isOfComputation(name)).map(({ name, value }) => [name, factName(name), typeof value === "number" ? number(value, 4) : String(value), value]);
   byId("findings").hidden = all.length === 0;

@@ -18,8 +18,13 @@ function objectiveOf(name, { error, metrics, mechanism }) {
   if (name === "link_ratio") return { value: linkRatio(mechanism), unit: "" };
   const known = flatMetrics(metrics);
   const [key, value] = known.find(([metric]) => metric === (OBJECTIVE_METRICS[name] ?? name)) ?? known.find(([metric]) => metric.startsWith(name)) ?? [];
-  return typeof value === "number" ? { value, unit: /_deg(\.|$)/.test(key) ? "°" : "" } : null;
+  return typeof value === "number" ? { value, unit: /_deg(\.|$)/.test(key) ? "°" : name in OBJECTIVE_WORDS ? LENGTH_UNIT ?? "" : "" } : null;
 }
+
+// What the designs of a problem are traded off by: those of a robust one are judged by the nominal error and by that of what is made.
+export const frontObjectives = ({ objectives = [], robust } = {}) => (robust === undefined ? objectives : ["nominal_error", "quantile"]);
+
+const OBJECTIVE_WORDS = { error: "front.error", nominal_error: "front.nominal_error", quantile: "front.quantile" };
 
 function linkRatio({ crank, coupler, rocker, fixed_pivots: pivots }) {
   const all = [crank, coupler, rocker, pivots && Math.hypot(pivots[1][0] - pivots[0][0], pivots[1][1] - pivots[0][1])];
@@ -35,7 +40,7 @@ export class Front {
     byId("front").hidden = !this.shown;
     if (!this.shown) return;
     this.points = values.map((pair) => pair.map(({ value }) => value));
-    this.labels = objectives.map((name, k) => { const { unit } = values[0][k]; const words = sentence(name === "error" ? say("front.error") : keyName(name, "")); return unit ? say("unit.axis", { name: words, unit }) : words; });
+    this.labels = objectives.map((name, k) => { const { unit } = values[0][k]; const words = sentence(OBJECTIVE_WORDS[name] ? say(OBJECTIVE_WORDS[name]) : keyName(name, "")); return unit ? say("unit.axis", { name: words, unit }) : words; });
     this.chosen = 0;
     new ResizeObserver(() => this.draw()).observe(this.holder);
   }

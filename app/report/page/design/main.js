@@ -24,12 +24,16 @@ import { locusColour } from "./backdrop.js";
 import { showDesignHead, showDimensions, showFindings, showQualities } from "./facts.js";
 import { Families } from "./families.js";
 import { bestFraming } from "./framing.js";
-import { Front } from "./front.js";
+import { Front, frontObjectives } from "./front.js";
+import { showRaster } from "./raster.js";
 import { Lens } from "./lens.js";
 import { MechanismDesign } from "./mechanism_design.js";
 import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
 import { DesignTable, isFourBar } from "./table.js";
 import { Editor } from "../edit/editor.js";
+import { ToleranceCard } from "../tolerance/card.js";
+import { ToleranceLayer } from "../tolerance/layer.js";
+import { designTolerances } from "../tolerance/of_design.js";
 
 const data = JSON.parse(embedded("data"));
 const { result } = data;
@@ -67,6 +71,7 @@ function turnTo(crank, byHand = false) {
   traced.see(scene, state.crank);
   editor?.place(scene.view, design.moved(state.crank));
   curves.move(state.crank);
+  tolerances.move(state.crank);
   const slider = byId("crank");
   slider.value = state.crank;
   slider.setAttribute("aria-valuetext", design.angular ? say("motion.degrees", { value: fixed(state.crank, 0) }) : number(state.crank, 4));
@@ -142,6 +147,8 @@ function choose(index) {
   scene?.remove();
   scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
   setDrive(design);
+  tolerances.show(design.entry.tolerance, designTolerances(design, result.problem, kind));
+  if (extras.shown.has(toleranceLayer)) extras.toggle(toleranceLayer, false);
   setFraming(design.assembles ? bestFraming(design.boxes) : "whole");
   byId("magnify-label").hidden = !isFunction && design.targets.length === 0;
   setMagnification(fittingMagnification(design, design.boxes[state.framing]));
@@ -202,7 +209,9 @@ const pinned = designs.length > 1 || Kernel.available ? new Pinned(document.quer
   follow(current());
 }) : null;
 const traced = new TracedPoints(byId("picture"), notes, () => extras.toggle(traced, traced.points.length > 0));
-const extras = new Extras(byId("extras"), [...(pinned ? [pinned] : []), traced, new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
+const tolerances = new ToleranceCard(byId("curves"), { goTo: (drive) => turnTo(drive, true), redraw: (on) => extras.toggle(toleranceLayer, on || extras.shown.has(toleranceLayer)) });
+const toleranceLayer = new ToleranceLayer(tolerances);
+const extras = new Extras(byId("extras"), [toleranceLayer, ...(pinned ? [pinned] : []), traced, new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
@@ -215,8 +224,9 @@ showDesignHead(result, kind);
 showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])], result.warnings);
 byId("families").after(byId("problem"));
 showFindings(result.facts);
+showRaster(result.facts, designs[0]?.entry.error?.max_deg !== undefined);
 showWork(result.work);
-followTheme(() => { curves.redraw(); families?.redraw(); if (front?.shown) front.draw(); });
+followTheme(() => { curves.redraw(); tolerances.redraw(); families?.redraw(); if (front?.shown) front.draw(); });
 if (loci.length && !result.loci) byId("save").textContent = say("save.without_curves");
 byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
@@ -225,8 +235,8 @@ if (designs.length === 0) {
 } else {
   byId("choice-count").textContent = designs.length > 1 ? say("designs.choose") : "";
   table = new DesignTable(designs, kind, choose);
-  front = new Front(result.problem?.solve?.objectives ?? [], result.designs, choose);
-  families = new Families((data.families ?? []).filter(({ name }) => !front.shown || name !== "Pareto front"), result.designs, choose);
+  front = new Front(frontObjectives(result.problem?.solve), result.designs, choose);
+  families = new Families((data.families ?? []).filter(({ name }) => !front.shown || !/ front$/.test(name)), result.designs, choose);
   showLoci();
   choose(0);
   listen();

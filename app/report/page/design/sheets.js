@@ -86,6 +86,17 @@ export function deviationSheet({ stretch, deviation, entry: { metrics } }) {
 
 const unitVector = (deg) => [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];
 
+// What is left of the error at a precision point, as a share of the greatest, that is no more than drawing between samples.
+const LEFT_AT_POINT = 0.02;
+
+// Where an exact synthesis makes the function hold: places on the x axis; none of a design that has been edited since.
+function precisionSpots(design, cranks, x) {
+  const { entry: { origin = "", crank_deg: stations = [] } } = design;
+  if (!origin.startsWith("exact:")) return [];
+  const holds = (deg) => Math.abs(design.errorAt(deg)) <= LEFT_AT_POINT * design.largestError;
+  return stations.filter(holds).map((deg) => design.between(deg, cranks, x)).filter((at) => at !== null).map((at) => ({ x: at, y: 0, colour: "--target" }));
+}
+
 function structuralErrorSheet(design) {
   const { trace } = design;
   if (isRounding(design.largestError, 1 / RADIANS)) return null;
@@ -96,10 +107,12 @@ function structuralErrorSheet(design) {
   const sortedX = order.map((i) => x[i]);
   const cranks = order.map((i) => trace.crank_deg[i]);
   const margin = 0.03 * (sortedX.at(-1) - sortedX[0]) || 1;
+  const spots = byX ? precisionSpots(design, cranks, sortedX) : [];
+  const note = say("sheet.structural_note", { value: number(size, 4) });
   return { x: sortedX, xRange: [sortedX[0] - margin, sortedX.at(-1) + margin], xLabel: byX ? "x" : say("drive.angle_axis", { name: say("part.crank") }),
     lines: [{ y: order.map((i) => values[i]), colour: "--error", dots: !byX }], stems: !byX, hover: byX,
     yRange: size > 0 ? undefined : [-1, 1],
-    title: say("sheet.structural_error", { unit }), note: say("sheet.structural_note", { value: number(size, 4) }),
+    title: say("sheet.structural_error", { unit }), spots, note: spots.length ? say("sheet.with_precision", { note, list: spots.map(({ x: at }) => number(at, 4)).join(say("list.comma")) }) : note,
     summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.degrees") }),
     xAt: (crank) => design.between(crank, cranks, sortedX), driveAt: (at) => design.between(at, sortedX, cranks, false) };
 }

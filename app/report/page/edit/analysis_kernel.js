@@ -23,10 +23,10 @@ export class AnalysisKernel extends Kernel {
   // Everything that the page shows.
   whole(problem) { return this.#ask(problem, 1); }
 
-  // {faults: sentences} of what the program would refuse.
+  // {faults: sentences} of what the program would refuse. The kernel does not know tolerances.
   #ask(problem, whole) {
     const numbers = [];
-    const text = written.encode(encoded(problem, numbers));
+    const text = written.encode(encoded({ ...problem, tolerance: null }, numbers));
     const at = this.calls.room(text.length);
     this.put(numbers);
     new Uint8Array(this.calls.memory.buffer, at, text.length).set(text);
