@@ -33,9 +33,13 @@ std::string exact(const ToleranceFigures& figures) {
   return fmt::format("{:+.5g} / {:+.5g}", at.low, at.high);
 }
 
+/// Of an error what so many samples do not exceed; of a transmission angle, whose own value counts
+/// and whose quantiles descend, what they do not fall below.
 std::string quantile(const ToleranceFigures& figures, double share) {
   for (const auto& one : figures.quantiles) {
-    if (one.share == share) return number(one.error);
+    if (one.share != share) continue;
+    const bool descends = figures.quantiles.front().error > figures.quantiles.back().error;
+    return (descends ? "≥ " : "") + number(one.error);
   }
   return "–";
 }

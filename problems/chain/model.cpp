@@ -4,18 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/free_chain.hpp"
 
 namespace cognate::problems {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
 ChainPathModel::ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                               std::vector<double> angles, std::vector<TransmissionCheck> checks,
-                               double margin)
+                               std::vector<double> angles, const TargetPlace& at,
+                               std::vector<TransmissionCheck> checks, double margin)
     : problem_(problem),
       design_(design),
       angles_(std::move(angles)),
       side_(design.side.begin(), design.side.end()),
+      at_(at),
       checks_(std::move(checks)),
       cosine_limit_(problem.cosine_limit - margin) {
   add_variables();
@@ -34,6 +42,11 @@ void ChainPathModel::add_variables() {
   if (problem_.timed()) {
     variables_.push_back({"phase", angles_[0] - kTurn, angles_[0] + kTurn, 1});
     return;
+  }
+  if (problem_.is_movable) {
+    for (const char* name : {"turn x", "turn y", "shift x", "shift y"}) {
+      variables_.push_back({name, -kUnbounded, kUnbounded, 1});
+    }
   }
   const std::size_t count = angles_.size();
   const double sense = angles_.back() >= angles_.front() ? 1 : -1;
@@ -58,6 +71,9 @@ std::vector<double> ChainPathModel::start() const {
     const auto i = static_cast<std::size_t>(parameter);
     x.push_back(std::clamp(design_.parameters[i], problem_.lower[i], problem_.upper[i]));
   }
+  if (problem_.is_movable) {
+    x.insert(x.end(), {at_.turn.x, at_.turn.y, at_.shift.x, at_.shift.y});
+  }
   x.insert(x.end(), angles_.begin(), angles_.end());
   return x;
 }
@@ -71,7 +87,20 @@ synthesis::ChainDesign ChainPathModel::design(std::span<const double> x) const {
 }
 
 std::vector<double> ChainPathModel::angles(std::span<const double> x) const {
-  return {x.begin() + static_cast<std::ptrdiff_t>(problem_.free.size()), x.end()};
+  const std::size_t before =
+      problem_.free.size() + (problem_.is_movable ? TargetPlace::kNumbers : 0);
+  return {x.begin() + static_cast<std::ptrdiff_t>(before), x.end()};
+}
+
+TargetPlace ChainPathModel::target_place(std::span<const double> x) const {
+  if (!problem_.is_movable) return at_;
+  const auto own = x.subspan(problem_.free.size(), TargetPlace::kNumbers);
+  return {{own[0], own[1]}, {own[2], own[3]}};
+}
+
+std::size_t ChainPathModel::global_count() const {
+  return problem_.free.size() + (problem_.timed() ? 1 : 0) +
+         (problem_.is_movable ? TargetPlace::kNumbers : 0);
 }
 
 bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
@@ -79,13 +108,14 @@ bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
   const synthesis::ChainDesign here = design(x);
   FreeChain chain(problem_, here.parameters, side_);
   const std::size_t unknowns = problem_.free.size(), points = problem_.points.size();
-  const std::size_t columns = unknowns + (problem_.timed() ? 1 : 0);
+  const std::size_t columns = global_count();
+  const TargetPlace target = target_place(x);
   const double weight = 1 / std::sqrt(double(points));
   const int trace = problem_.topology->trace;
   for (std::size_t j = 0; j < points; ++j) {
-    const double crank =
-        problem_.timed() ? x[unknowns] + problem_.crank_angles[j] : x[unknowns + j];
-    const Vec2d error = weight * (chain.at(crank)[trace] - problem_.points[j]);
+    const double crank = problem_.timed() ? x[unknowns] + problem_.crank_angles[j] : x[columns + j];
+    const Vec2d reached = chain.at(crank)[trace];
+    const Vec2d error = weight * (target.point(reached) - problem_.points[j]);
     if (!is_finite(error)) return false;
     r[2 * j] = error.x;
     r[2 * j + 1] = error.y;
@@ -93,7 +123,15 @@ bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
     for (std::size_t axis = 0; axis < 2; ++axis) {
       double* row = jacobian.data() + (2 * j + axis) * columns;
       const Vec2d direction = axis == 0 ? Vec2d{weight, 0} : Vec2d{0, weight};
-      const double turn = chain.slope(trace, direction, row);
+      const double turn = chain.slope(trace, conj(target.turn) * direction, row);
+      if (problem_.is_movable) {
+        const Vec2d across = perp(reached);
+        double* place = row + unknowns;
+        place[0] = dot(direction, reached);
+        place[1] = dot(direction, across);
+        place[2] = direction.x;
+        place[3] = direction.y;
+      }
       (problem_.timed() ? row[unknowns] : local[2 * j + axis]) = turn;
     }
   }
@@ -104,8 +142,7 @@ void ChainPathModel::constraints(std::span<const double> x, std::span<double> c,
                                  std::span<double> jacobian) const {
   const synthesis::ChainDesign here = design(x);
   FreeChain chain(problem_, here.parameters, side_);
-  const std::size_t columns = problem_.free.size() + (problem_.timed() ? 1 : 0);
-  transmission_constraints(chain, cosine_limit_, checks_, columns, c, jacobian);
+  transmission_constraints(chain, cosine_limit_, checks_, global_count(), c, jacobian);
 }
 
 }  // namespace cognate::problems

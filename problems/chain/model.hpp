@@ -11,18 +11,21 @@ namespace cognate::problems {
 
 /// Two residuals for each target, divided by √n, so that their squares sum up to the mean square.
 /// Unknowns are the free parameters, then the phase of a timed path or a crank angle for each
-/// target, which stays between the middles to its neighbours in `angles`. Constraints: ± cos μ is
+/// target, which stays between the middles to its neighbours in `angles`. Where the target may be
+/// moved, its place's four numbers stand before the angles. Constraints: ± cos μ is
 /// within the limit, less `margin`, at each check.
 class ChainPathModel : public synthesis::Model {
  public:
-  /// `angles`: of the crank at the targets, in order; timed: the phase alone.
+  /// `angles`: of the crank at the targets, in order; timed: the phase alone. `at`: where the
+  /// target is, from where it may be moved.
   ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                 std::vector<double> angles, std::vector<TransmissionCheck> checks,
-                 double margin = 0);
+                 std::vector<double> angles, const TargetPlace& at,
+                 std::vector<TransmissionCheck> checks, double margin = 0);
 
   std::vector<double> start() const;
   synthesis::ChainDesign design(std::span<const double> x) const;
   std::vector<double> angles(std::span<const double> x) const;
+  TargetPlace target_place(std::span<const double> x) const;
 
   std::span<const synthesis::Variable> variables() const override { return variables_; }
   int residual_count() const override { return 2 * static_cast<int>(problem_.points.size()); }
@@ -36,10 +39,13 @@ class ChainPathModel : public synthesis::Model {
 
  private:
   void add_variables();
+  /// How many stand before the crank angles.
+  std::size_t global_count() const;
 
   const ScaledChain& problem_;
   synthesis::ChainDesign design_;
   std::vector<double> angles_, side_;
+  TargetPlace at_;
   std::vector<TransmissionCheck> checks_;
   double cosine_limit_;
   std::vector<synthesis::Variable> variables_;

@@ -41,6 +41,8 @@ struct ChainPathProblem {
   /// it.
   std::vector<Vec2d> points;
   bool closed = false;
+  /// Of a closed path on a raster: it may be moved, turned and enlarged.
+  bool is_movable = false;
   /// Crank angles of the points, of which differences alone count; empty: free, in cyclic order.
   std::vector<double> crank_angles;
   ChainConstraints constraints;

@@ -1,11 +1,16 @@
 #include "problems/chain/raster.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
+#include "problems/chain/placed_fit.hpp"
+#include "problems/chain/placed_starts.hpp"
+#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster_descent.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/linkage/verify.hpp"
 
@@ -20,68 +25,20 @@ using synthesis::RasterPoint;
 constexpr double kRelaxedTolerance = 1e-10;
 constexpr int kRelaxedIterations = 60;
 constexpr double kChainFeasibility = 1e-9;  ///< of a cosine
-
-/// A parameter on the raster: a value is origin + size times it.
-struct ChainAxis {
-  std::size_t parameter;
-  double origin, size;
-};
-
-std::string_view group_of(LineType type) {
-  return type == LineType::pivot ? "pivots" : type == LineType::attached ? "coupler_point" : "";
-}
-
-/// What users call parameter `index` of a line.
-std::string name_of(const Topology& topology, const TopologyLine& line, std::size_t index) {
-  const auto point = [&](int at) { return topology.lines[static_cast<std::size_t>(at)].name; };
-  switch (line.line.type) {
-    case LineType::pivot:
-      return line.name + (index == 0 ? ".x" : ".y");
-    case LineType::attached:
-      return line.name + (index == 0 ? ".u" : ".v");
-    case LineType::crank:
-      return "crank";
-    case LineType::dyad:
-      break;
-  }
-  return link_names(point(line.line.first), point(line.line.second), line.name)[index];
-}
-
-struct ChainAxes {
-  std::vector<synthesis::RasterAxis> axes;
-  std::vector<ChainAxis> places;
-};
-
-ChainAxes axes_of(const Raster& raster, const ScaledChain& scaled, const TargetScale& scale) {
-  ChainAxes all;
-  const Topology& topology = *scaled.topology;
-  std::size_t parameter = 0;
-  for (const TopologyLine& line : topology.lines) {
-    const auto count = static_cast<std::size_t>(synthesis::parameter_count(line.line.type));
-    for (std::size_t i = 0; i < count; ++i, ++parameter) {
-      const bool is_crank = line.line.type == LineType::crank;
-      const RasterRule* rule = raster.rule(is_crank ? "crank" : "", group_of(line.line.type));
-      if (rule == nullptr || scaled.given[parameter]) continue;
-      const bool is_place = line.line.type == LineType::pivot;
-      const double origin = !is_place ? 0 : i == 0 ? scale.centre.x : scale.centre.y;
-      Range range{origin + scale.size * scaled.lower[parameter],
-                  origin + scale.size * scaled.upper[parameter]};
-      const bool is_length = is_crank || line.line.type == LineType::dyad;
-      if (is_length && rule->step) range.min = std::max(range.min, 0.5 * *rule->step);
-      all.axes.push_back({name_of(topology, line, i), values_within(*rule, range, range)});
-      all.places.push_back({parameter, origin, scale.size});
-    }
-  }
-  return all;
-}
+/// Of a target that may be moved: minima of one design at several directions and sizes.
+constexpr std::size_t kMovedMinima = 16;
 
 class ChainRaster final : public synthesis::RasterTask {
  public:
   ChainRaster(const Raster& raster, const ScaledChain& scaled, const TargetScale& scale,
               const ChainAcceptance& accepts)
-      : scaled_(scaled), scale_(scale), accepts_(accepts), all_(axes_of(raster, scaled, scale)) {}
+      : scaled_(scaled),
+        scale_(scale),
+        accepts_(accepts),
+        all_(chain_axes(raster, scaled, scale)) {}
 
   std::span<const synthesis::RasterAxis> axes() const override { return all_.axes; }
+  const ChainAxes& all() const { return all_; }
 
   std::vector<RasterPoint> relax(const RasterBox& box,
                                  std::span<const RasterPoint> from) const override {
@@ -91,7 +48,8 @@ class ChainRaster final : public synthesis::RasterTask {
       auto found = relaxed(restricted, start);
       const auto same = [&](const RasterPoint& known) {
         return known.form == found.form &&
-               std::abs(known.objective - found.objective) <= 1e-9 * known.objective;
+               std::abs(known.objective - found.objective) <= 1e-9 * known.objective &&
+               (!scaled_.is_movable || are_near(known, found));
       };
       if (std::isfinite(found.objective) && std::ranges::none_of(minima, same)) {
         minima.push_back(std::move(found));
@@ -100,14 +58,34 @@ class ChainRaster final : public synthesis::RasterTask {
     return minima;
   }
 
+  /// Of a target that may be moved its place and the crank are found first, the dimensions fixed,
+  /// from the nearest design known.
+  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
+                                      std::span<const RasterPoint> from) const override {
+    if (!scaled_.is_movable) return RasterTask::evaluate(at, from);
+    const auto apart = [&](const RasterPoint& point) { return distance(point, at); };
+    const auto nearest = std::ranges::min_element(from, {}, apart);
+    if (nearest == from.end()) return std::nullopt;
+    PlacedChain chain = placed(*nearest);
+    set_numbers(all_, at, chain.design);
+    fit_place(scaled_, chain);
+    if (!std::isfinite(chain.objective)) return std::nullopt;
+    return RasterTask::evaluate(at, std::array{point(chain)});
+  }
+
   bool accepts(const RasterPoint& point) const override { return accepts_(chain(point)); }
 
   RasterPoint point(const FoundChain& found) const {
-    return point_of({found.design, found.angles, found.rms * found.rms});
+    return point_of({found.design, found.angles, {}, found.rms * found.rms});
+  }
+
+  RasterPoint point(const PlacedChain& placed) const {
+    return point_of({placed.design, placed.angles, placed.at, placed.objective});
   }
 
   RasterChain chain(const RasterPoint& point) const {
-    RasterChain made{scale_.out_of(scaled_.chain, design_of(point)), angles_of(point)};
+    RasterChain made{scale_.out_of(scaled_.chain, design_of(point)), angles_of(point), {}};
+    if (scaled_.is_movable) made.placement = placement(place_of(point));
     for (std::size_t i = 0; i < all_.places.size(); ++i) {
       // Without the rounding of the scale.
       const auto& values = all_.axes[i].values;
@@ -117,6 +95,36 @@ class ChainRaster final : public synthesis::RasterTask {
   }
 
  private:
+  PlacedChain placed(const RasterPoint& point) const {
+    return {design_of(point), angles_of(point), place_of(point), point.objective};
+  }
+
+  /// In values of the axes, their steps as the unit.
+  double distance(const RasterPoint& point, const RasterNumbers& at) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double away =
+          all_.axes[i].values.position(point.values[i]) - static_cast<double>(at[i]);
+      sum += away * away;
+    }
+    return sum;
+  }
+
+  static bool are_near(const RasterPoint& a, const RasterPoint& b) {
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+      if (std::abs(a.values[i] - b.values[i]) > 1e-6 * (1 + std::abs(a.values[i]))) return false;
+    }
+    return true;
+  }
+
+  /// Where the target comes, in the file's unit.
+  CurvePlacement placement(const TargetPlace& at) const {
+    const double square = squared_norm(at.turn);
+    const Vec2d back = (1 / square) * conj(at.turn);
+    return {1 / std::sqrt(square), angle_of(back),
+            scale_.centre - back * (scale_.centre + scale_.size * at.shift)};
+  }
+
   ScaledChain within(const RasterBox& box) const {
     ScaledChain restricted = scaled_;
     for (std::size_t i = 0; i < all_.places.size(); ++i) {
@@ -141,15 +149,19 @@ class ChainRaster final : public synthesis::RasterTask {
           std::clamp(design.parameters[i], restricted.lower[i], restricted.upper[i]));
     }
     return point_of(refine(restricted, design, angles_of(from), synthesis::Solver::gauss_newton,
-                           {.tolerance = kRelaxedTolerance, .max_iterations = kRelaxedIterations}));
+                           {.tolerance = kRelaxedTolerance, .max_iterations = kRelaxedIterations},
+                           place_of(from)));
   }
 
-  /// The parameters, then the angles; the sides as the form, a bit for each line to the left.
+  /// The parameters, the target's place, then the angles; the sides as the form, a bit for each
+  /// line to the left.
   RasterPoint point_of(const RefinedChain& refined) const {
     RasterPoint made;
     made.objective = refined.objective;
     made.violation = refined.violation;
     made.x = refined.design.parameters;
+    made.x.insert(made.x.end(),
+                  {refined.at.turn.x, refined.at.turn.y, refined.at.shift.x, refined.at.shift.y});
     made.x.insert(made.x.end(), refined.angles.begin(), refined.angles.end());
     for (std::size_t i = 0; i < refined.design.side.size(); ++i) {
       if (refined.design.side[i] > 0) made.form |= 1 << i;
@@ -171,8 +183,14 @@ class ChainRaster final : public synthesis::RasterTask {
     return design;
   }
 
+  TargetPlace place_of(const RasterPoint& point) const {
+    const double* own = point.x.data() + scaled_.given.size();
+    return {{own[0], own[1]}, {own[2], own[3]}};
+  }
+
   std::vector<double> angles_of(const RasterPoint& point) const {
-    return {point.x.begin() + static_cast<std::ptrdiff_t>(scaled_.given.size()), point.x.end()};
+    const std::size_t before = scaled_.given.size() + TargetPlace::kNumbers;
+    return {point.x.begin() + static_cast<std::ptrdiff_t>(before), point.x.end()};
   }
 
   const ScaledChain& scaled_;
@@ -189,18 +207,28 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
                                       const ChainAcceptance& accepts, const Run& run,
                                       const Deadline& deadline) {
   const ChainRaster raster(*problem.raster, scaled, scale, accepts);
-  std::vector<RasterPoint> from;
-  for (const FoundChain& one : found) from.push_back(raster.point(one));
+  std::vector<RasterPoint> from, known;
+  synthesis::RasterOptions options{.feasibility = kChainFeasibility,
+                                   .met = kMetExactly,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  if (scaled.is_movable) {
+    const auto starts = placed_starts(scaled, found);
+    for (const PlacedChain& start : starts) from.push_back(raster.point(start));
+    for (const PlacedChain& chain :
+         descend_on_raster(scaled, raster.all(), starts, run.threads, deadline)) {
+      known.push_back(raster.point(chain));
+    }
+    options.known = known;
+    options.minima = kMovedMinima;
+  } else {
+    for (const FoundChain& one : found) from.push_back(raster.point(one));
+  }
   RasterChainResult result;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kChainFeasibility,
-                                .met = kMetExactly,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
+  result.search = synthesis::search_raster(raster, from, options);
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.chain(point));
   }

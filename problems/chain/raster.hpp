@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "problems/chain/problem.hpp"
@@ -13,7 +14,8 @@ namespace cognate::problems {
 /// A chain on the raster, in the file's unit, its dimensions exactly those of the raster.
 struct RasterChain {
   synthesis::ChainDesign design;
-  std::vector<double> angles;  ///< of the crank at the targets; timed: the phase alone
+  std::vector<double> angles;               ///< of the crank at the targets; timed: the phase alone
+  std::optional<CurvePlacement> placement;  ///< of a target that may be moved
 };
 
 struct RasterChainResult {
@@ -25,7 +27,7 @@ struct RasterChainResult {
 using ChainAcceptance = std::function<bool(const RasterChain& chain)>;
 
 /// Searches the raster of `problem`, which has one topology, from designs of the same problem
-/// without one.
+/// without one; where the target may be moved, of `without_sizes` of it.
 RasterChainResult search_chain_raster(const ChainPathProblem& problem, const ScaledChain& scaled,
                                       const TargetScale& scale,
                                       const std::vector<FoundChain>& found,

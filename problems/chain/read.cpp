@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
 
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_design.hpp"
@@ -58,6 +59,31 @@ std::optional<Raster> read_chain_raster(TableReader& document, const ChainPathPr
                               "as \"watt-1\" or \"chain\"");
 }
 
+/// Without a raster the chain itself may be moved; on one its size counts, which bounds say.
+void check_movable(TableReader& target, const ChainPathProblem& problem) {
+  constexpr std::string_view kPlace = "place";
+  if (!problem.is_movable) return;
+  if (!problem.raster) {
+    return target.fault(
+        kPlace,
+        "is \"similar\" without [raster]; a chain without one is moved and enlarged "
+        "itself: remove it");
+  }
+  for (const Topology& topology : problem.topologies) {
+    for (const TopologyLine& line : topology.lines) {
+      const auto count = static_cast<std::size_t>(parameter_count(line.line.type));
+      for (std::size_t i = 0; i < count; ++i) {
+        const Range& bound = line.bounds[i];
+        if (line.given[i] || std::isfinite(bound.max - bound.min)) continue;
+        return target.fault(kPlace, fmt::format("is \"similar\", but point {} has a dimension "
+                                                "without bounds; expected bounds.length, pivots "
+                                                "and point, which say how large it may be",
+                                                line.name));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace reading
 
@@ -87,6 +113,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
   problem.raster = read_chain_raster(document, problem);
+  check_movable(tables.target, problem);
   problem.tolerances = read_tolerances(document, {});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {

@@ -112,16 +112,24 @@ void read_closed_curve(TableReader& target, const std::filesystem::path& folder,
                        ChainPathProblem& problem) {
   PathProblem path;
   read_curve(target, folder, path);
-  if (path.curve && path.curve->place != CurvePlace::given) {
-    target.fault("place",
-                 "is \"similar\", which only the curve of a four-bar may be; expected \"given\"");
-  }
+  problem.is_movable = path.curve && path.curve->place == CurvePlace::similar;
   for (const std::string_view key : {"closed"}) {
     if (!target.has(key) || target.boolean(key).value_or(true)) continue;
     target.fault(key, "is false for a closed curve; remove it, or give points");
   }
   problem.points = std::move(path.points);
   problem.closed = true;
+}
+
+/// Of points; a closed curve has read its own.
+void read_place(TableReader& target, ChainPathProblem& problem) {
+  constexpr std::string_view kPlace = "place";
+  const auto place = target.choice<CurvePlace>(kPlace).value_or(CurvePlace::given);
+  problem.is_movable = place == CurvePlace::similar;
+  if (!problem.is_movable || (problem.closed && problem.crank_angles.empty())) return;
+  target.fault(kPlace,
+               "is \"similar\" for points that are open or timed; only a closed path with free "
+               "timing may be moved");
 }
 
 /// What the path of a four-bar takes besides.
@@ -139,7 +147,7 @@ void refuse_four_bar_keys(TableReader& target) {
 
 void read_chain_target(TableReader& target, const std::filesystem::path& folder,
                        ChainPathProblem& problem) {
-  if (has_curve(target)) {
+  if (has_curve(target, {"svg_id", "samples"})) {
     read_closed_curve(target, folder, problem);
     target.know({"timing", "order", "weights", "crank_deg", "crank_reference", "poses"});
     return;
@@ -147,6 +155,7 @@ void read_chain_target(TableReader& target, const std::filesystem::path& folder,
   refuse_four_bar_keys(target);
   const bool dropped = read_point_list(target, problem);
   read_chain_timing(target, dropped, problem);
+  read_place(target, problem);
 }
 
 }  // namespace cognate::problems::reading

@@ -38,10 +38,10 @@ std::vector<TransmissionCheck> extremes_of(const ScaledChain& problem, RefinedCh
 
 /// A design that is not refined.
 RefinedChain as_it_is(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                      const std::vector<double>& angles) {
-  const ChainPathModel model(problem, design, angles, {});
+                      const std::vector<double>& angles, const TargetPlace& at) {
+  const ChainPathModel model(problem, design, angles, at, {});
   std::vector<double> residuals(static_cast<std::size_t>(model.residual_count()));
-  RefinedChain same{design, angles, std::numeric_limits<double>::infinity()};
+  RefinedChain same{design, angles, at, std::numeric_limits<double>::infinity()};
   if (!model.residuals(model.start(), residuals, {}, {})) return same;
   same.objective = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
   return same;
@@ -51,15 +51,15 @@ RefinedChain as_it_is(const ScaledChain& problem, const synthesis::ChainDesign& 
 
 RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& design,
                     const std::vector<double>& angles, synthesis::Solver solver,
-                    const synthesis::Options& options) {
-  RefinedChain here{design, angles, std::numeric_limits<double>::infinity()};
+                    const synthesis::Options& options, const TargetPlace& at) {
+  RefinedChain here{design, angles, at, std::numeric_limits<double>::infinity()};
   auto extremes = extremes_of(problem, here);
   const bool starts_within = here.violation <= kHeld;
   std::vector<TransmissionCheck> checks;
   double margin = 0;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
     checks.insert(checks.end(), extremes.begin(), extremes.end());
-    const ChainPathModel model(problem, here.design, here.angles, checks, margin);
+    const ChainPathModel model(problem, here.design, here.angles, here.at, checks, margin);
     const auto start = model.start();
     const synthesis::Solution solution = synthesis::solve(solver, model, start, options);
     here.evaluations += solution.evaluations;
@@ -69,6 +69,7 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
     RefinedChain next = here;
     next.design = model.design(solution.x);
     next.angles = model.angles(solution.x);
+    next.at = model.target_place(solution.x);
     next.objective = solution.objective;
     extremes = extremes_of(problem, next);
     const bool is_lost = next.violation > kLost;
@@ -76,7 +77,7 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
     if (!is_lost && here.violation <= kHeld) return here;
     if (!is_lost && exchange >= kTightened) margin += here.violation;
   }
-  return starts_within ? as_it_is(problem, design, angles) : here;
+  return starts_within ? as_it_is(problem, design, angles, at) : here;
 }
 
 }  // namespace cognate::problems

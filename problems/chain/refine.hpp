@@ -10,6 +10,7 @@ namespace cognate::problems {
 struct RefinedChain {
   synthesis::ChainDesign design;
   std::vector<double> angles;  ///< as the start has them
+  TargetPlace at;              ///< of the target
   double objective = 0;        ///< mean squared distance; infinite where there is no design
   double violation = 0;        ///< of the limits, as a cosine
   std::uint64_t evaluations = 0, gradients = 0;
@@ -21,6 +22,6 @@ struct RefinedChain {
 /// elsewhere.
 RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& design,
                     const std::vector<double>& angles, synthesis::Solver solver,
-                    const synthesis::Options& options);
+                    const synthesis::Options& options, const TargetPlace& at = {});
 
 }  // namespace cognate::problems

@@ -8,12 +8,23 @@
 
 namespace cognate::problems {
 
+/// Where a target lies that may be moved: the traced point p is compared with it at turn·p + shift.
+struct TargetPlace {
+  static constexpr std::size_t kNumbers = 4;
+
+  Vec2d turn{1, 0};  ///< a complex number: turns and enlarges
+  Vec2d shift;
+
+  Vec2d point(const Vec2d& p) const { return turn * p + shift; }
+};
+
 /// The problem of one topology: its centroid is the origin, its size the unit.
 struct ScaledChain : ChainSpace {
   std::vector<Vec2d> points;
   std::vector<double> crank_angles;  ///< timed; else empty
   bool closed = false;
-  bool over_turn = true;  ///< limits hold over the turn of the crank
+  bool is_movable = false;  ///< the target; its crank angles are free
+  bool over_turn = true;    ///< limits hold over the turn of the crank
 
   ScaledChain(const ChainPathProblem& problem, const Topology& topology, const TargetScale& scale);
 

@@ -7,6 +7,7 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/quantity_key.hpp"
+#include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster.hpp"
 #include "problems/chain/scaled.hpp"
@@ -88,7 +89,7 @@ void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
   const auto design_of = [&](const RasterChain& chain) {
     const FoundChain as_found{&scaled, chain.design, chain.angles, 0};
     Design design = verified(problem, *scaled.topology, named(*scaled.topology, chain.design),
-                             angles_of_targets(as_found));
+                             angles_of_targets(as_found), chain.placement);
     design.origin = "raster";
     return design;
   };
@@ -118,6 +119,14 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
       "exactly. More points say more of what is wanted between them.");
 }
 
+/// The target where the design has it.
+std::vector<Vec2d> placed_points(const ChainPathProblem& problem, const Design& design) {
+  std::vector<Vec2d> points = problem.points;
+  const CurvePlacement placement = design.placement.value_or(CurvePlacement{});
+  for (Vec2d& point : points) point = placement.point(point);
+  return points;
+}
+
 /// Of a design the traced point of its topology.
 void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Result& result) {
   add_tolerances(
@@ -128,9 +137,9 @@ void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Resul
         const auto topology =
             std::ranges::find(problem.topologies, name.value_or(""), &Topology::name);
         if (topology == problem.topologies.end()) return std::nullopt;
-        return error_at_targets(design.mechanism,
-                                topology->lines[static_cast<std::size_t>(topology->trace)].name,
-                                design.crank_angles, problem.points, !problem.crank_angles.empty());
+        return error_at_targets(
+            design.mechanism, topology->lines[static_cast<std::size_t>(topology->trace)].name,
+            design.crank_angles, placed_points(problem, design), !problem.crank_angles.empty());
       },
       result);
 }
@@ -143,15 +152,18 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   const ChainPathProblem& problem = *valid;
   const Deadline deadline(run);
   const TargetScale scale(problem.points);
+  const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
   std::vector<ScaledChain> chains;
-  for (const Topology& topology : problem.topologies) chains.emplace_back(problem, topology, scale);
+  for (const Topology& topology : searched.topologies)
+    chains.emplace_back(searched, topology, scale);
   Result result;
   const ChainSearchResult found = search_chains(chains, problem.solve, run, deadline, result.work);
-  result.designs = designs_of(problem, scale, found.designs);
+  result.designs = designs_of(searched, scale, found.designs);
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
   if (problem.raster) {
-    take_raster(problem, scale, chains.front(), found.designs, run, deadline, result);
+    const ScaledChain scaled(problem, problem.topologies.front(), scale);
+    take_raster(problem, scale, scaled, found.designs, run, deadline, result);
     result.status = status_of(result.designs, deadline);
   }
   note_unknowns(problem, chains, result);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
@@ -10,6 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/placement.hpp"
 #include "problems/linkage/verify.hpp"
 #include "synthesis/chain/bodies.hpp"
 
@@ -25,14 +28,15 @@ Attached<double> traced_point(const NamedMechanism& mechanism, const std::string
 }
 
 TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
-                         const NamedMechanism& mechanism, const std::vector<double>& angles) {
+                         const NamedMechanism& mechanism, const std::vector<double>& angles,
+                         const CurvePlacement& placement) {
   const auto point =
       traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
   MechanismMotion<0> motion(mechanism.mechanism);
   TargetError error;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     if (!motion.move_to(angles[j])) return {kNoError, kNoError, kNoError};
-    const double distance = norm(motion.point(point)[0] - problem.points[j]);
+    const double distance = norm(placement.point_back(motion.point(point)[0]) - problem.points[j]);
     error.sum_of_squares += distance * distance;
     error.max = std::max(error.max, distance);
   }
@@ -117,11 +121,16 @@ void check_circuit(const AssemblyRanges& motion, Design& design) {
 }
 
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
-                const std::vector<double>& angles) {
+                const std::vector<double>& angles, const std::optional<CurvePlacement>& placement) {
   Design design;
-  design.error = target_error(problem, topology, mechanism, angles);
+  design.error =
+      target_error(problem, topology, mechanism, angles, placement.value_or(CurvePlacement{}));
+  design.placement = placement;
   const AssemblyRanges motion = limited_motion(problem, mechanism, angles);
   design.metrics.quantities.push_back({"topology", topology.name});
+  if (placement) {
+    std::ranges::move(quantities(*placement), std::back_inserter(design.metrics.quantities));
+  }
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
   const bool ordered = !problem.crank_angles.empty() || in_order(angles);

@@ -2,6 +2,7 @@
 /// evaluator of mechanisms body by body: nothing of the point form that the search uses enters.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/mechanism/assembly_ranges.hpp"
@@ -12,8 +13,10 @@ namespace cognate::problems {
 
 /// `mechanism`, of the topology, with its errors at the crank angles `angles` (one for each target,
 /// in order), the transmission angles of each joint over the motion limited, defects and checks.
+/// `placement`: of a target that may be moved; errors are in the target's own unit.
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
-                const std::vector<double>& angles);
+                const std::vector<double>& angles,
+                const std::optional<CurvePlacement>& placement = std::nullopt);
 
 /// Transmission angles over `motion`: of each joint as a quantity, and the extremes of all.
 void measure_transmission(const Topology& topology, const NamedMechanism& mechanism,

@@ -14,6 +14,7 @@ namespace {
 TableWriter target_writer(const ChainPathProblem& problem) {
   TableWriter table;
   table.set("points", problem.points).set("closed", problem.closed);
+  if (problem.is_movable) table.set_name("place", CurvePlace::similar);
   const bool timed = !problem.crank_angles.empty();
   table.set("timing", timed ? "prescribed" : kFreeDimension);
   if (timed) {

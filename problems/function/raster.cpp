@@ -25,6 +25,11 @@ using synthesis::RasterPoint;
 /// Input start angles from which each combination is begun, where the file leaves them open.
 constexpr int kInputStarts = 12;
 
+synthesis::Objective objective_of(const FunctionProblem& problem) {
+  return problem.objective == FunctionObjective::minimax ? synthesis::Objective::max_abs
+                                                         : synthesis::Objective::sum_of_squares;
+}
+
 /// What is chosen before dimensions: assembly and class.
 struct FunctionForm {
   Assembly assembly;
@@ -56,9 +61,9 @@ class FunctionForms {
     for (std::size_t i = 0; i < forms_.size(); ++i) {
       if (forms_[i].assembly == assembly && forms_[i].problem == &problem) return i;
     }
-    forms_.push_back({assembly, &problem,
-                      std::make_shared<const FunctionModel>(problem, wanted_, assembly,
-                                                            synthesis::Objective::sum_of_squares)});
+    forms_.push_back(
+        {assembly, &problem,
+         std::make_shared<const FunctionModel>(problem, wanted_, assembly, objective_of(problem))});
     return forms_.size() - 1;
   }
 
@@ -189,15 +194,16 @@ RasterFunctionResult search_function_raster(const FunctionProblem& problem,
                                 forms.all()[form].model->variables_of(minimum.generator)));
   }
   RasterFunctionResult result;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kFunctionFeasibility,
-                                .met = kMetExactly,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
+  result.search = synthesis::search_raster(
+      raster, from,
+      {.feasibility = kFunctionFeasibility,
+       .met =
+           problem.objective == FunctionObjective::minimax ? std::sqrt(kMetExactly) : kMetExactly,
+       .designs = static_cast<std::size_t>(problem.solve.designs),
+       .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+       .threads = run.threads,
+       .deadline = &deadline,
+       .progress = run.progress});
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));
   }

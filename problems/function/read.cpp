@@ -260,10 +260,10 @@ std::string_view certificate_refusal(const FunctionProblem& problem) {
 }
 
 std::string_view raster_refusal(const FunctionProblem& problem) {
-  if (problem.objective != FunctionObjective::least_squares) {
-    return "is given, but only designs of least squares are searched on a raster; expected "
-           "objective "
-           "= \"least-squares\", or remove it";
+  if (problem.objective == FunctionObjective::exact) {
+    return "is given with precision points, which lengths on a raster do not meet exactly; "
+           "expected "
+           "objective = \"least-squares\" or \"minimax\", or remove it";
   }
   return search_raster_refusal(problem.solve);
 }

@@ -192,7 +192,8 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
   for (const FunctionGenerator& one : found.designs) result.designs.push_back(design_of(one));
   result.quantities = quantities(continuous.statistics);
   const auto error = [&](double objective) {
-    return degrees(std::sqrt(objective / double(wanted.samples.size())));
+    const bool is_minimax = problem.objective == FunctionObjective::minimax;
+    return degrees(is_minimax ? objective : std::sqrt(objective / double(wanted.samples.size())));
   };
   std::ranges::move(raster_quantities(found.search, error), std::back_inserter(result.quantities));
   result.notes = raster_notes(found.search, error);

@@ -115,10 +115,10 @@ void check_class(TableReader& mechanism, TableReader& constraints, const PathPro
 
 }  // namespace
 
-bool has_curve(TableReader& target) {
+bool has_curve(TableReader& target, std::initializer_list<std::string_view> keys) {
   const auto given =
       std::ranges::count_if(kForms, [&](std::string_view form) { return target.has(form); });
-  for (const std::string_view key : {"svg_id", "samples", "place"}) {
+  for (const std::string_view key : keys) {
     if (!target.has(key) || given > 0) continue;
     target.fault(key, "is given without a closed curve; give one as curve, svg_path or svg");
   }

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
+#include <string_view>
 
 #include "problems/path/problem.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 
-/// Whether `target` has a closed curve, rightly or wrongly given; faults its other keys without
-/// one.
-bool has_curve(TableReader& target);
+/// Whether `target` has a closed curve, rightly or wrongly given; faults `keys`, those that only a
+/// curve has, without one.
+bool has_curve(TableReader& target,
+               std::initializer_list<std::string_view> keys = {"svg_id", "samples", "place"});
 
 /// `target.curve`, `svg_path` or `svg` with `svg_id`, `samples` and `place` into the problem's
 /// curve and points, and faults where keys of single points stand beside them. Drawings are looked

@@ -16,6 +16,7 @@
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
+#include "problems/linkage/placement.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/twins.hpp"
@@ -156,10 +157,7 @@ class Designs {
     Design design = verified(placed(problem_, linkage, placement), targets, angles);
     design.error = path_error(linkage, problem_.points, crank_angles);
     design.placement = placement;
-    design.metrics.quantities = {{"target_scale", placement.scale},
-                                 {"target_turn_deg", degrees(placement.turn)},
-                                 {"target_shift_x", placement.shift.x},
-                                 {"target_shift_y", placement.shift.y}};
+    design.metrics.quantities = quantities(placement);
     return design;
   }
 

@@ -29,6 +29,14 @@ std::string coverage(const synthesis::RasterResult& found) {
         "local minimum in their ranges is better, which is no proof.",
         count(found.combinations), found.evaluated);
   }
+  if (!found.relaxed) {
+    return fmt::format(
+        "Nothing that meets every constraint was found between the least and the greatest values "
+        "of "
+        "the raster, from which its {} combinations would be searched; wider bounds or a finer "
+        "raster may help.",
+        count(found.combinations));
+  }
   return fmt::format(
       "{} of {} combinations on the raster are covered ({:.3g} %), {} of them evaluated; more "
       "boxes cover more.",

@@ -26,7 +26,10 @@ class KeyDimensions {
   KeyDimensions(const Type& type, std::string_view key, std::vector<MechanismDimension>& all)
       : type_(type), key_(key), all_(all) {}
 
-  void operator()(const LengthKey<Type>& length) const { add_number(length.of); }
+  void operator()(const LengthKey<Type>& length) const {
+    add_number(length.of);
+    all_.back().is_length = true;
+  }
   void operator()(const OffsetKey<Type>& offset) const { add_number(offset.of); }
   void operator()(const NonzeroKey<Type>& offset) const { add_number(offset.of); }
   void operator()(const PlaceKey<Type>& place) const {
@@ -40,6 +43,7 @@ class KeyDimensions {
         [of = pivots.second, direction](Type& type, double change) {
           type.*of = type.*of + change * direction;
         });
+    all_.back().is_length = true;
     add_place(pivots.first, "A", std::string(kPivots));
     add_place(pivots.second, "D", std::string(kPivots));
   }
@@ -103,6 +107,7 @@ void add_dyad(const ChainDescription& chain, std::size_t d, std::vector<Mechanis
     add_number(
         dyad.names[k], chain,
         [d, k](ChainDescription& of) -> double& { return of.dyads[d].lengths[k]; }, all);
+    all.back().is_length = true;
   }
   if (dyad.type == DyadType::rpr) {
     add_number(
@@ -122,6 +127,7 @@ void add_dimensions(const ChainDescription& chain, std::vector<MechanismDimensio
         crank->name, chain,
         [](ChainDescription& of) -> double& { return std::get<CrankDescription>(of.drive).length; },
         all);
+    all.back().is_length = true;
   } else {
     add_number(
         std::get<SliderDescription>(chain.drive).name, chain,
@@ -263,6 +269,11 @@ tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& 
     const auto deviation = deviation_of(dimension.name, dimension.nominal, *value, unit);
     if (!deviation) return tl::unexpected(deviation.error());
     if (deviation->plus == 0 && deviation->minus == 0) continue;
+    if (dimension.is_length && deviation->minus >= dimension.nominal && dimension.nominal > 0) {
+      return tl::unexpected(fmt::format(
+          "{} is {:.6g} long, of which a tolerance of -{:.6g} leaves nothing; expected less",
+          dimension.name, dimension.nominal, deviation->minus));
+    }
     slopes.push_back(slopes_of(mechanism, dimension, nominal));
     if (slopes.back().empty()) {
       return tl::unexpected(

@@ -20,6 +20,7 @@ struct MechanismDimension {
   std::string group;  ///< what `[tolerance]` calls it: "crank", "coupler_point", "pivots"
   double nominal = 0;
   std::function<void(NamedMechanism& mechanism, double change)> add;
+  bool is_length = false;  ///< of a link: positive, unlike offsets and coordinates
 };
 
 /// Of a mechanism that its dimensions tell: those of its keys, "frame" for the distance of two
@@ -54,8 +55,9 @@ struct TolerancedMechanism {
 };
 
 /// The dimensions of `mechanism` with the tolerances that the file gives; or why there is none: a
-/// length that the table of a standard does not reach. Where pivots have a tolerance of their own,
-/// "frame" follows from them and has none unless it is named. Grades count without a unit as in mm.
+/// length that the table of a standard does not reach, or of which a tolerance leaves nothing.
+/// Where pivots have a tolerance of their own, "frame" follows from them and has none unless it is
+/// named. Grades count without a unit as in mm.
 tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& mechanism,
                                                           const Tolerances& tolerances,
                                                           std::optional<LengthUnit> unit);

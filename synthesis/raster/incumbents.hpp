@@ -28,6 +28,8 @@ class RasterIncumbents {
   /// Whether `point`, at one combination, meets every constraint.
   bool meets_all(const RasterPoint& point) const;
 
+  bool empty() const { return best_.empty(); }
+  const RasterPoint& best() const { return best_.front().point; }
   /// Of the best; infinite without one.
   double objective() const;
   std::uint64_t evaluated() const { return looked_at_.size(); }

@@ -71,6 +71,8 @@ struct RasterOptions {
   std::uint64_t most_nodes = 20'000;  ///< boxes to examine at most
   /// Up to so many combinations each is evaluated, none being left to a bound.
   double enumerate = 20'000;
+  /// Designs at combinations that are known already: looked at first.
+  std::span<const RasterPoint> known{};
   std::size_t minima = 6;  ///< that a box keeps, from which its halves go on
   int threads = 0;         ///< as in `thread_count`; the result does not depend on it
   const Deadline* deadline = nullptr;

@@ -58,6 +58,9 @@ class RasterSearch {
       result_.rounded = task_.evaluate(rounded(roots.front()), roots);
       result_.rounded_is_accepted = result_.rounded && best_.meets_all(*result_.rounded);
     }
+    for (const RasterPoint& point : options_.known) {
+      best_.consider({rounded(point)}, std::span(&point, 1));
+    }
     if (result_.combinations <= options_.enumerate) {
       enumerate(roots.empty() ? Minima(from.begin(), from.end()) : roots);
     } else {
@@ -137,6 +140,7 @@ class RasterSearch {
     best_.consider(first, roots);
     for (const RasterPoint& root : roots) dive(root);
     best_.improve([&] { return is_over(); });
+    relax_from_best(roots);
     if (roots.empty()) {
       finish();
       return;
@@ -149,8 +153,23 @@ class RasterSearch {
     finish();
   }
 
+  /// A combination better than every minimum says that one was not found: the minimum next to it.
+  void relax_from_best(Minima& roots) {
+    if (best_.empty() || (!roots.empty() && roots.front().objective <= best_.objective())) return;
+    const RasterPoint best = best_.best();
+    Minima found = task_.relax(whole_, std::span(&best, 1));
+    ++result_.boxes;
+    roots.insert(roots.end(), found.begin(), found.end());
+    roots.push_back(best);
+    keep_best(roots);
+    result_.relaxed = roots.front();
+  }
+
   void finish() {
     result_.is_complete = open_.empty() && result_.relaxed.has_value();
+    Minima last;
+    if (result_.relaxed) last.push_back(*result_.relaxed);
+    relax_from_best(last);
     result_.bound = best_.objective();
     if (!open_.empty()) result_.bound = std::min(result_.bound, open_.front().bound);
   }

@@ -18,6 +18,10 @@ constexpr Entry kChain[] = {
     {"target.points", "[[x, y], ...]; 3 to 10000"},
     {"target.closed", "whether the first follows the last (default: the last repeats the first)"},
     {"target.curve", "or: a closed curve; svg_path, svg, svg_id and samples as of four-bars"},
+    {"target.place",
+     "of a closed path with [raster]: \"given\" (default), or \"similar\": it may be moved, turned "
+     "and "
+     "enlarged"},
     {"target.timing", "\"free\" (default), or \"prescribed\" by crank_deg"},
     {"target.crank_deg", "the crank's angle at each point, of which differences count"},
     {"target.point", "chain: the traced point (default: the last [[point]], else the last joint)"},

@@ -56,7 +56,7 @@ TEST(ChainPathModel, DerivativesAreThoseOfTheValues) {
       const ScaledChain scaled(problem, problem.topologies.front(), TargetScale{});
       std::vector<double> angles;
       for (int j = 0; j < (timed ? 1 : 12); ++j) angles.push_back(0.02 + kTurn * j / 12);
-      const ChainPathModel model(scaled, six_bar.design, angles,
+      const ChainPathModel model(scaled, six_bar.design, angles, {},
                                  {{six_bar.first_joint, 0.7}, {six_bar.second_joint, 3.1}}, 0.01);
       const auto x = model.start();
       const auto error = synthesis::check_derivatives(model, x);
@@ -66,6 +66,22 @@ TEST(ChainPathModel, DerivativesAreThoseOfTheValues) {
     }
   }
   EXPECT_EQ(checked, 8);
+}
+
+TEST(ChainPathModel, DerivativesOfAPathThatMayBeMovedAreThoseOfTheValues) {
+  for (const SixBar& six_bar : six_bars()) {
+    SCOPED_TRACE(std::string(six_bar.name));
+    ChainPathProblem problem = path_of(six_bar, false);
+    problem.is_movable = true;
+    const ScaledChain scaled(problem, problem.topologies.front(), TargetScale{});
+    std::vector<double> angles;
+    for (int j = 0; j < 12; ++j) angles.push_back(0.02 + kTurn * j / 12);
+    const ChainPathModel model(scaled, six_bar.design, angles, {{0.7, -0.4}, {0.3, 1.1}},
+                               {{six_bar.first_joint, 0.7}, {six_bar.second_joint, 3.1}}, 0.01);
+    const auto error = synthesis::check_derivatives(model, model.start());
+    ASSERT_TRUE(error.has_value);
+    EXPECT_LT(error.relative, 1e-8) << error.describe(model);
+  }
 }
 
 /// A dwell of 100 degrees with a known design: half band 0.001863°, window from 211.23°.

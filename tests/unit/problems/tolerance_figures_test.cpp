@@ -147,6 +147,18 @@ TEST(ToleranceFigures, AChangePointIsRefusedWithTheShareThatAssembles) {
   EXPECT_GT(result.assembled, 800u);
 }
 
+/// A length that may be none is no length; a coordinate or an offset may change its sign.
+TEST(ToleranceFigures, ATolerancePastTheLengthIsRefused) {
+  const auto result = tolerances_of(kRocker, "length = 40\nsamples = 100", 0, 90, 3);
+  ASSERT_TRUE(result.refused);
+  EXPECT_NE(result.refused->find("crank is 40 long"), std::string::npos);
+  EXPECT_FALSE(
+      tolerances_of(kRocker, "length = { plus = 50, minus = 1 }\nsamples = 100", 0, 90, 3).refused);
+  EXPECT_FALSE(tolerances_of("type = \"slider-crank\"\ncrank = 50\ncoupler = 150\noffset = 1",
+                             "offset = 2\nsamples = 100", 0, 90, 3)
+                   .refused);
+}
+
 // Mean and deviation of 200 000 samples against the integral over a Gauss grid of the box.
 TEST(ToleranceFigures, SamplesAgreeWithTheirMomentsAndForAnyThreads) {
   const auto one = tolerances_of(kRocker,
