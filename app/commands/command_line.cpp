@@ -156,6 +156,9 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_folder(exporting, arguments);
   add_length_unit(exporting, arguments);
   add_export_options(exporting, arguments);
+  add_command("sketch", "Write a page that finds linkages for curves.", kSketchFooter)
+      .add_option("--out", arguments.out, "the page (default: sketch.html)")
+      ->type_name("FILE");
   add_files_command("check", "Validate a file without solving it.", kCheckFooter,
                     "problems or studies, TOML files", {".toml"});
   auto& list = add_command("list", "Say what can be requested, and by which keys.", kListFooter);

@@ -63,6 +63,11 @@ ExitStatus check_command(const std::filesystem::path& file, const Options& optio
 /// file of that name is left as it is, and the status is that of bad input.
 ExitStatus new_command(const std::string& kind, const Options& options);
 
+/// Writes the page on which a curve is drawn and linkages are found that trace it, to the file
+/// `--out`, else to sketch.html, and says so (with `--json` as a document `cognate-sketch/1`, with
+/// `--quiet` not at all). A file of that name is left as it is, as by `new_command`.
+ExitStatus sketch_command(const Options& options);
+
 /// Prints the kinds of problems, mechanisms, solvers and options, or with `metrics` every metric
 /// and every column with its unit; with `--json` as a document. With a `kind`, which may be empty,
 /// what is of that kind.

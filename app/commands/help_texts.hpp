@@ -148,6 +148,17 @@ Examples:
   cognate export gears.result.json --format dxf --chord-tolerance 0.001
   cognate export sizes.study.db --row 1234)";
 
+inline constexpr const char* kSketchFooter =
+    R"(Output:
+  One page that needs no network: draw a curve with mouse, pen or finger, and
+  four-bar linkages that trace it are found and move. Limits, points and designs
+  can be changed; problems and designs are saved as files for cognate. A file
+  that is there already is left as it is.
+
+Examples:
+  cognate sketch
+  cognate sketch --out pages/curve.html)";
+
 inline constexpr const char* kCheckFooter =
     R"(Output:
   What the file asks for, on standard output; or every fault in it, on standard

@@ -26,4 +26,7 @@ std::string train_page();
 /// The page of a study, likewise.
 std::string study_page();
 
+/// The page on which a curve is drawn, likewise; its data are empty.
+std::string sketch_page();
+
 }  // namespace cognate::app

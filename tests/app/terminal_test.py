@@ -22,7 +22,7 @@ import unittest
 
 PROGRAM = ""
 LIBRARY = pathlib.Path()
-COMMANDS = ("new", "solve", "analyze", "sweep", "export", "check", "list")
+COMMANDS = ("new", "solve", "analyze", "sweep", "export", "sketch", "check", "list")
 ENDLESS = """kind = "path-generation"
 title = "没有尽头的搜索"
 [target]
@@ -131,7 +131,7 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "completion", "f"], {"fish"}),
             (["cognate", "completion", "--"], {"--help"}),
             (["cognate", "manual", ""], set()),
-            (["cognate", "s"], {"solve", "sweep"}),
+            (["cognate", "s"], {"solve", "sweep", "sketch"}),
             (["cognate", "--ver"], {"--version"}),
             (["cognate", "solve", ""], problems),
             (["cognate", "solve", "b"], {"b file.toml"}),

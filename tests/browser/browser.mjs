@@ -21,8 +21,9 @@ export function launch() {
   });
 }
 
-// Opens `file`; `faults` collects errors of the page and requests that leave it.
-export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB" } = {}) {
+// Opens `file`; `faults` collects errors of the page and requests that leave it. `prepare(page)` comes before that, `hash` stands
+// behind the address.
+export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB", prepare, hash = "" } = {}) {
   const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion, locale,
     hasTouch: size === "phone", deviceScaleFactor: size === "phone" ? 2 : 1 });
   const page = await context.newPage();
@@ -30,8 +31,9 @@ export async function open(browser, file, { size = "desktop", scheme = "light", 
   const url = pathToFileURL(path.resolve(file)).href;
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(String(error.stack ?? error)));
-  page.on("request", (request) => { if (request.url() !== url && !request.url().startsWith("data:")) faults.push(`request ${request.url()}`); });
-  await page.goto(url);
+  page.on("request", (request) => { if (request.url() !== url && !/^(data|blob):/.test(request.url())) faults.push(`request ${request.url()}`); });
+  await prepare?.(page);
+  await page.goto(url + hash);
   return { page, faults, close: () => context.close() };
 }
 

@@ -32,7 +32,7 @@ function offerAppearance() {
   byId("language").value = language;
   byId("language").addEventListener("change", (event) => {
     remember("language", event.target.value);
-    location.hash = event.target.value;
+    location.hash = [event.target.value, ...location.hash.slice(1).split("&").filter((part) => part && !LANGUAGES.includes(part))].join("&");
     location.reload();
   });
   byId("print").addEventListener("click", () => print());

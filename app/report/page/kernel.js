@@ -8,13 +8,17 @@ const CLASSES = ["crank-rocker", "double-crank", "rocker-crank", "double-rocker"
 const DEFECTS = ["circuit", "branch", "order"];
 const SEQUENCES = { any: 0, one_sense: 1, timed: 2 };
 
+// The module that `base64` holds compressed.
+export async function moduleBytes(base64 = embedded("kernel")) {
+  const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
 export class Kernel {
   static get available() { return embedded("kernel").trim() !== "" && typeof WebAssembly !== "undefined" && typeof DecompressionStream !== "undefined"; }
 
   static async load(base64 = embedded("kernel")) {
-    const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    const bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-    return new this((await WebAssembly.instantiate(bytes)).instance);
+    return new this((await WebAssembly.instantiate(await moduleBytes(base64))).instance);
   }
 
   constructor({ exports }) {

@@ -9,8 +9,8 @@ export const LANGUAGES = Object.keys(WORDS);
 export const remembered = (name) => { try { return localStorage.getItem(`cognate-${name}`) ?? ""; } catch { return ""; } };
 export const remember = (name, value) => { try { localStorage.setItem(`cognate-${name}`, value); } catch { /* for this page alone */ } };
 
-// By the end of the address (#zh), the reader's choice, or the languages of the browser.
-export const language = [location.hash.slice(1), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
+// By a part of the end of the address (#zh, #zh&…), the reader's choice, or the languages of the browser.
+export const language = [...location.hash.slice(1).split("&"), remembered("language"), ...navigator.languages.map((tag) => tag.slice(0, 2)), "en"]
   .find((tag) => LANGUAGES.includes(tag));
 
 const WRITTEN = WORDS[language].words;

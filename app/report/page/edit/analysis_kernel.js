@@ -1,20 +1,11 @@
 // The program's own reader and evaluator of analyses: a problem as results hold it comes back as the
 // data that its page is drawn from.
 
+import { encoded } from "../encoded.js";
 import { Kernel } from "../kernel.js";
 
 const written = new TextEncoder();
 const read = new TextDecoder();
-
-// A value as the kernel reads it (see kernel/document.hpp); its numbers go into `numbers`.
-function encoded(value, numbers) {
-  if (typeof value === "number") { numbers.push(value); return Number.isSafeInteger(value) ? "i" : "#"; }
-  if (typeof value === "boolean") return value ? "+" : "-";
-  if (typeof value === "string") return `s${written.encode(value).length}:${value}`;
-  if (Array.isArray(value)) return `a${value.length}:${value.map((part) => encoded(part, numbers)).join("")}`;
-  const entries = Object.entries(value).filter(([, part]) => part !== null && part !== undefined);
-  return `t${entries.length}:${entries.map(([key, part]) => encoded(key, numbers) + encoded(part, numbers)).join("")}`;
-}
 
 export class AnalysisKernel extends Kernel {
   // The mechanism's motion and its facts, for what changes as fast as a pointer.

@@ -1,0 +1,76 @@
+// The picture of a sketch: its points, the design chosen in motion, the others as ghosts.
+
+import { set, svg } from "../dom.js";
+import { Picture } from "../picture.js";
+import { barPath, groundSign, pathThrough, round } from "../shapes.js";
+
+// The part of the plane to draw in, in its units.
+const SHEET = { x0: -60, y0: -42, x1: 60, y1: 42 };
+
+const PLATE = 5;
+
+export class SketchScene extends Picture {
+  constructor(frame, label) {
+    super(frame, label);
+    Object.assign(this, { candidates: [], chosen: 0, targets: { points: [], closed: false }, phase: 0 });
+  }
+
+  build() {
+    this.clear(SHEET);
+    const { candidates, chosen, view } = this;
+    const line = (points) => pathThrough(points.map((p) => view.screen(p)));
+    this.drawn = svg("path", { class: "sketch-line" });
+    this.spots = svg("g");
+    this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, i, line)));
+    this.root.append(this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
+    if (this.parts) this.root.append(this.parts.root);
+    this.root.append(this.spots);
+    this.target(this.targets);
+    this.move(this.phase);
+  }
+
+  #ghost({ curve }, i, line) {
+    const links = svg("path", { class: "ghost-links" });
+    const root = svg("g", { class: `ghost-linkage sketch-${i}` }, svg("path", { class: "ghost-path", d: line(curve) }), links);
+    return { root, links };
+  }
+
+  #linkage({ curve, entry: { mechanism } }, line) {
+    const bars = ["crank", "coupler", "rocker"].map((name) => svg("path", { class: `link-body ${name}`, style: "fill: var(--tint)" }));
+    const pins = ["A", "B", "C", "D"].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
+    const point = svg("circle", { class: "coupler-point", r: 5, id: "tracing" });
+    const root = svg("g", { id: "linkage" }, svg("path", { class: "path", id: "curve", d: line(curve) }), ...mechanism.fixed_pivots.map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, point);
+    return { root, bars, pins, point };
+  }
+
+  // The points drawn: {points, closed}.
+  target(targets) {
+    this.targets = targets;
+    const { points, closed } = targets;
+    const at = points.map((p) => this.view.screen(p));
+    set(this.drawn, { d: at.length ? pathThrough(at) + (closed ? "Z" : "") : "" });
+    this.spots.replaceChildren(...at.map(([x, y]) => svg("circle", { class: "sketch-spot", cx: round(x), cy: round(y), r: 3.5 })));
+  }
+
+  // Every linkage at `phase` of its motion.
+  move(phase) {
+    this.phase = phase;
+    this.candidates.forEach((one, i) => {
+      const pose = one.pose(phase);
+      const [a, b, c, d, p] = pose ? [one.linkage.closure.a, pose.b, pose.c, one.linkage.closure.d, pose.p].map((place) => this.view.screen(place)) : [];
+      if (i !== this.chosen) { set(this.ghosts[i].links, { d: pose ? `${pathThrough([a, b, c, d])}${pathThrough([b, p, c])}` : "" }); return; }
+      this.parts.root.toggleAttribute("hidden", !pose);
+      if (pose) this.#place(a, b, c, d, p);
+    });
+  }
+
+  #place(a, b, c, d, p) {
+    const { bars: [crank, coupler, rocker], pins, point } = this.parts;
+    set(crank, { d: barPath(a, b, PLATE) });
+    set(coupler, { d: `${barPath(b, c, PLATE)}${barPath(b, p, PLATE - 1)}${barPath(c, p, PLATE - 1)}` });
+    set(rocker, { d: barPath(d, c, PLATE) });
+    [a, b, c, d].forEach(([x, y], i) => set(pins[i], { cx: round(x), cy: round(y) }));
+    set(point, { cx: round(p[0]), cy: round(p[1]) });
+  }
+}

@@ -1,0 +1,116 @@
+// Where a hand draws: strokes, clicks, points that are dragged; and the same by keys.
+
+import { set, svg } from "../dom.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+
+const CLICK = 6;      // pixels within which a stroke is a click
+const STEP_PIXELS = 8;
+const ARROWS_TO = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+export class Surface {
+  // `on`, of places in the plane: begin() of a stroke, stroke(points), click(point), drag(i, point), drop() after a drag,
+  // remove(i); `view()` is that of the picture.
+  constructor(frame, view, on) {
+    Object.assign(this, { view, on, at: null, handles: [] });
+    this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("sketch.sheet") });
+    this.ink = svg("path", { class: "sketch-ink" });
+    this.cross = svg("path", { class: "sketch-cross", d: "M-9 0H9M0 -9V9", hidden: "" });
+    this.holder = svg("g");
+    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("sketch.sheet") }, this.area, this.ink, this.cross, this.holder);
+    frame.append(this.root);
+    this.area.addEventListener("pointerdown", (event) => this.#press(event));
+    this.area.addEventListener("pointermove", (event) => this.#move(event));
+    this.area.addEventListener("pointerup", () => this.#lift());
+    this.area.addEventListener("pointercancel", () => this.#stop());
+    this.area.addEventListener("keydown", (event) => this.#key(event));
+    this.area.addEventListener("blur", () => this.cross.toggleAttribute("hidden", true));
+  }
+
+  #pixels(event) {
+    const box = this.root.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  #press(event) {
+    if (event.button !== 0 || this.stroke) return;
+    this.area.setPointerCapture(event.pointerId);
+    this.pointer = event.pointerId;
+    this.stroke = [this.#pixels(event)];
+    this.on.begin();
+  }
+
+  #move(event) {
+    if (!this.stroke || event.pointerId !== this.pointer) return;
+    const events = event.getCoalescedEvents?.() ?? [];
+    this.stroke.push(...(events.length ? events : [event]).map((one) => this.#pixels(one)));
+    set(this.ink, { d: pathThrough(this.stroke) });
+  }
+
+  #stop() {
+    this.stroke = null;
+    set(this.ink, { d: "" });
+  }
+
+  #lift() {
+    const { stroke } = this;
+    if (!stroke) return;
+    this.#stop();
+    const reach = Math.max(...stroke.map((p) => Math.hypot(p[0] - stroke[0][0], p[1] - stroke[0][1])));
+    const points = stroke.map((p) => this.view().plane(p));
+    if (reach < CLICK) this.on.click(points[0]); else this.on.stroke(points);
+  }
+
+  // Arrows move the cross, Enter and the space bar make a point there.
+  #key(event) {
+    const step = ARROWS_TO[event.key], puts = ["Enter", " "].includes(event.key);
+    if ((!step && !puts) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.at ??= this.view().plane(this.view().middle);
+    if (puts) this.on.click(this.at);
+    else this.at = this.#moved(this.at, step, event.shiftKey);
+    const [x, y] = this.view().screen(this.at);
+    set(this.cross, { transform: `translate(${round(x)} ${round(y)})` });
+    this.cross.toggleAttribute("hidden", false);
+  }
+
+  #moved(place, step, far) { return place.map((x, k) => x + ((far ? 5 : 1) * STEP_PIXELS * step[k]) / this.view().scale); }
+
+  #handle(i) {
+    const handle = svg("circle", { class: "target-handle", r: 12, tabindex: 0, role: "button", "data-target": i, "aria-label": say("sketch.point", { name: i + 1 }) });
+    handle.addEventListener("pointerdown", (event) => { event.preventDefault(); event.stopPropagation(); handle.focus(); handle.setPointerCapture(event.pointerId); this.dragged = false; });
+    handle.addEventListener("pointermove", (event) => {
+      if (!handle.hasPointerCapture(event.pointerId)) return;
+      this.dragged = true;
+      this.on.drag(i, this.view().plane(this.#pixels(event)));
+    });
+    handle.addEventListener("lostpointercapture", () => { if (this.dragged) this.on.drop(); else this.on.click(this.places[i], i); });
+    handle.addEventListener("keydown", (event) => this.#handleKey(event, i));
+    return handle;
+  }
+
+  #handleKey(event, i) {
+    const step = ARROWS_TO[event.key], removes = event.key === "Delete";
+    if ((!step && !removes) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (removes) { this.on.remove(i); return; }
+    this.on.drag(i, this.#moved(this.places[i], step, event.shiftKey));
+    this.on.drop();
+  }
+
+  // The handles at the points of the sketch.
+  show(points) {
+    const { width, height } = this.view();
+    set(this.root, { viewBox: `0 0 ${width} ${height}` });
+    this.places = points;
+    while (this.handles.length < points.length) this.handles.push(this.#handle(this.handles.length));
+    for (const gone of this.handles.splice(points.length)) gone.remove();
+    points.forEach((point, i) => {
+      const [x, y] = this.view().screen(point), handle = this.handles[i];
+      set(handle, { cx: round(x), cy: round(y) });
+      if (handle.parentNode !== this.holder) this.holder.append(handle);
+    });
+  }
+}

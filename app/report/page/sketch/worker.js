@@ -1,0 +1,33 @@
+// The search, in a worker of its own.
+
+import { encoded } from "../encoded.js";
+
+// All that the worker does; it runs from this function's text and that of `encoded`. It is sent {module} first, then any
+// number of {id, problem, seed, designs}, each answered by {id, answer} or {id, failure}.
+function searchWorker() {
+  let ready;
+  const load = async (module) => {
+    const { exports } = await WebAssembly.instantiate(module);
+    exports._initialize?.();
+    return exports;
+  };
+  const answerOf = (calls, { problem, seed, designs }) => {
+    const numbers = [];
+    const text = new TextEncoder().encode(encoded(problem, numbers));
+    const at = calls.room(text.length);
+    new Float64Array(calls.memory.buffer, calls.numbers(), 65536).set(numbers);
+    new Uint8Array(calls.memory.buffer, at, text.length).set(text);
+    const length = calls.sketch(seed, designs);
+    return JSON.parse(new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.text(), length)));
+  };
+  self.onmessage = async ({ data }) => {
+    if (data.module) { ready = load(data.module); return; }
+    try {
+      self.postMessage({ id: data.id, answer: answerOf(await ready, data) });
+    } catch (error) {
+      self.postMessage({ id: data.id, failure: String(error) });
+    }
+  };
+}
+
+export const WORKER_TEXT = [encoded, `(${searchWorker})();`].join("\n");

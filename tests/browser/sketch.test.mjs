@@ -1,0 +1,282 @@
+// The page of `cognate sketch`: a curve is drawn, and linkages trace it. COGNATE: the program, which also answers in
+// the place of the search where the build had no compiler for WebAssembly.
+import assert from "node:assert/strict";
+import { execFile, execFileSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+import { gzipSync } from "node:zlib";
+import { problemToml } from "../../app/report/page/toml.js";
+import { assertFits, distance, launch, moves, open } from "./browser.mjs";
+
+let browser, folder, file, hasKernel;
+before(async () => {
+  browser = await launch();
+  folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
+  file = path.join(folder, "sketch.html");
+  execFileSync(process.env.COGNATE, ["sketch", "--out", file]);
+  const text = fs.readFileSync(file, "utf8");
+  hasKernel = !text.includes('id="kernel"></script>');
+  // A module without anything in it: the page has a search, and the program is it.
+  const empty = gzipSync(Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64");
+  fs.writeFileSync(path.join(folder, "answered.html"), hasKernel ? text : text.replace('id="kernel">', `id="kernel">${empty}`));
+});
+after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true }); });
+
+let files = 0;
+async function answered(command, text, ...options) {
+  const name = path.join(folder, `${++files}.toml`);
+  fs.writeFileSync(name, text);
+  const run = await promisify(execFile)(process.env.COGNATE, [command, "--json", name, ...options], { maxBuffer: 1 << 28 }).catch((error) => error);
+  return JSON.parse(run.stdout);
+}
+
+// What the search answers, by the program.
+async function programAnswer({ solve, ...problem }, designs) {
+  const result = await answered("solve", problemToml({ ...problem, solve: { ...solve, designs } }));
+  return { status: result.status, designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
+    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min })) };
+}
+
+async function prepare(page) {
+  if (hasKernel) return;
+  await page.exposeFunction("programAnswer", programAnswer);
+  await page.addInitScript(() => {
+    window.Worker = class {
+      terminate() { this.ended = true; }
+      postMessage({ id, problem, designs }) {
+        if (problem === undefined) return;
+        this.queue = (this.queue ?? Promise.resolve()).then(async () => {
+          if (this.ended) return;
+          const answer = await window.programAnswer(problem, designs);
+          if (!this.ended) this.onmessage({ data: { id, answer } });
+        });
+      }
+    };
+  });
+}
+
+async function visit(options, steps) {
+  const { page, faults, close } = await open(browser, path.join(folder, "answered.html"), { motion: "reduce", prepare, ...options });
+  await steps(page);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
+
+// Draws with the mouse through places given by shares of the picture.
+async function draw(page, at, [from, to] = [0, 2 * Math.PI]) {
+  const box = await page.locator("#sheet").boundingBox();
+  const place = (t) => { const [x, y] = at(t); return [box.x + x * box.width, box.y + y * box.height]; };
+  await page.mouse.move(...place(from));
+  await page.mouse.down();
+  for (let i = 1; i <= 60; ++i) await page.mouse.move(...place(from + ((to - from) * i) / 60));
+  await page.mouse.up();
+}
+
+const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
+const facts = (page, name) => page.locator(`[data-fact="${name}"]`).evaluateAll((all) => all.map((one) => JSON.parse(one.dataset.value)));
+const targets = (page) => page.locator(".target-handle").count();
+
+// The numbers of the address: its points, and its design.
+function addressOf(page) {
+  const parts = Object.fromEntries(page.url().split("#")[1].split("&").map((part) => part.split("=")));
+  const [numbers, assembly] = (parts.d ?? "").split(";");
+  const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max] = numbers.split(",").map(Number);
+  return { points: parts.p.split(";").map((p) => p.split(",").map(Number)), a: [ax, ay], d: [dx, dy], crank, coupler, rocker, u, v, rms, max, side: assembly === "crossed" ? -1 : 1 };
+}
+
+// The coupler point by the intersection of two circles, as in a textbook.
+function couplerPoint({ a, d, crank, coupler, rocker, u, v, side }, angle) {
+  const b = [a[0] + crank * Math.cos(angle), a[1] + crank * Math.sin(angle)];
+  const base = distance(b, d), along = (coupler ** 2 - rocker ** 2 + base ** 2) / (2 * base);
+  const height = Math.sqrt(coupler ** 2 - along ** 2);
+  if (Number.isNaN(height)) return null;
+  const e = [(d[0] - b[0]) / base, (d[1] - b[1]) / base];
+  const c = [b[0] + along * e[0] - side * height * e[1], b[1] + along * e[1] + side * height * e[0]];
+  const f = [(c[0] - b[0]) / coupler, (c[1] - b[1]) / coupler];
+  return [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]];
+}
+
+function distanceToChord(p, q, r) {
+  const way = [r[0] - q[0], r[1] - q[1]];
+  const share = Math.min(1, Math.max(0, ((p[0] - q[0]) * way[0] + (p[1] - q[1]) * way[1]) / (way[0] ** 2 + way[1] ** 2)));
+  return distance(p, [q[0] + share * way[0], q[1] + share * way[1]]);
+}
+
+// Of each point the distance to the curve of the design, over a fine turn.
+function misses(design) {
+  const curve = Array.from({ length: 5001 }, (_, i) => couplerPoint(design, (2 * Math.PI * i) / 5000));
+  const chords = curve.slice(1).map((r, i) => [curve[i], r]).filter(([q, r]) => q && r);
+  return design.points.map((p) => Math.min(...chords.map(([q, r]) => distanceToChord(p, q, r))));
+}
+
+for (const [name, at, range] of [["ellipse", ellipse], ["arc", ellipse, [0.4, 3.6]],
+  ["egg", (t) => [0.5 + 0.17 * Math.cos(t) + 0.03 * Math.cos(2 * t), 0.45 - 0.17 * Math.sin(t)]]]) {
+  test(`of a drawn ${name} designs are found that pass its points within the error`, () => visit({}, async (page) => {
+    await draw(page, at, range);
+    await settled(page);
+    assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), String(!range));
+    assert.ok(await targets(page) >= 6 && await targets(page) <= 24);
+    const errors = await facts(page, "rms");
+    assert.equal(errors.length, 3);
+    assert.deepEqual(errors, [...errors].sort((p, q) => p - q));
+    for (const least of await facts(page, "least")) assert.ok(least >= 30 - 1e-6);
+    const design = addressOf(page);
+    assert.equal(design.points.length, await targets(page));
+    assert.ok(Math.abs(design.rms - errors[0]) < 1e-9);
+    const far = misses(design);
+    assert.ok(Math.max(...far) <= design.max * 1.001 + 1e-4, `${Math.max(...far)} against ${design.max}`);
+    assert.ok(Math.hypot(...far) / Math.sqrt(far.length) <= design.rms * 1.001 + 1e-4);
+    // An ellipse is traced to a hundredth of its size.
+    assert.ok(design.rms < 0.6, `${design.rms}`);
+  }));
+}
+
+test("a design is chosen, and all move", () => visit({ motion: "no-preference" }, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  await moves(page, "#tracing");
+  assert.equal(await page.locator("#picture .ghost-linkage").count(), 2);
+  const before_ = page.url();
+  await page.locator("#design-1").check();
+  assert.notEqual(page.url(), before_);
+  await page.keyboard.press("3");
+  assert.ok(await page.locator("#design-2").isChecked());
+}));
+
+test("every step can be undone and made again", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  const count = await targets(page), drawn = addressOf(page).points;
+  await page.locator('[data-target="2"]').focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await settled(page);
+  assert.notDeepEqual(addressOf(page).points[2], drawn[2]);
+  await page.locator('[data-target="2"]').focus();
+  await page.keyboard.press("Delete");
+  assert.equal(await targets(page), count - 1);
+  await page.locator("#class").selectOption("double-crank");
+  await page.locator("#clear").click();
+  assert.equal(await targets(page), 0);
+  assert.equal(await page.locator(".design-card").count(), 0);
+  for (let i = 0; i < 2; ++i) await page.locator("#undo").click();
+  assert.equal(await page.locator("#class").inputValue(), "any");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("z");
+  assert.deepEqual(addressOf(page).points, drawn);
+  await settled(page);
+  for (let i = 0; i < 2; ++i) await page.keyboard.press("Control+Shift+z");
+  assert.equal(await targets(page), count - 1);
+  assert.ok(await page.locator("#redo").isEnabled());
+}));
+
+test("a dragged point is searched for anew", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  const [rms] = await facts(page, "rms");
+  const box = await page.locator('[data-target="3"]').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y - 40, { steps: 4 });
+  await page.mouse.up();
+  await settled(page);
+  const design = addressOf(page);
+  assert.ok(design.rms > rms);
+  assert.ok(Math.max(...misses(design)) <= design.max * 1.001 + 1e-4);
+  await page.locator("#undo").click();
+  await settled(page);
+  assert.ok(Math.abs((await facts(page, "rms"))[0] - rms) < 1e-9);
+}));
+
+test("points are clicked, and put by keys alone", () => visit({}, async (page) => {
+  const box = await page.locator("#sheet").boundingBox();
+  for (const [x, y] of [[0.4, 0.4], [0.6, 0.4], [0.6, 0.6]]) await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+  assert.equal(await targets(page), 3);
+  const first = await page.locator('[data-target="0"]').boundingBox();
+  await page.mouse.click(first.x + first.width / 2, first.y + first.height / 2);
+  assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), "true");
+  await page.locator("#sheet").focus();
+  for (const key of ["ArrowLeft", "Shift+ArrowLeft", "ArrowDown", "Enter"]) await page.keyboard.press(key);
+  assert.equal(await targets(page), 4);
+  await settled(page);
+}));
+
+test("the address holds the sketch and its design", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  await page.locator("#design-1").check();
+  const [design, rms] = [addressOf(page), (await facts(page, "rms"))[1]];
+  await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
+    await again.locator("#linkage").waitFor();
+    await settled(again);
+    assert.deepEqual(addressOf(again), design);
+    const chosen = await again.locator(".design-card:has(:checked) [data-fact=rms]").evaluate((one) => JSON.parse(one.dataset.value));
+    assert.equal(chosen, rms);
+  });
+  // Another language keeps the sketch.
+  await page.locator("#language").selectOption("zh");
+  await page.waitForFunction(() => document.documentElement.lang === "zh-Hans" && document.querySelector("#linkage"));
+  assert.deepEqual(addressOf(page).points, design.points);
+}));
+
+for (const hash of ["#p=1,2;3", "#p=x,y", "#d=1,2", "#p=1,2;3,4;5,6&d=1,2,3", "#p=1,2;3,4;5,9&d=0,0,1,0,1,1,1,0,0,1,1,1;open;x;a", "#%"]) {
+  test(`a damaged address ${hash} does no harm`, () => visit({ hash }, async (page) => {
+    assert.ok(await page.locator("#sheet").isVisible());
+    await draw(page, ellipse);
+    await settled(page);
+  }));
+}
+
+test("the files that are taken along are sound", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  const design = addressOf(page);
+  await page.locator("[data-take=copy_problem]").click();
+  const result = await answered("solve", await page.locator("#taken").inputValue());
+  assert.equal(result.status, "solved");
+  assert.deepEqual(result.problem.target.points, design.points);
+  await page.locator("[data-take=copy_design]").click();
+  const { designs: [{ mechanism, metrics }] } = await answered("analyze", await page.locator("#taken").inputValue());
+  assert.ok(Math.abs(mechanism.crank - design.crank) < 1e-6);
+  assert.equal(metrics.class, (await facts(page, "class"))[0]);
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.locator("[data-save=picture]").click()]);
+  assert.match(fs.readFileSync(await saved.path(), "utf8"), /^<svg .*<\/svg>\s*$/s);
+}));
+
+for (const options of [{ size: "phone", scheme: "dark" }, { size: "phone", locale: "zh-CN" }, { size: "laptop" }]) {
+  test(`it fits: ${JSON.stringify(options)}`, () => visit(options, async (page) => {
+    await assertFits(page);
+    await draw(page, (t) => [0.5 + 0.3 * Math.cos(t), 0.45 - 0.25 * Math.sin(t)]);
+    await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3);
+    await assertFits(page);
+    if (options.locale) assert.doesNotMatch(await page.locator("main").innerText(), /[A-Za-z]{5}/);
+  }));
+}
+
+test("a finger draws", () => visit({ size: "phone" }, async (page) => {
+  const box = await page.locator("#sheet").boundingBox();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, t) => client.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: box.x + ellipse(t)[0] * box.width, y: box.y + ellipse(t)[1] * box.height }] });
+  await touch("touchStart", 0);
+  for (let i = 1; i <= 40; ++i) await touch("touchMove", (2 * Math.PI * i) / 40);
+  await touch("touchEnd");
+  assert.ok(await targets(page) >= 6);
+  assert.equal(await page.evaluate(() => scrollY), 0);
+}));
+
+test("without its search the page draws, and says so", async () => {
+  if (hasKernel) return;
+  const { page, faults, close } = await open(browser, file);
+  await draw(page, ellipse);
+  assert.ok(await page.locator("#no-kernel").isVisible());
+  assert.ok(await page.locator("[data-take=copy_problem]").isEnabled());
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("the page is one file below 2 MB", () => assert.ok(fs.statSync(file).size < 2e6));
