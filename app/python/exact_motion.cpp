@@ -128,9 +128,10 @@ void expect_one(std::initializer_list<std::pair<const char*, const py::object*>>
     given += int{!value->is_none()};
   }
   if (given == 1) return;
-  raise_fault(arguments.begin()->first,
-              fmt::format("is one of the arguments {}, of which exactly one is allowed; {} are given",
-                          names, given));
+  raise_fault(
+      arguments.begin()->first,
+      fmt::format("is one of the arguments {}, of which exactly one is allowed; {} are given",
+                  names, given));
 }
 
 py::dict three_poses(const py::object& value, const py::object& moving, const py::object& fixed,

@@ -12,14 +12,6 @@ using Eigen::Index;
 
 }  // namespace
 
-double largest_violation(const Eigen::VectorXd& constraints, int equalities) {
-  double largest = 0;
-  for (Index i = 0; i < constraints.size(); ++i) {
-    largest = std::max(largest, i < equalities ? std::abs(constraints[i]) : -constraints[i]);
-  }
-  return largest;
-}
-
 DenseModel::DenseModel(const Model& model, std::span<const double> start, const Options& options)
     : model_(model),
       options_(options),

@@ -11,6 +11,7 @@
 
 #include "synthesis/optimise/model.hpp"
 #include "synthesis/optimise/solver.hpp"
+#include "synthesis/optimise/violation.hpp"
 
 namespace cognate::synthesis {
 
@@ -25,9 +26,6 @@ template <class Matrix>
 std::span<const double> view(const Eigen::PlainObjectBase<Matrix>& m) {
   return {m.data(), static_cast<std::size_t>(m.size())};
 }
-
-/// By how much constraints miss: |c| of the first `equalities`, −c of the others; 0 where all hold.
-double largest_violation(const Eigen::VectorXd& constraints, int equalities);
 
 /// One solve of one model. Its unknowns y are the free variables (lower < upper), global and local,
 /// each divided by its scale; local columns are expanded, so that every matrix is dense and every

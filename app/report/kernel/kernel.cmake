@@ -1,9 +1,11 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
 # compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
 # COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
-# does. Without the toolchain both are empty, and the pages offer no editing.
+# does; COGNATE_SKETCH_KERNEL to search for paths. Without the toolchain they are empty: pages offer
+# no editing, and that one draws on no linkages.
 set(COGNATE_PAGE_KERNEL "")
 set(COGNATE_ANALYSIS_KERNEL "")
+set(COGNATE_SKETCH_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
 find_program(COGNATE_GZIP NAMES gzip)
@@ -188,3 +190,5 @@ cognate_page_kernel(analysis_kernel
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp)
+
+include("${CMAKE_CURRENT_LIST_DIR}/sketch.cmake")

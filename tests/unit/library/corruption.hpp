@@ -157,6 +157,63 @@ class Corruption {
     ways[random_() % std::size(ways)]();
   }
 
+  void spoil(TrainMesh& mesh) {
+    const std::function<void()> ways[] = {
+        [&] { spoil(mesh.gears); }, [&] { spoil(mesh.teeth); }, [&] { spoil(mesh.type); },
+        [&] { spoil(mesh.efficiency); }, [&] { spoil(mesh.module); }};
+    ways[random_() % std::size(ways)]();
+  }
+  void spoil(TrainPlanet& planet) {
+    const std::function<void()> ways[] = {
+        [&] { spoil(planet.name); }, [&] { spoil(planet.carrier); }, [&] { spoil(planet.count); },
+        [&] { spoil(planet.inertia); }, [&] { spoil(planet.mass); }};
+    ways[random_() % std::size(ways)]();
+  }
+  void spoil(TrainShaft& shaft) {
+    if (random_() % 2 == 0) {
+      spoil(shaft.name);
+    } else {
+      spoil(shaft.inertia);
+    }
+  }
+  void spoil(TrainInput& input) {
+    const std::function<void()> ways[] = {[&] { spoil(input.member); }, [&] { spoil(input.speed); },
+                                          [&] { spoil(input.torque); }};
+    ways[random_() % std::size(ways)]();
+  }
+  void spoil(TrainOutput& output) {
+    if (random_() % 2 == 0) {
+      spoil(output.member);
+    } else {
+      spoil(output.torque);
+    }
+  }
+  void spoil(TrainBrake& brake) { spoil(random_() % 2 == 0 ? brake.name : brake.holds); }
+  void spoil(TrainClutch& clutch) {
+    if (random_() % 2 == 0) {
+      spoil(clutch.name);
+    } else {
+      spoil(clutch.joins);
+    }
+  }
+  void spoil(TrainState& state) {
+    if (random_() % 2 == 0) {
+      spoil(state.name);
+    } else {
+      spoil(state.engaged);
+    }
+  }
+  void spoil(TrainTarget& target) {
+    const std::function<void()> ways[] = {
+        [&] { spoil(target.train); },     [&] { spoil(target.ratio); },
+        [&] { spoil(target.objective); }, [&] { spoil(target.ratio_tolerance); },
+        [&] { spoil(target.teeth); },     [&] { spoil(target.ring_teeth); },
+        [&] { spoil(target.pairs); },     [&] { spoil(target.coaxial); },
+        [&] { spoil(target.planets); },   [&] { spoil(target.input); },
+        [&] { spoil(target.output); },    [&] { spoil(target.designs); }};
+    ways[random_() % std::size(ways)]();
+  }
+
   template <class A, class B>
   void spoil(std::pair<A, B>& two) {
     if (random_() % 2 == 0) {
@@ -325,6 +382,11 @@ inline void show(Corruption& to, GearPairProblem& p) {
      p.shaft_angle, p.worm.starts, p.worm.wheel_teeth, p.worm.module, p.worm.diameter_quotient,
      p.worm.wheel_shift, p.friction, p.objective, p.constraints.contact_ratio_min,
      p.constraints.tip_thickness_min, p.constraints.sliding_max, p.solve.designs);
+}
+
+inline void show(Corruption& to, GearTrainProblem& p) {
+  to(p.meshes, p.planets, p.shafts, p.fixed, p.brakes, p.clutches, p.inputs, p.output, p.states,
+     p.target);
 }
 
 inline void show(Corruption& to, MachineProblem& p) {

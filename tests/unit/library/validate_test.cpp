@@ -13,6 +13,7 @@
 #include "problems/linkage/result.hpp"
 #include "problems/machine/result.hpp"
 #include "problems/read.hpp"
+#include "problems/train/result.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/unit/library/corruption.hpp"
 
@@ -74,6 +75,9 @@ CamResult answer(const CamProblem& p, const Run& run) {
   return solve(p, run);
 }
 GearPairResult answer(const GearPairProblem& p, const Run& run) {
+  return solve(p, run);
+}
+GearTrainResult answer(const GearTrainProblem& p, const Run& run) {
   return solve(p, run);
 }
 GearResult answer(const GearProblem& p, const Run& run) {

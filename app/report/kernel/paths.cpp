@@ -1,0 +1,168 @@
+/// @file The search for paths in a page: a problem as a file would have it is read, solved by the
+/// program's own reader and search, and comes back as the designs found.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/linkage/mobility.hpp"
+#include "app/report/kernel/document.hpp"
+#include "app/report/kernel/numbers.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_linkage.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/explorer.hpp"
+#include "problems/path/found.hpp"
+#include "problems/path/problem.hpp"
+#include "problems/path/scale.hpp"
+#include "problems/path/search.hpp"
+#include "problems/toml/table_reader.hpp"
+
+namespace cognate::page {
+namespace {
+
+using nlohmann::json;
+using problems::PathProblem;
+
+std::string text;
+
+constexpr double kTolerance = 1e-10, kSame = 1e-4;
+constexpr int kIterations = 100;
+constexpr std::size_t kMore = 9;
+constexpr std::size_t kMostPoints = 200;
+
+/// Points to be met in any timing, with what the file format has for limits; or what is wrong with
+/// them.
+PathProblem problem_of(const problems::reading::Table& document,
+                       problems::reading::FaultList& faults) {
+  using namespace problems::reading;
+  TableReader reader(document, faults);
+  reader.know({"kind"});
+  LinkageTables tables(reader);
+  auto& [target, mechanism, bounds, constraints, solve] = tables;
+  PathProblem problem;
+  target.know({"timing", "order"});
+  const auto points =
+      target.twos("points", kNumber, "[x, y]", {.min = 3, .max = kMostPoints, .of = "points"});
+  for (const Two& point : points.value_or(std::vector<Two>{})) {
+    problem.points.push_back({point[0], point[1]});
+  }
+  problem.weights.assign(problem.points.size(), 1);
+  read_given_links(mechanism, problem.given);
+  read_given_places(mechanism, problem.given);
+  read_length_bounds(bounds, problem.bounds);
+  read_place_bounds(bounds, problem.bounds);
+  check_given(mechanism, problem.given, problem.bounds);
+  read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
+                        problem.constraints);
+  read_pivot_region(constraints, problem.given, problem.constraints);
+  problem.solve = read_solve(solve, problem.constraints, false);
+  tables.finish();
+  reader.finish();
+  return problem;
+}
+
+json pair(const Vec2d& point) {
+  return json::array({point.x, point.y});
+}
+
+json mechanism_of(const FourBar& linkage) {
+  return {{"type", "four-bar"},
+          {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
+          {"crank", linkage.crank},
+          {"coupler", linkage.coupler},
+          {"rocker", linkage.rocker},
+          {"coupler_point", pair(*linkage.coupler_point)},
+          {"assembly", linkage.assembly == Assembly::open ? "open" : "crossed"}};
+}
+
+json design_of(const PathProblem& problem, const FourBar& linkage,
+               const std::vector<double>& crank_angles) {
+  const auto error = problems::path_error(linkage, problem.points, crank_angles);
+  const auto metrics = problems::design_metrics(linkage, crank_angles, {problem.order, false});
+  json angles = json::array();
+  for (const double angle : crank_angles) angles.push_back(problems::degrees(angle));
+  return {{"mechanism", mechanism_of(linkage)},
+          {"crank_deg", std::move(angles)},
+          {"rms", error.rms},
+          {"max", error.max},
+          {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
+          {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
+}
+
+/// Minima of a scaled problem near the best starts, as many as are wanted and some more, which may
+/// prove to be the same.
+std::vector<problems::PathFound> minima(const PathProblem& scaled, std::uint64_t seed) {
+  problems::Run run;
+  run.seed = seed;
+  run.threads = 1;
+  const problems::Deadline none(run);
+  const std::size_t kept = kMore + static_cast<std::size_t>(scaled.solve.designs);
+  problems::Work work;
+  synthesis::MultiStart<problems::PathRules> search({}, {1, none});
+  search.all() =
+      problems::explore_paths(scaled, {scaled.solve.starts, kept, run}, none, work).minima;
+  search.keep(kept);
+  search.refine({0, 1}, [&](problems::PathFound& found) {
+    auto refined = found;
+    refined.minimum.solution = problems::minimise(scaled, refined, synthesis::Solver::gauss_newton,
+                                                  {.tolerance = kTolerance,
+                                                   .feasibility = problems::kPathFeasibility,
+                                                   .max_iterations = kIterations});
+    if (!problems::is_better(found, refined)) found = std::move(refined);
+  });
+  search.merge(kSame);
+  return std::move(search.all());
+}
+
+json solved(const PathProblem& problem, std::uint64_t seed) {
+  const problems::PathScale scale(problem);
+  const PathProblem scaled = scale.into(problem);
+  const auto all = minima(scaled, seed);
+  json designs = json::array();
+  for (const problems::PathFound& found : all) {
+    const problems::PathMinimum& minimum = found.minimum;
+    if (found.strays || minimum.solution.violation > problems::kPathFeasibility) continue;
+    if (designs.size() == static_cast<std::size_t>(problem.solve.designs)) break;
+    const auto model = problems::model_of(scaled, minimum);
+    designs.push_back(design_of(problem, scale.out_of(model.linkage(minimum.solution.x)),
+                                model.crank_angles(minimum.solution.x)));
+  }
+  const char* status = !designs.empty() ? "solved" : all.empty() ? "no solution" : "infeasible";
+  return {{"status", status}, {"designs", std::move(designs)}};
+}
+
+}  // namespace
+
+/// Makes room for a text of `size` bytes, which the page puts there.
+COGNATE_EXPORT(room) char* make_room(int size) {
+  text.assign(static_cast<std::size_t>(std::max(size, 0)), ' ');
+  return text.data();
+}
+
+/// Solves the problem in the text and the block of numbers. Returns the length of the JSON text,
+/// which begins at `text`: `status` and `designs`, or `faults`, a list of sentences.
+COGNATE_EXPORT(sketch) int sketch_text(int seed) {
+  problems::reading::FaultList faults;
+  const auto document = document_of(text);
+  const PathProblem problem = problem_of(document, faults);
+  json answer;
+  if (faults.empty()) {
+    answer = solved(problem, static_cast<std::uint64_t>(seed));
+  } else {
+    answer["faults"] = json::array();
+    for (const auto& fault : std::move(faults).sorted()) answer["faults"].push_back(fault.message);
+  }
+  text = answer.dump();
+  return static_cast<int>(text.size());
+}
+
+/// Where the text of the last call begins.
+COGNATE_EXPORT(text) const char* text_begin() {
+  return text.data();
+}
+
+}  // namespace cognate::page
