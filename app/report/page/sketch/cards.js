@@ -24,6 +24,6 @@ export class Cards {
       ["least", say("sketch.transmission"), entry.transmission_acute_min_deg, degrees(entry.transmission_acute_min_deg, 1)], ["class", say("sketch.class"), entry.class, sentence(term(entry.class))],
       ["size", say("sketch.size"), own, `${number(own, 3)} (×${number(own / size, 2)})`]];
     return element("label", { class: `design-card sketch-${i}`, for: `design-${i}` }, element("span", { class: "design-name" }, input, say("sketch.design", { name: i + 1 })),
-      element("dl", {}, ...rows.flatMap(([key, name, value, text]) => [element("dt", {}, name), element("dd", { "data-fact": key, "data-value": JSON.stringify(value) }, text)])));
+      element("dl", {}, ...rows.map(([key, name, value, text]) => element("div", {}, element("dt", {}, name), element("dd", { "data-fact": key, "data-value": JSON.stringify(value) }, text)))));
   }
 }
