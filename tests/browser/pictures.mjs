@@ -14,8 +14,12 @@ if (!folder) {
   process.exit(2);
 }
 
-// `click`: a choice about the picture. `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// A drop, drawn by hand on the page of `cognate sketch`.
+const DROP = Array.from({ length: 61 }, (_, i) => (i * Math.PI) / 30).map((t) => [0.44 + 0.1 * Math.sin(t), 0.5 - 0.17 * Math.cos(t) + 0.04 * Math.cos(2 * t)]);
+
+// `draw`: a stroke, in shares of the sheet. `click`: a choice about the picture. `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
+  { name: "sketch", command: "sketch", file: "sketch", draw: DROP, drive: 150, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
   { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
@@ -28,6 +32,8 @@ const PICTURES = [
   { name: "machine", command: "analyze", file: "machine/press", drive: 0.7 },
   { name: "gears", command: "analyze", file: "gear-pair/standard", drive: 4, click: "[data-look=mesh]", only: "#stage" },
   { name: "gear-rack", command: "analyze", file: "gear/undercut-9", drive: 12, only: "#stage" },
+  { name: "train", command: "analyze", file: "gear-train/planetary", drive: 20, only: "#stage" },
+  { name: "tolerances", command: "analyze", file: "analysis/toleranced-rocker", only: "#tolerances" },
   { name: "study", command: "sweep", file: "study/crank-rocker-map", show: "#scatter" },
   { name: "atlas", command: "sweep", file: "study/atlas", only: "#atlas" },
 ];
@@ -46,6 +52,26 @@ async function setDrive(page, value) {
 async function showForces(page) {
   const forces = page.locator("[data-layer=reactions]").first();
   if (await forces.count() && await forces.isVisible()) await forces.click();
+}
+
+async function drawStroke(page, stroke) {
+  const sheet = await page.locator("#picture").boundingBox();
+  const at = ([x, y]) => [sheet.x + x * sheet.width, sheet.y + y * sheet.height];
+  await page.mouse.move(...at(stroke[0]));
+  await page.mouse.down();
+  for (const point of stroke) await page.mouse.move(...at(point));
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3);
+  await page.waitForTimeout(4000);  // until the longer search has ended, too
+}
+
+// Writes the page of a picture into `folder`.
+function writePage({ command, file }, folder) {
+  const page = path.join(folder, `${path.basename(file)}.report.html`);
+  const what = command === "sketch" ? ["--out", page] : [path.join(library, `${file}.toml`), "--out", folder];
+  // A report is written, too, where a problem cannot be met.
+  if (!existsSync(page)) spawnSync(program, [command, ...what, "--quiet"], { stdio: "inherit" });
+  return page;
 }
 
 async function photograph(page, { only, show = "#curves" }, file) {
@@ -71,12 +97,10 @@ mkdirSync(folder, { recursive: true });
 const browser = await launch();
 let faulty = false;
 for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.includes(name))) {
-  const { name, command, file, locale, scheme = "light", drive = 60 } = picture;
-  const report = path.join(scratch, `${path.basename(file)}.report.html`);
-  // Its report is written, too, where a problem cannot be met.
-  if (!existsSync(report)) spawnSync(program, [command, path.join(library, `${file}.toml`), "--out", scratch, "--quiet"], { stdio: "inherit" });
-  const { page, faults, close } = await open(browser, report, { scheme, locale, motion: "reduce" });
+  const { name, locale, scheme = "light", drive = 60 } = picture;
+  const { page, faults, close } = await open(browser, writePage(picture, scratch), { scheme, locale, motion: "reduce" });
   await page.setViewportSize(SIZE);
+  if (picture.draw) await drawStroke(page, picture.draw);
   await setDrive(page, drive);
   await showForces(page);
   if (picture.click) await page.locator(picture.click).click();
