@@ -426,8 +426,10 @@ for (const name of ["ellipse", "cam-translating-roller", "gear-pair"]) {
     assert.deepEqual(room.outside, []);
     assert.equal(room.buttons, 0);
     const height = (297 - 26) / 25.4 * 96;
-    const tops = await page.evaluate(() => ["#picture", "#dimensions", "#legend"].map((part) => { const b = document.querySelector(part).getBoundingClientRect(); return b.bottom; }));
-    assert.ok(Math.max(...tops) < height, `${tops} do not fit the first page of ${height}`);
+    // The table of two gears goes on overleaf, row by row.
+    const first = name === "gear-pair" ? ["#picture", "#legend"] : ["#picture", "#dimensions", "#legend"];
+    const ends = await page.evaluate((parts) => parts.map((part) => document.querySelector(part).getBoundingClientRect().bottom), first);
+    assert.ok(Math.max(...ends) < height, `${ends} do not fit the first page of ${height}`);
     const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
     const sheets = pdf.match(/\/Type\s*\/Page\b/g).length;
     const tall = await page.evaluate(() => document.body.scrollHeight);
