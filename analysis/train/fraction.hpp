@@ -1,47 +1,22 @@
-/// @file Exact rational numbers, whose numerator and denominator have at most 38 digits.
+/// @file Exact rational numbers of any length.
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace cognate::train {
 
-__extension__ typedef __int128 WideInteger;
+/// Reduced, with a positive denominator.
+using Fraction = boost::multiprecision::cpp_rational;
 
-/// A reduced fraction with a positive denominator. What leaves the range of 128 bits, and a
-/// quotient by zero, is no number: it stays so in every operation, and `is_number` says it.
-class Fraction {
- public:
-  Fraction(std::int64_t whole = 0) : numerator_(whole) {}  // NOLINT(google-explicit-constructor)
-  Fraction(std::int64_t numerator, std::int64_t denominator);
+inline bool is_whole(const Fraction& fraction) {
+  return denominator(fraction) == 1;
+}
 
-  bool is_number() const { return denominator_ != 0; }
-  bool is_zero() const { return is_number() && numerator_ == 0; }
-  bool is_whole() const { return denominator_ == 1; }
-  int sign() const { return numerator_ > 0 ? 1 : numerator_ < 0 ? -1 : 0; }
-  double value() const;
-  /// "-72/35", "4"; empty of what is no number.
-  std::string text() const;
-
-  Fraction operator-() const;
-  friend Fraction operator+(const Fraction& a, const Fraction& b);
-  friend Fraction operator-(const Fraction& a, const Fraction& b) { return a + -b; }
-  friend Fraction operator*(const Fraction& a, const Fraction& b);
-  friend Fraction operator/(const Fraction& a, const Fraction& b) { return a * b.inverse(); }
-  friend bool operator==(const Fraction& a, const Fraction& b) = default;
-
-  Fraction inverse() const;
-
-  /// The greatest fraction of which both are whole multiples; the other one where one is 0.
-  friend Fraction common_measure(const Fraction& a, const Fraction& b);
-
- private:
-  static Fraction reduced(WideInteger numerator, WideInteger denominator);
-  static Fraction not_a_number();
-
-  WideInteger numerator_ = 0, denominator_ = 1;
-};
-
-Fraction common_measure(const Fraction& a, const Fraction& b);
+/// The greatest fraction of which both are whole multiples; the other one where one is 0.
+inline Fraction common_measure(const Fraction& a, const Fraction& b) {
+  // Of p/q and r/s it is gcd(p s, r q)/(q s).
+  return {gcd(numerator(a) * denominator(b), numerator(b) * denominator(a)),
+          denominator(a) * denominator(b)};
+}
 
 }  // namespace cognate::train

@@ -9,8 +9,7 @@ using Row = std::vector<Fraction>;
 
 void add_to(Row& row, int member, int coefficient) {
   if (member == kFrame) return;
-  Fraction& entry = row[static_cast<std::size_t>(member)];
-  entry = entry + Fraction(coefficient);
+  row[static_cast<std::size_t>(member)] += coefficient;
 }
 
 /// Linear equations in the speeds of `members`, with a right side for each input, brought to
@@ -22,7 +21,6 @@ class Equations {
 
   Row empty_row() const { return Row(width_, Fraction(0)); }
   std::size_t rank() const { return rows_.size(); }
-  bool is_exact() const { return is_exact_; }
 
   enum class Added { independent, follows, contradicts };
 
@@ -36,7 +34,7 @@ class Equations {
     }
     const Fraction pivot = *found;
     const auto place = static_cast<std::size_t>(found - row.begin());
-    for (Fraction& entry : row) note(entry = entry / pivot);
+    for (Fraction& entry : row) entry /= pivot;
     for (Row& other : rows_) subtract(other, other[place], row);
     rows_.push_back(std::move(row));
     pivots_.push_back(place);
@@ -55,19 +53,16 @@ class Equations {
   }
 
  private:
-  void note(const Fraction& entry) { is_exact_ = is_exact_ && entry.is_number(); }
-
   void subtract(Row& from, const Fraction times, const Row& row) {
     if (times.is_zero()) return;
     for (std::size_t i = 0; i < width_; ++i) {
-      if (!row[i].is_zero()) note(from[i] = from[i] - times * row[i]);
+      if (!row[i].is_zero()) from[i] -= times * row[i];
     }
   }
 
   std::size_t members_, width_;
   std::vector<Row> rows_;
   std::vector<std::size_t> pivots_;
-  bool is_exact_ = true;
 };
 
 Row mesh_row(const Equations& equations, const Mesh& mesh) {
@@ -111,7 +106,7 @@ void add_inputs(const std::vector<int>& inputs, Equations& equations, TrainSpeed
 double TrainSpeeds::speed(int member, const std::vector<double>& inputs) const {
   double sum = 0;
   const Row& of = shares[static_cast<std::size_t>(member)];
-  for (std::size_t k = 0; k < of.size(); ++k) sum += of[k].value() * inputs[k];
+  for (std::size_t k = 0; k < of.size(); ++k) sum += of[k].convert_to<double>() * inputs[k];
   return sum;
 }
 
@@ -126,7 +121,6 @@ TrainSpeeds speeds_of(const GearTrain& train, const std::vector<int>& inputs) {
     speeds.shares.push_back(equations.solution(static_cast<std::size_t>(member)));
     if (speeds.shares.back().empty() && !inputs.empty()) speeds.undetermined.push_back(member);
   }
-  speeds.is_exact = equations.is_exact();
   return speeds;
 }
 

@@ -44,9 +44,8 @@ struct TrainSpeeds {
   std::vector<int> locked;        ///< places of those among them that cannot turn
   int freedom = 0;                ///< degrees of freedom of the train, before its inputs
   int redundant = 0;              ///< conditions that follow from others: loads are then shared
-  bool is_exact = true;           ///< false: a fraction has more digits than fit, nothing holds
 
-  bool is_determined() const { return is_exact && undetermined.empty() && excess.empty(); }
+  bool is_determined() const { return undetermined.empty() && excess.empty(); }
   /// In rad/s.
   double speed(int member, const std::vector<double>& inputs) const;
 };

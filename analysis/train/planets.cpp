@@ -71,7 +71,7 @@ class AssemblyPaths {
 
   void add(std::size_t end, int planet, int count, const Fraction& teeth, const Fraction& steps) {
     const Fraction share = teeth / (Fraction(count) * steps);
-    found_.push_back({planet, {static_cast<int>(start_), static_cast<int>(end)}, share.is_whole()});
+    found_.push_back({planet, {static_cast<int>(start_), static_cast<int>(end)}, is_whole(share)});
   }
 
   const std::vector<SizedMesh>& meshes_;

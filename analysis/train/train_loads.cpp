@@ -1,5 +1,6 @@
 #include "analysis/train/train_loads.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,35 +14,19 @@ constexpr double kRounding = 1e-11;
 constexpr std::size_t kMostTried = 12;
 constexpr int kMostSteps = 40;
 
-using Matrix = std::vector<std::vector<double>>;
+/// Pivots below this are rounding, rows being of order 1.
+constexpr double kSingular = 1e-13;
 
-/// x of a·x = b by elimination with the greatest pivot; empty where `a` is singular to rounding.
-std::optional<std::vector<double>> solved(Matrix a, std::vector<double> b) {
-  const std::size_t n = b.size();
-  for (std::size_t row = 0; row < n; ++row) {
-    double greatest = 0;
-    for (const double entry : a[row]) greatest = std::max(greatest, std::abs(entry));
-    if (!(greatest > 0)) return std::nullopt;
-    for (double& entry : a[row]) entry /= greatest;
-    b[row] /= greatest;
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t best = k;
-    for (std::size_t row = k + 1; row < n; ++row) {
-      if (std::abs(a[row][k]) > std::abs(a[best][k])) best = row;
-    }
-    if (!(std::abs(a[best][k]) > 1e-13)) return std::nullopt;
-    std::swap(a[k], a[best]);
-    std::swap(b[k], b[best]);
-    for (std::size_t row = 0; row < n; ++row) {
-      if (row == k || a[row][k] == 0) continue;
-      const double times = a[row][k] / a[k][k];
-      for (std::size_t i = k; i < n; ++i) a[row][i] -= times * a[k][i];
-      b[row] -= times * b[k];
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) b[k] /= a[k][k];
-  return b;
+/// x of a·x = b; empty where `a` is singular to rounding.
+std::optional<Eigen::VectorXd> solved(Eigen::MatrixXd a, Eigen::VectorXd b) {
+  const Eigen::VectorXd greatest = a.rowwise().lpNorm<Eigen::Infinity>();
+  if (!(greatest.array() > 0).all()) return std::nullopt;
+  b.array() /= greatest.array();
+  a = greatest.cwiseInverse().asDiagonal() * a;
+  const Eigen::FullPivLU<Eigen::MatrixXd> factors =
+      Eigen::FullPivLU<Eigen::MatrixXd>(a).setThreshold(kSingular);
+  if (!factors.isInvertible()) return std::nullopt;
+  return factors.solve(b);
 }
 
 class Balance {
@@ -53,13 +38,15 @@ class Balance {
   /// With the power of mesh k flowing from its first gear to its second where `senses[k]` is 1, the
   /// other way where it is −1, and no loss where it is 0.
   std::optional<TrainLoads> loads(const std::vector<int>& senses) const {
-    const auto members = static_cast<std::size_t>(train_.members);
-    if (train_.conditions() + unknown_.size() != members) return std::nullopt;
-    Matrix a(members, std::vector<double>(members, 0.0));
-    std::vector<double> b(members, 0.0);
-    std::size_t column = 0;
+    const int members = train_.members;
+    if (train_.conditions() + unknown_.size() != static_cast<std::size_t>(members)) {
+      return std::nullopt;
+    }
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(members, members);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(members);
+    Eigen::Index column = 0;
     const auto put = [&](int member, double coefficient) {
-      if (member != kFrame) a[static_cast<std::size_t>(member)][column] += coefficient;
+      if (member != kFrame) a(member, column) += coefficient;
     };
     for (std::size_t k = 0; k < train_.meshes.size(); ++k, ++column) {
       const Mesh& mesh = train_.meshes[k];
@@ -81,7 +68,7 @@ class Balance {
       put(member, 1);
       ++column;
     }
-    for (const auto& [member, torque] : known_) b[static_cast<std::size_t>(member)] -= torque;
+    for (const auto& [member, torque] : known_) b[member] -= torque;
     const auto x = solved(std::move(a), std::move(b));
     return x ? std::optional(made_of(*x, senses)) : std::nullopt;
   }
@@ -112,7 +99,7 @@ class Balance {
     return member == kFrame ? 0 : speeds_[static_cast<std::size_t>(member)];
   }
 
-  TrainLoads made_of(const std::vector<double>& x, const std::vector<int>& senses) const {
+  TrainLoads made_of(const Eigen::VectorXd& x, const std::vector<int>& senses) const {
     TrainLoads loads;
     loads.external.assign(static_cast<std::size_t>(train_.members), 0.0);
     auto next = x.begin();

@@ -1,10 +1,12 @@
 #include "problems/chain/placed_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/angle.hpp"
 #include "synthesis/chain/bodies.hpp"
 #include "synthesis/chain/sweep.hpp"
 
@@ -12,44 +14,8 @@ namespace cognate::problems {
 namespace {
 
 constexpr int kSteps = 4;
-constexpr std::size_t kUnknowns = 4;  ///< turn and shift
-constexpr double kMostTurned = 0.2;   ///< radians that the crank turns at a point in one step
-constexpr double kStill = 1e-9;       ///< of the target: a slower point stands
-
-using Four = std::array<double, kUnknowns>;
-
-/// Σ (row·x − right)² → min, by its normal equations.
-class NormalEquations {
- public:
-  void add(const Four& row, double right) {
-    for (std::size_t i = 0; i < kUnknowns; ++i) {
-      for (std::size_t k = 0; k < kUnknowns; ++k) matrix_[i][k] += row[i] * row[k];
-      right_[i] += row[i] * right;
-    }
-  }
-
-  /// Gaussian elimination, which a positive definite matrix needs no pivots for.
-  Four solved() {
-    for (std::size_t i = 0; i < kUnknowns; ++i) {
-      for (std::size_t k = i + 1; k < kUnknowns; ++k) {
-        const double factor = matrix_[k][i] / matrix_[i][i];
-        for (std::size_t j = i; j < kUnknowns; ++j) matrix_[k][j] -= factor * matrix_[i][j];
-        right_[k] -= factor * right_[i];
-      }
-    }
-    Four x{};
-    for (std::size_t i = kUnknowns; i-- > 0;) {
-      double rest = right_[i];
-      for (std::size_t j = i + 1; j < kUnknowns; ++j) rest -= matrix_[i][j] * x[j];
-      x[i] = rest / matrix_[i][i];
-    }
-    return x;
-  }
-
- private:
-  std::array<Four, kUnknowns> matrix_{};
-  Four right_{};
-};
+constexpr double kMostTurned = 0.2;  ///< radians that the crank turns at a point in one step
+constexpr double kStill = 1e-9;      ///< of the target: a slower point stands
 
 class PlaceFit {
  public:
@@ -96,17 +62,20 @@ class PlaceFit {
   Vec2d error(std::size_t j) const { return chain_.at.point(reached_[j]) - problem_.points[j]; }
 
   bool improve() {
-    NormalEquations equations;
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
     for (std::size_t j = 0; j < reached_.size(); ++j) {
       const Vec2d tangent = chain_.at.turn * speed_[j];
       const double speed = norm(tangent);
       if (speed < kStill) continue;
       const Vec2d normal = (1 / speed) * perp(tangent);
-      equations.add({dot(normal, reached_[j]), dot(normal, perp(reached_[j])), normal.x, normal.y},
-                    -dot(normal, error(j)));
+      const Eigen::Vector4d row(dot(normal, reached_[j]), dot(normal, perp(reached_[j])), normal.x,
+                                normal.y);
+      matrix += row * row.transpose();
+      right -= dot(normal, error(j)) * row;
     }
-    const Four change = equations.solved();
-    if (!std::ranges::all_of(change, [](double x) { return std::isfinite(x); })) return false;
+    const Eigen::Vector4d change = matrix.ldlt().solve(right);  // turn and shift
+    if (!change.allFinite()) return false;
     chain_.at.turn = chain_.at.turn + Vec2d{change[0], change[1]};
     chain_.at.shift = chain_.at.shift + Vec2d{change[2], change[3]};
     for (std::size_t j = 0; j < reached_.size(); ++j) {

@@ -4,6 +4,7 @@
 #include "problems/chain/write_design.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/path/problem.hpp"
 #include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
 

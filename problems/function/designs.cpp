@@ -6,7 +6,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/verify.hpp"
 

@@ -8,7 +8,7 @@
 #include "problems/function/generator.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "synthesis/lanes/function_fit.hpp"

@@ -31,7 +31,7 @@
 #include "problems/function/search.hpp"
 #include "problems/function/target/jumps.hpp"
 #include "problems/linkage/certifying.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
@@ -209,10 +209,10 @@ Result solve_robustly(const FunctionProblem& problem, const Run& run, const Dead
   with_more.solve.designs = std::max(problem.solve.designs, kMinima);
   auto nominal =
       search_functions(with_more, wanted, part_of(run, 0, kNominalDone), deadline, result.work);
-  if (const auto limits = gentle(problem.constraints)) {
+  if (const auto limits = with_good_transmission(problem.constraints)) {
     FunctionProblem other = with_more;
     other.constraints = *limits;
-    auto more = search_functions(other, wanted, part_of(run, kNominalDone, kGentleDone), deadline,
+    auto more = search_functions(other, wanted, part_of(run, kNominalDone, kStartsDone), deadline,
                                  result.work);
     std::ranges::move(more.minima, std::back_inserter(nominal.minima));
   }
@@ -227,7 +227,7 @@ Result solve_robustly(const FunctionProblem& problem, const Run& run, const Dead
   RobustTask task = robust_function_task(problem, wanted, nominal.minima, verified);
   task.error = [&](const Design& design) { return degrees(error_of(problem, design)); };
   result.quantities = quantities(nominal.statistics);
-  add_robust(task, robust_designs(task, part_of(run, kGentleDone, 1), deadline), true, result);
+  add_robust(task, robust_designs(task, part_of(run, kStartsDone, 1), deadline), true, result);
   result.status = status(result, deadline, deadline.reached());
   return result;
 }

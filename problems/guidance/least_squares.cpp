@@ -11,7 +11,7 @@
 #include "problems/guidance/fit.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/scale.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"

@@ -9,7 +9,7 @@
 
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 #include "problems/linkage/driven_range.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "synthesis/optimise/model.hpp"

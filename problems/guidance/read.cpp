@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "problems/guidance/problem.hpp"
+#include "problems/linkage/cycle/read_cycle.hpp"
 #include "problems/linkage/read_constraints.hpp"
-#include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/quantity_rules.hpp"

@@ -8,7 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/verify.hpp"

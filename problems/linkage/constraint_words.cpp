@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "problems/linkage/cycle_quantities.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
 
 namespace cognate::problems {
 namespace {

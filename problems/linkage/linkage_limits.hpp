@@ -13,8 +13,8 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/basics/range.hpp"
-#include "problems/linkage/cycle_quantities.hpp"
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 #include "synthesis/optimise/loss.hpp"
 
 namespace cognate::problems {

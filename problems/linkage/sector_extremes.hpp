@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/cycle_limits.hpp"
-#include "problems/linkage/cycle_motion.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_motion.hpp"
 
 namespace cognate::problems {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "problems/basics/length_unit.hpp"
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/toml/table_reader.hpp"
 #include "problems/toml/table_writer.hpp"

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/cycle_quantities.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/keys.hpp"
 #include "problems/linkage/linkage_keys.hpp"

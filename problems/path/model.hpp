@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/linkage/closure.hpp"
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 #include "problems/linkage/driven_range.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/linkage/linkage_limits.hpp"

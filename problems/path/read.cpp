@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "problems/basics/names.hpp"
+#include "problems/linkage/cycle/read_cycle.hpp"
 #include "problems/linkage/read_constraints.hpp"
-#include "problems/linkage/read_cycle.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/read_raster.hpp"
 #include "problems/linkage/warnings.hpp"

@@ -12,7 +12,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
@@ -291,10 +291,10 @@ Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline
                         result.work);
   };
   PathSearchResult nominal = search(scaled, part_of(run, 0, kNominalDone));
-  if (const auto limits = gentle(scaled.constraints)) {
+  if (const auto limits = with_good_transmission(scaled.constraints)) {
     PathProblem other = scaled;
     other.constraints = *limits;
-    std::ranges::move(search(other, part_of(run, kNominalDone, kGentleDone)).minima,
+    std::ranges::move(search(other, part_of(run, kNominalDone, kStartsDone)).minima,
                       std::back_inserter(nominal.minima));
   }
   const Designs designs(problem, scale.size);
@@ -308,7 +308,7 @@ Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline
                                      });
   task.error = [&](const Design& design) { return error_of(problem, design); };
   result.quantities = quantities(nominal.statistics);
-  add_robust(task, robust_designs(task, part_of(run, kGentleDone, 1), deadline), false, result);
+  add_robust(task, robust_designs(task, part_of(run, kStartsDone, 1), deadline), false, result);
   if (deadline.reached()) {
     result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
   } else if (!result.designs.empty()) {

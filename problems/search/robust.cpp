@@ -10,7 +10,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
-#include "problems/tolerance/draws.hpp"
+#include "problems/search/perturbations.hpp"
 #include "synthesis/robust/mean_square_model.hpp"
 #include "synthesis/robust/quantile_model.hpp"
 #include "synthesis/search/multi_start.hpp"
@@ -18,8 +18,8 @@
 namespace cognate::problems {
 namespace {
 
-/// Samples of the search, of a point of the front, and of the figures that are told.
-constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 30'000, kToldSamples = 1'000'000;
+/// Samples of the search, of a point of the front, and of the figures that are reported.
+constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 30'000, kReportedSamples = 1'000'000;
 /// Shares of the tolerances under which the mean square is least: in the beginning more than all of
 /// them, so that what minds them much is left; and less, for the front.
 constexpr std::array kWideThenWhole{3.0, 1.0};
@@ -38,80 +38,10 @@ constexpr std::size_t kDescended = 4;
 /// Variables nearer than this, relative to 1 + |x|, are one design.
 constexpr double kSameWithin = 1e-3;
 /// Newton steps of a crank that follows: one is enough to see where a sample goes.
-constexpr int kSearchFollow = 1, kToldFollow = 2;
+constexpr int kSearchFollow = 1, kReportedFollow = 2;
 /// Seeds of samples: those of the search are not those of the figures.
 constexpr std::uint64_t kSearchSeed = 0x526f62757374, kFrontSeed = 0x46726f6e74,
-                        kToldSeed = 0x546f6c64;
-
-/// Moves the variable that a dimension is by a change of the dimension.
-void move_along(const synthesis::AxisVariable& axis, double change, std::span<double> moved,
-                std::span<double> slope) {
-  const auto place = static_cast<std::size_t>(axis.variable);
-  if (!axis.is_logarithm) {
-    moved[place] += change / axis.scale;
-    return;
-  }
-  const double length = std::exp(moved[place]);
-  moved[place] = std::log(length + change / axis.scale);
-  slope[place] = length / (length + change / axis.scale);
-}
-
-/// Dimensions moved by drawn changes.
-class DrawnPerturbation final : public synthesis::Perturbation {
- public:
-  DrawnPerturbation(const RobustStart& start, ToleranceDistribution distribution,
-                    std::uint64_t seed, std::size_t count)
-      : variables_(start.variables), count_(count), changes_(start.dimensions.size() * count) {
-    draw_changes(start.dimensions, distribution, seed, 0, count, changes_);
-  }
-
-  std::size_t count() const override { return count_; }
-
-  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
-            std::span<double> slope) const override {
-    std::ranges::copy(x, moved.begin());
-    std::ranges::fill(slope, 1.0);
-    for (std::size_t d = 0; d < variables_.size(); ++d) {
-      move_along(variables_[d], changes_[d * count_ + sample], moved, slope);
-    }
-  }
-
- private:
-  std::vector<synthesis::AxisVariable> variables_;
-  std::size_t count_;
-  std::vector<double> changes_;  ///< a column for each dimension
-};
-
-/// The mean and its neighbours on every axis, whose mean is that of the tolerances to third order:
-/// each dimension at ±√n σ, the others in the middle (see MeanSquareModel).
-class Spread final : public synthesis::Perturbation {
- public:
-  Spread(const RobustStart& start, ToleranceDistribution distribution, double share)
-      : start_(start) {
-    const double sigmas = distribution == ToleranceDistribution::uniform ? std::sqrt(3.0) : 3;
-    const double away = std::sqrt(static_cast<double>(start.dimensions.size())) / sigmas;
-    for (const TolerancedDimension& dimension : start.dimensions) {
-      middle_.push_back(share * dimension.middle());
-      away_.push_back(share * away * dimension.half_width());
-    }
-  }
-
-  std::size_t count() const override { return 2 * away_.size(); }
-
-  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
-            std::span<double> slope) const override {
-    std::ranges::copy(x, moved.begin());
-    std::ranges::fill(slope, 1.0);
-    for (std::size_t d = 0; d < away_.size(); ++d) {
-      const double away = d != sample / 2 ? 0 : sample % 2 == 0 ? away_[d] : -away_[d];
-      move_along(start_.variables[d], middle_[d] + away, moved, slope);
-    }
-  }
-
- private:
-  const RobustStart& start_;
-  std::vector<double> middle_, away_;
-};
+                        kReportedSeed = 0x546f6c64;
 
 /// Variables on their way, and the quantile of the samples of the search.
 struct RobustCandidate {
@@ -167,7 +97,7 @@ class RobustSearch {
   double quantile(const RobustStart& start, std::span<const double> x, std::uint64_t seed,
                   std::size_t count) const {
     const DrawnPerturbation drawn(start, task_.distribution, seed + run_.seed, count);
-    const synthesis::QuantileModel model(*start.model, drawn, options(kToldFollow, {}));
+    const synthesis::QuantileModel model(*start.model, drawn, options(kReportedFollow, {}));
     const auto errors = model.errors(x, run_.threads);
     const double place = std::ceil(task_.share * static_cast<double>(count));
     return task_.unit * errors[std::min(count, static_cast<std::size_t>(place)) - 1];
@@ -216,7 +146,7 @@ class RobustSearch {
   std::optional<std::vector<double>> settle(const RobustStart& start, std::vector<double> x,
                                             std::span<const double> shares) const {
     for (const double share : shares) {
-      const Spread spread(start, task_.distribution, share);
+      const SpreadPerturbation spread(start, task_.distribution, share);
       const synthesis::MeanSquareModel model(*start.model, spread, kSearchFollow);
       const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
       double before = std::numeric_limits<double>::infinity();
@@ -321,7 +251,7 @@ class RobustSearch {
     }
   }
 
-  /// Those that no other is better than in both, by their error; the two ends told with more
+  /// Those that no other is better than in both, by their error; the two ends reported by more
   /// samples, the end dropped where these do not find it better.
   std::vector<RobustPoint> front_of(std::vector<RobustFound> all) const {
     std::ranges::stable_sort(all.begin() + 1, all.end(), {},
@@ -331,9 +261,9 @@ class RobustSearch {
       const bool is_less = kept.empty() || found.point.quantile < kept.back()->point.quantile;
       if (is_less) kept.push_back(&found);
     }
-    tell(*kept.front());
+    report(*kept.front());
     if (kept.size() > 1) {
-      tell(*kept.back());
+      report(*kept.back());
       if (!(kept.back()->point.quantile < kept.front()->point.quantile)) kept.resize(1);
     }
     std::vector<RobustPoint> front;
@@ -341,8 +271,8 @@ class RobustSearch {
     return front;
   }
 
-  void tell(RobustFound& found) const {
-    found.point.quantile = quantile(*found.start, found.x, kToldSeed, kToldSamples);
+  void report(RobustFound& found) const {
+    found.point.quantile = quantile(*found.start, found.x, kReportedSeed, kReportedSamples);
   }
 
   const RobustTask& task_;
@@ -352,10 +282,10 @@ class RobustSearch {
 
 }  // namespace
 
-std::optional<Constraints> gentle(const Constraints& constraints) {
-  constexpr Range kGentle{40 * kDegree, 140 * kDegree};
+std::optional<Constraints> with_good_transmission(const Constraints& constraints) {
+  constexpr Range kGood{40 * kDegree, 140 * kDegree};
   const Range own = constraints.transmission_angle.value_or(Range{0, kPi});
-  const Range both{std::max(own.min, kGentle.min), std::min(own.max, kGentle.max)};
+  const Range both{std::max(own.min, kGood.min), std::min(own.max, kGood.max)};
   const bool is_own = both.min == own.min && both.max == own.max;
   if (is_own || !(both.min < both.max)) return std::nullopt;
   Constraints narrowed = constraints;
@@ -366,8 +296,8 @@ std::optional<Constraints> gentle(const Constraints& constraints) {
 Run part_of(const Run& run, double from, double to) {
   Run part = run;
   if (!run.progress) return part;
-  part.progress = [tell = run.progress, from, to](double share, double best) {
-    tell(from + (to - from) * share, best);
+  part.progress = [progress = run.progress, from, to](double share, double best) {
+    progress(from + (to - from) * share, best);
   };
   return part;
 }
@@ -394,11 +324,11 @@ void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Resu
   const double nominal = answer.front.front().quantile, robust = answer.front.back().quantile;
   result.quantities.push_back({"nominal_quantile" + unit, nominal});
   result.quantities.push_back({"robust_quantile" + unit, robust});
-  result.quantities.push_back({"robust_samples", double(kToldSamples)});
+  result.quantities.push_back({"robust_samples", double(kReportedSamples)});
   result.notes.push_back(fmt::format(
       "Of what is made of the robust design {:.4g} % err by no more than {:.4g}, of the nominal "
       "optimum by no more than {:.4g}: by {} samples that the search has not seen.",
-      100 * task.share, robust, nominal, kToldSamples));
+      100 * task.share, robust, nominal, kReportedSamples));
   if (answer.front.size() == 1) {
     result.notes.emplace_back("No design was found that is more robust than the nominal optimum.");
   }

@@ -61,10 +61,10 @@ struct RobustAnswer {
 /// The limits of a file and a transmission angle far from those of dead points, near which every
 /// design minds its dimensions much; empty where the file's own limits are as narrow. Its nominal
 /// minima are starts that a search for the least nominal error does not come to.
-std::optional<Constraints> gentle(const Constraints& constraints);
+std::optional<Constraints> with_good_transmission(const Constraints& constraints);
 
-/// Where the search for nominal minima, that for gentle ones, and that from both end.
-inline constexpr double kNominalDone = 0.3, kGentleDone = 0.6;
+/// Where the search for nominal minima, that for more starts, and that from both end.
+inline constexpr double kNominalDone = 0.3, kStartsDone = 0.6;
 
 /// `run` with a part of its progress.
 Run part_of(const Run& run, double from, double to);

@@ -67,11 +67,15 @@ double normal_quantile(double p) {
   return q < 0 ? -value : value;
 }
 
+double deviations_in_half_width(ToleranceDistribution distribution) {
+  return distribution == ToleranceDistribution::uniform ? std::sqrt(3.0) : 3.0;
+}
+
 void draw_changes(std::span<const TolerancedDimension> dimensions,
                   ToleranceDistribution distribution, std::uint64_t seed, std::size_t first,
                   std::size_t count, std::span<double> changes) {
   constexpr double kHalfStep = 0x1p-54;  // keeps numbers off 0
-  constexpr double kSigmas = 3;
+  const double sigmas = deviations_in_half_width(distribution);
   for (std::size_t d = 0; d < dimensions.size(); ++d) {
     const double middle = dimensions[d].middle(), half = dimensions[d].half_width();
     for (std::size_t i = 0; i < count; ++i) {
@@ -79,7 +83,7 @@ void draw_changes(std::span<const TolerancedDimension> dimensions,
           unit_number(random_word(seed, kToleranceStream + d, first + i)) + kHalfStep;
       changes[d * count + i] = distribution == ToleranceDistribution::uniform
                                    ? middle + half * (2 * unit - 1)
-                                   : middle + half / kSigmas * normal_quantile(unit);
+                                   : middle + half / sigmas * normal_quantile(unit);
     }
   }
 }

@@ -14,6 +14,9 @@ namespace cognate::problems {
 /// AS 241, 1988).
 double normal_quantile(double p);
 
+/// Standard deviations in half the width of a tolerance.
+double deviations_in_half_width(ToleranceDistribution distribution);
+
 /// changes[d·count + i] of dimension d in sample first + i: a function of seed, d and the sample's
 /// number alone.
 void draw_changes(std::span<const TolerancedDimension> dimensions,

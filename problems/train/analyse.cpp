@@ -18,6 +18,13 @@ using train::TrainLoads;
 /// Orbits that differ by less share one radius.
 constexpr double kSameRadius = 1e-9;
 
+/// "-72/35", "4"; empty of what is longer than anyone reads.
+std::string text_of(const train::Fraction& fraction) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = fraction.str();
+  return text.size() > kLongest ? std::string{} : text;
+}
+
 double sign_of(double x) {
   return x < 0 ? -1 : 1;
 }
@@ -68,7 +75,7 @@ class TrainAnalysis {
   void add_members() {
     for (int i = 0; i < own_.train.members; ++i) {
       TrainMember member{.name = own_.names[at(i)], .role = role_of(i)};
-      if (own_.inputs.size() == 1) member.speed_exact = speeds_.shares[at(i)][0].text();
+      if (own_.inputs.size() == 1) member.speed_exact = text_of(speeds_.shares[at(i)][0]);
       member.speed = speed(i);
       design_.members.push_back(std::move(member));
     }
@@ -87,8 +94,9 @@ class TrainAnalysis {
       if (share.is_zero()) {
         note(fmt::format("The output \"{}\" stands still.", own_.names[at(own_.output)]));
       } else {
-        add("ratio", 1 / share.value());
-        add("ratio_exact", share.inverse().text());
+        const train::Fraction ratio = 1 / share;
+        add("ratio", ratio.convert_to<double>());
+        if (auto exact = text_of(ratio); !exact.empty()) add("ratio_exact", std::move(exact));
       }
     }
     add_sizes();

@@ -198,12 +198,6 @@ class FreedomCheck {
   void check(const TrainState* state) {
     const ResolvedTrain own = resolved(problem_, state);
     const train::TrainSpeeds speeds = speeds_of(own.train, own.inputs);
-    if (!speeds.is_exact) {
-      document_.fault("mesh",
-                      "has teeth whose ratios take fractions of more than 37 digits; "
-                      "expected fewer meshes, or fewer teeth");
-      return;
-    }
     for (const int place : speeds.excess) {
       const bool is_locked = std::ranges::find(speeds.locked, place) != speeds.locked.end();
       const std::string name = in_quotes(problem_.inputs[static_cast<std::size_t>(place)].member);

@@ -13,9 +13,6 @@
 namespace cognate::problems {
 namespace {
 
-/// Below this a relative error is the rounding of a ratio.
-constexpr double kExact = 4e-16;
-
 /// A train that is found: one of gears on fixed axes, or a planetary one.
 struct FoundTrain {
   std::vector<std::array<int, 2>> stages;  ///< driver and driven of each pair
@@ -99,8 +96,8 @@ class TrainSearch {
   /// The relative error of `ratio`; nothing where it is beyond the tolerance.
   std::optional<double> error_of(double ratio, double wanted) const {
     const double error = std::abs(ratio / wanted - 1);
-    if (error > tolerance_ + kExact) return std::nullopt;
-    return error <= kExact ? 0 : error;
+    if (error > tolerance_ + kExactRatio) return std::nullopt;
+    return error <= kExactRatio ? 0 : error;
   }
 
   /// z₁ + w₁ = z₂ + w₂, so that w₁w₂ grows with w₁: of each pair of drivers those nearest to the
@@ -233,7 +230,7 @@ GearTrainDesign design_of(const FoundTrain& found, const GearTrainProblem& probl
   design.constraints.insert(
       design.constraints.begin(),
       {"target.ratio_tolerance", found.error, target.ratio_tolerance,
-       found.error <= target.ratio_tolerance + kExact, std::nullopt, BoundSide::most});
+       found.error <= target.ratio_tolerance + kExactRatio, std::nullopt, BoundSide::most});
   return design;
 }
 

@@ -8,9 +8,6 @@
 namespace cognate::problems {
 namespace {
 
-/// An error of this size is the rounding of an exact ratio.
-constexpr double kExactRatio = 4e-16;
-
 void collect(const std::array<int, 2>& bounds, int least, int count, ToothProduct so_far,
              std::vector<ToothProduct>& all) {
   if (count == 0) {

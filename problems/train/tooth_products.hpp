@@ -8,6 +8,9 @@
 
 namespace cognate::problems {
 
+/// A relative error of a ratio up to this is the rounding of an exact one.
+inline constexpr double kExactRatio = 4e-16;
+
 /// A product of some numbers of teeth, and the least sum of numbers that have it.
 struct ToothProduct {
   std::uint64_t product = 1;

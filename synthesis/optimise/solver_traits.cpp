@@ -1,4 +1,5 @@
 /// What solvers are called and can do.
+#include <algorithm>
 #include <limits>
 
 #include "synthesis/optimise/solver.hpp"

@@ -292,7 +292,7 @@ class ChineseOfResults(unittest.TestCase):
             self.assertRegex(text, "[\u4e00-\u9fff]", term)
 
     def test_quantities_over_the_cycle_are_translated_and_documented(self):
-        declared = (ROOT / "problems/linkage/cycle_quantities.hpp").read_text(encoding="utf-8")
+        declared = (ROOT / "problems/linkage/cycle/cycle_quantities.hpp").read_text(encoding="utf-8")
         keys = re.findall(r'\.limit_key = "(\w+)_max"', declared)
         words = re.findall(r'\.words = "([^"]+)"', declared)
         self.assertGreaterEqual(len(keys), 5)

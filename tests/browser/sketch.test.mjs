@@ -34,8 +34,8 @@ async function answered(command, text, ...options) {
 }
 
 // What the search answers, by the program.
-async function programAnswer({ solve, ...problem }, designs) {
-  const result = await answered("solve", problemToml({ ...problem, solve: { ...solve, designs } }));
+async function programAnswer(problem) {
+  const result = await answered("solve", problemToml(problem));
   return { status: result.status, designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
     class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min })) };
 }
@@ -46,11 +46,11 @@ async function prepare(page) {
   await page.addInitScript(() => {
     window.Worker = class {
       terminate() { this.ended = true; }
-      postMessage({ id, problem, designs }) {
+      postMessage({ id, problem }) {
         if (problem === undefined) return;
         this.queue = (this.queue ?? Promise.resolve()).then(async () => {
           if (this.ended) return;
-          const answer = await window.programAnswer(problem, designs);
+          const answer = await window.programAnswer(problem);
           if (!this.ended) this.onmessage({ data: { id, answer } });
         });
       }

@@ -1,8 +1,8 @@
 /// @file A linkage that a crank drives, with masses and loads, and how it accelerates.
 #pragma once
 
-#include "problems/linkage/cycle_metrics.hpp"
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 
 namespace cognate::test {
 

@@ -1,12 +1,11 @@
 /// @file Analyses in a page: a problem as its result holds it is read and evaluated by the
 /// program's own reader and evaluator, and comes back as the data that its page is drawn from.
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "app/report/analysis_report_data.hpp"
+#include "app/report/kernel/answer.hpp"
 #include "app/report/kernel/document.hpp"
 #include "app/report/kernel/numbers.hpp"
 #include "app/report/mechanism_json.hpp"
@@ -23,8 +22,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using problems::AnalysisProblem;
-
-std::string text;
 
 /// Samples of a motion that is drawn while a joint is dragged.
 constexpr int kDraggedSamples = 181;
@@ -67,33 +64,14 @@ ordered_json whole_of(const AnalysisProblem& problem) {
 
 }  // namespace
 
-/// Makes room for a text of `size` bytes, which the page puts there.
-COGNATE_EXPORT(room) char* make_room(int size) {
-  text.assign(static_cast<std::size_t>(std::max(size, 0)), ' ');
-  return text.data();
-}
-
 /// Evaluates the problem in the text and the block of numbers: its motion alone, or all of it where
-/// `whole` is not 0. Returns the length of the JSON text, which begins at `text`: the data of the
-/// page, or `faults`, a list of sentences.
+/// `whole` is not 0. The answer is the data of the page, or `faults`, a list of sentences.
 COGNATE_EXPORT(analysis) int analyse_text(int whole) {
   problems::reading::FaultList faults;
-  const auto document = document_of(text);
+  const auto document = document_of(question());
   const AnalysisProblem problem = problem_of(document, faults);
-  ordered_json answer;
-  if (faults.empty()) {
-    answer = whole != 0 ? whole_of(problem) : motion_of(problem);
-  } else {
-    answer["faults"] = ordered_json::array();
-    for (const auto& fault : std::move(faults).sorted()) answer["faults"].push_back(fault.message);
-  }
-  text = answer.dump();
-  return static_cast<int>(text.size());
-}
-
-/// Where the text of the last call begins.
-COGNATE_EXPORT(text) const char* text_begin() {
-  return text.data();
+  if (!faults.empty()) return answer_with(faults_json(std::move(faults)));
+  return answer_with(whole != 0 ? whole_of(problem) : motion_of(problem));
 }
 
 }  // namespace cognate::page

@@ -141,6 +141,7 @@ cognate_page_kernel(analysis_kernel
   app/report/drawn_rows.cpp
   app/report/load_arrows.cpp
   app/report/kernel/analysis.cpp
+  app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
   app/report/kernel/format.cpp
   app/report/kernel/left_out.cpp

@@ -1,13 +1,12 @@
 /// @file The search for paths in a page: a problem as a file would have it is read, solved by the
 /// program's own reader and search, and comes back as the designs found.
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/linkage/mobility.hpp"
+#include "app/report/kernel/answer.hpp"
 #include "app/report/kernel/document.hpp"
 #include "app/report/kernel/numbers.hpp"
 #include "problems/basics/degrees.hpp"
@@ -24,15 +23,15 @@
 namespace cognate::page {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using problems::PathProblem;
 
-std::string text;
-
+constexpr std::size_t kMostPoints = 200;
+/// As far as a picture shows: steps of each start that goes on, and when two are one design.
 constexpr double kTolerance = 1e-10, kSame = 1e-4;
 constexpr int kIterations = 100;
+/// So many starts go on beyond the designs wanted.
 constexpr std::size_t kMore = 9;
-constexpr std::size_t kMostPoints = 200;
 
 /// Points to be met in any timing, with what the file format has for limits; or what is wrong with
 /// them.
@@ -137,32 +136,14 @@ json solved(const PathProblem& problem, std::uint64_t seed) {
 
 }  // namespace
 
-/// Makes room for a text of `size` bytes, which the page puts there.
-COGNATE_EXPORT(room) char* make_room(int size) {
-  text.assign(static_cast<std::size_t>(std::max(size, 0)), ' ');
-  return text.data();
-}
-
-/// Solves the problem in the text and the block of numbers. Returns the length of the JSON text,
-/// which begins at `text`: `status` and `designs`, or `faults`, a list of sentences.
+/// Solves the problem in the text and the block of numbers. The answer is `status` and `designs`,
+/// or `faults`, a list of sentences.
 COGNATE_EXPORT(sketch) int sketch_text(int seed) {
   problems::reading::FaultList faults;
-  const auto document = document_of(text);
+  const auto document = document_of(question());
   const PathProblem problem = problem_of(document, faults);
-  json answer;
-  if (faults.empty()) {
-    answer = solved(problem, static_cast<std::uint64_t>(seed));
-  } else {
-    answer["faults"] = json::array();
-    for (const auto& fault : std::move(faults).sorted()) answer["faults"].push_back(fault.message);
-  }
-  text = answer.dump();
-  return static_cast<int>(text.size());
-}
-
-/// Where the text of the last call begins.
-COGNATE_EXPORT(text) const char* text_begin() {
-  return text.data();
+  if (!faults.empty()) return answer_with(faults_json(std::move(faults)));
+  return answer_with(solved(problem, static_cast<std::uint64_t>(seed)));
 }
 
 }  // namespace cognate::page

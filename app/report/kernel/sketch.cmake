@@ -12,6 +12,7 @@ cognate_page_kernel(sketch_kernel
   analysis/linkage/mobility.cpp
   analysis/linkage/motion.cpp
   analysis/linkage/motion_within.cpp
+  app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
   app/report/kernel/format.cpp
   app/report/kernel/whole_numbers.cpp
@@ -19,12 +20,12 @@ cognate_page_kernel(sketch_kernel
   app/report/kernel/search_left_out.cpp
   problems/linkage/class_feasibility.cpp
   problems/linkage/constraint_checks.cpp
-  problems/linkage/cycle_limits.cpp
-  problems/linkage/cycle_energy.cpp
+  problems/linkage/cycle/cycle_limits.cpp
+  problems/linkage/cycle/cycle_energy.cpp
   problems/linkage/driven_range.cpp
   problems/linkage/link_ratios.cpp
   problems/linkage/linkage_constraints.cpp
-  problems/linkage/mean_torque.cpp
+  problems/linkage/cycle/mean_torque.cpp
   problems/linkage/names.cpp
   problems/linkage/read_constraints.cpp
   problems/linkage/read_linkage.cpp

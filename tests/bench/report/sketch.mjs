@@ -62,13 +62,14 @@ function timed(work) {
 }
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
-function programError(problem) {
+// Error and seconds of the program's search.
+function byProgram(problem) {
   const file = path.join(folder, "sketch.toml");
   fs.writeFileSync(file, problemToml(problem));
   try {
     const result = JSON.parse(execFileSync(path.join(build, "app/cognate"), ["solve", "--json", "--threads", "1", file], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }));
-    return result.designs[0].error.rms;
-  } catch { return Infinity; }
+    return { error: result.designs[0].error.rms, seconds: result.work.seconds };
+  } catch { return { error: Infinity, seconds: NaN }; }
 }
 
 const best = ({ designs = [] }) => Math.min(Infinity, ...designs.map(({ rms }) => rms));
@@ -76,14 +77,15 @@ const sorted = (values) => [...values].sort((a, b) => a - b);
 const median = (values) => sorted(values)[values.length >> 1];
 
 const solve = await kernelOf(fs.readFileSync(path.join(build, "app/report/sketch_kernel.base64"), "utf8"));
-const quick = [], long = [], ratios = [];
+const quick = [], long = [], ratios = [], shares = [];
 for (let i = 0; i < Number(curves); i += 1) {
   const drawing = stroke(i % 2 === 0);
   const first = timed(() => solve(problemOf(drawing, { starts: QUICK })));
   const second = timed(() => solve(problemOf(drawing, { starts: LONG })));
   quick.push(first.seconds);
   long.push(second.seconds);
-  const error = programError(problemOf(drawing, {}));
+  const { error, seconds } = byProgram(problemOf(drawing, {}));
+  shares.push(first.seconds / seconds);
   ratios.push(Math.min(best(first.value), best(second.value)) / error);
 }
 fs.rmSync(folder, { recursive: true });
@@ -91,5 +93,6 @@ const near = ratios.filter((ratio) => ratio <= NEAR).length;
 console.log(`${quick.length} curves`);
 console.log(`${QUICK} starts: median ${median(quick).toFixed(2)} s, worst ${Math.max(...quick).toFixed(2)} s of one core`);
 console.log(`${LONG} starts: median ${median(long).toFixed(2)} s, worst ${Math.max(...long).toFixed(2)} s`);
+console.log(`first answer in ${median(shares).toFixed(3)} of the time of the program's default search (median)`);
 console.log(`error within 1 % of the program's: ${near} of ${ratios.length}; ratios: median ${median(ratios).toFixed(3)}, worst ${Math.max(...ratios).toFixed(2)}`);
 console.log(sorted(ratios).slice(-8).map((r) => r.toFixed(3)).join(" "));

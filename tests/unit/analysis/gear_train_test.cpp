@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numeric>
 
 #include "analysis/train/planets.hpp"
@@ -37,23 +35,24 @@ std::vector<double> numbers(const TrainSpeeds& speeds, int members) {
   return all;
 }
 
-TEST(FractionTest, ReducesAndAdds) {
-  EXPECT_EQ((Fraction(6, -4) + Fraction(1, 3)).text(), "-7/6");
-  EXPECT_EQ((Fraction(2, 3) * Fraction(9, 4)).text(), "3/2");
-  EXPECT_EQ((Fraction(1, 3) - Fraction(1, 3)).text(), "0");
-  EXPECT_EQ((Fraction(5) / Fraction(10)).text(), "1/2");
+TEST(FractionTest, CommonMeasure) {
   EXPECT_EQ(common_measure(Fraction(3, 4), Fraction(5, 6)), Fraction(1, 12));
   EXPECT_EQ(common_measure(Fraction(0), Fraction(-5, 6)), Fraction(5, 6));
-  EXPECT_FALSE((Fraction(1) / Fraction(0)).is_number());
+  EXPECT_EQ(common_measure(Fraction(-5, 6), Fraction(0)), Fraction(5, 6));
 }
 
-TEST(FractionTest, SaysThatItOverflowed) {
-  Fraction product(1);
-  for (int k = 0; k < 4; ++k) product = product * Fraction(9223372036854775783, 1);
-  EXPECT_FALSE(product.is_number());
-  EXPECT_FALSE((product + Fraction(1)).is_number());
-  EXPECT_FALSE((product * Fraction(0)).is_number());
-  EXPECT_EQ(Fraction(std::numeric_limits<std::int64_t>::min(), 2).text(), "-4611686018427387904");
+TEST(GearTrainTest, LongTrainsStayExact) {
+  // Sixty pairs of 9973 and 9967 teeth, both prime, and back again by as many: each shaft's speed
+  // is known by a fraction of 240 digits, and the last turns as the first does.
+  GearTrain train{121, {}, {}, {}};
+  for (int k = 0; k < 120; ++k) {
+    const bool there = k < 60;
+    train.meshes.push_back({{k, k + 1}, {there ? 9973 : 9967, there ? 9967 : 9973}});
+  }
+  const auto speeds = speeds_of(train, {0});
+  EXPECT_EQ(speeds.shares[60][0], pow(boost::multiprecision::cpp_int(9973), 60U) /
+                                      Fraction(pow(boost::multiprecision::cpp_int(9967), 60U)));
+  EXPECT_EQ(speeds.shares[120][0], 1);
 }
 
 TEST(GearTrainTest, SunToCarrierIsOnePlusRingOverSun) {
@@ -61,14 +60,14 @@ TEST(GearTrainTest, SunToCarrierIsOnePlusRingOverSun) {
     const auto speeds = speeds_of(planetary(sun, 20, sun + 40), {kSun});
     ASSERT_TRUE(speeds.is_determined());
     EXPECT_EQ(speeds.freedom, 1);
-    EXPECT_EQ(speeds.shares[kCarrier][0].inverse(), Fraction(1) + Fraction(sun + 40, sun));
+    EXPECT_EQ(1 / speeds.shares[kCarrier][0], 1 + Fraction(sun + 40, sun));
   }
 }
 
 TEST(GearTrainTest, TenThousandToOne) {
   // 1 − (99·101)/(100·100): the textbooks' example of a great reduction by near equal gears.
   const auto speeds = speeds_of(two_suns(100, 101, 100, 99, 1), {kCarrier});
-  EXPECT_EQ(speeds.shares[kSun][0].inverse().text(), "10000");
+  EXPECT_EQ(1 / speeds.shares[kSun][0], 10000);
 }
 
 TEST(GearTrainTest, FergusonsParadox) {
@@ -77,8 +76,8 @@ TEST(GearTrainTest, FergusonsParadox) {
   GearTrain train{5, {}, {0}, {}};
   train.meshes = {{{0, 1}, {100, 20}, 4}, {{1, 2}, {20, 99}, 4}, {{1, 3}, {20, 101}, 4}};
   const auto speeds = speeds_of(train, {4});
-  EXPECT_EQ(speeds.shares[2][0].text(), "-1/99");
-  EXPECT_EQ(speeds.shares[3][0].text(), "1/101");
+  EXPECT_EQ(speeds.shares[2][0], Fraction(-1, 99));
+  EXPECT_EQ(speeds.shares[3][0], Fraction(1, 101));
 }
 
 TEST(GearTrainTest, DegreesOfFreedom) {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "problems/linkage/cycle_quantities.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
 
 namespace cognate::problems::constraint_words_test {
 namespace {

@@ -14,8 +14,8 @@
 #include "analysis/machine/reduction.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/cycle_limits.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/problem.hpp"
 

@@ -1,6 +1,6 @@
 // Limits over the full turn: rows against central differences, extremes against scans of positions
 // and of Newton's and Euler's equations.
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/model.hpp"
 #include "problems/guidance/model.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/path/model.hpp"
 #include "tests/support/driven_linkage.hpp"
 

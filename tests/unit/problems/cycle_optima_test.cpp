@@ -12,7 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/guidance/problem.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/path/problem.hpp"
 #include "tests/support/driven_linkage.hpp"

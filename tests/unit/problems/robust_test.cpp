@@ -108,6 +108,52 @@ TEST(RobustPaths, TimedPathsAreNoWorseThanTheNominalOptimum) {
               0.04 * robust);
 }
 
+/// The angle of the rocker against A→D by the law of cosines.
+double rocker_angle(double crank, double coupler, double rocker, double frame, Assembly assembly,
+                    double angle) {
+  const Vec2d to_b{crank * std::cos(angle) - frame, crank * std::sin(angle)};  // from D
+  const double diagonal = std::hypot(to_b.x, to_b.y);
+  const double at_d = std::acos((rocker * rocker + diagonal * diagonal - coupler * coupler) /
+                                (2 * rocker * diagonal));
+  const double way = std::atan2(to_b.y, to_b.x);
+  return way + (assembly == Assembly::open ? -at_d : at_d);
+}
+
+TEST(RobustFunctions, TheSineErrsLessByHalf) {
+  const auto read = parse_task(
+      "kind = \"function-generation\"\n[target]\nfunction = \"sin(x)\"\ndomain = [0, pi/2]\n"
+      "input_range_deg = 90\noutput_range_deg = 90\nsamples = 61\n[mechanism]\nframe = 1\n"
+      "[bounds]\ncrank = [0.02, 50]\ncoupler = [0.02, 50]\nrocker = [0.02, 50]\n[tolerance]\n"
+      "length = 0.01\n[solve]\nrobust = 0.99\n");
+  ASSERT_TRUE(read);
+  const Result result = solve(std::get<FunctionProblem>(*read), {});
+  ASSERT_EQ(result.status, Status::solved);
+  const double robust = fact(result, "robust_quantile_deg");
+  const double nominal = fact(result, "nominal_quantile_deg");
+  EXPECT_LT(robust, 0.55 * nominal);
+
+  const Design& design = result.designs.front();
+  const FourBar& bar = four_bar(design);
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, 0.01 / 3);
+  std::vector<double> errors;
+  for (int k = 0; k < 20'000; ++k) {
+    const double crank = bar.crank + normal(random), coupler = bar.coupler + normal(random);
+    const double rocker = bar.rocker + normal(random), frame = 1 + normal(random);
+    double greatest = 0;
+    for (int i = 0; i <= 60; ++i) {
+      const double x = kPi / 2 * i / 60;
+      const double output = rocker_angle(crank, coupler, rocker, frame, bar.assembly,
+                                         *design.metrics.input_start + x);
+      const double wanted = *design.metrics.output_start + kPi / 2 * std::sin(x);
+      greatest = std::max(greatest, std::abs(std::remainder(output - wanted, kTurn)));
+    }
+    errors.push_back(greatest / kDegree);
+  }
+  std::ranges::sort(errors);
+  EXPECT_NEAR(errors[19'800], robust, 0.04 * robust);
+}
+
 TEST(RobustReading, RefusesWhatMakesNoSense) {
   const std::string head =
       "kind = \"path-generation\"\n[target]\npoints = [[0, 0], [1, 0.4], [1.5, 1]]\n";

@@ -24,6 +24,7 @@ import { Takings } from "./takings.js";
 const EMPTY = { points: [], closed: false, stroke: false, class: "any", least: 30, reach: 3 };
 const SHOWN = 3;
 const QUICK = 60, LONG = 500;    // starts of the two searches
+const FOUND = 8;    // designs of each, of which those are shown that differ
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
 const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls.player.pace * controls.player.speed * seconds),
@@ -34,9 +35,9 @@ const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[s
 const search = Kernel.available ? new Search(take, (text) => tell(say("sketch.failed", { text }))) : null;
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), stroke, click, drag, drop, remove });
 const read = readAddress(CLASSES_ASKED);
-let history_ = new History({ ...EMPTY, ...read?.state });
+let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays whatever is found.
-let shown = history_.present, held = null, begun = 0;
+let shown = steps.present, held = null, begun = 0;
 
 const tell = (text) => { byId("state").textContent = text; };
 
@@ -92,7 +93,7 @@ function widen() { if (scene.include(scene.candidates[scene.chosen].places)) dra
 function solve(live = false) {
   begun = performance.now();
   if (!search || shown.points.length < FEWEST_POINTS) return;
-  const question = (starts, flags) => ({ problem: problemOf(shown, { starts }), ...flags });
+  const question = (starts, flags) => ({ problem: problemOf(shown, { starts, designs: FOUND }), ...flags });
   if (live) { search.askNewest(question(QUICK, { live, last: false })); return; }
   tell(say("sketch.searching"));
   search.ask([question(QUICK, { live, last: false }), question(LONG, { live, last: true })]);
@@ -102,13 +103,13 @@ function solve(live = false) {
 
 // Takes `change` of the state as a step that can be undone.
 function change(parts) {
-  history_.push({ ...history_.present, ...parts });
+  steps.push({ ...steps.present, ...parts });
   settle();
 }
 
 // Shows the present state, and searches for it.
 function settle() {
-  shown = history_.present;
+  shown = steps.present;
   held = null;
   search?.cancel();
   if (shown.points.length < FEWEST_POINTS) {
@@ -122,8 +123,8 @@ function settle() {
 
 function showState() {
   const { points, closed, class: asked, least, reach } = shown;
-  byId("undo").disabled = !history_.canUndo;
-  byId("redo").disabled = !history_.canRedo;
+  byId("undo").disabled = !steps.canUndo;
+  byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
   byId("closed").setAttribute("aria-pressed", String(closed));
   byId("hint").hidden = points.length > 0;
@@ -177,7 +178,7 @@ function remove(i) {
 }
 
 function step(sense) {
-  history_[sense]();
+  steps[sense]();
   settle();
 }
 
@@ -224,13 +225,13 @@ function listenToKeys() {
 function openAddress() {
   const other = readAddress(CLASSES_ASKED);
   if (!other) return;
-  history_.push({ ...EMPTY, ...other.state });
+  steps.push({ ...EMPTY, ...other.state });
   open(other.entry);
 }
 
 // Begins with the design of the address, if any, which stays until the points change.
 function open(entry) {
-  shown = history_.present;
+  shown = steps.present;
   const first = entry ? new Candidate(entry) : null;
   held = first?.poses.length ? first : null;
   offer(held ? [held] : [], 0);

@@ -5,7 +5,6 @@ import { moduleBytes } from "../kernel.js";
 import { WORKER_TEXT } from "./worker.js";
 
 const SEED = 1;
-const DESIGNS = 8;
 
 export class Search {
   // `onAnswer(answer, asked)`: of each question; `onFailure(text)` where the kernel fails.
@@ -44,7 +43,7 @@ export class Search {
     const { worker } = this;
     await this.module;
     if (waiting !== this.waiting) return;
-    for (const { id, problem } of waiting) worker.postMessage({ id, problem, seed: SEED, designs: DESIGNS });
+    for (const { id, problem } of waiting) worker.postMessage({ id, problem, seed: SEED });
   }
 
   #takeSpare() {

@@ -48,11 +48,15 @@ function drawScene() {
 const KEPT = ["speed", "torque"];
 const COLUMNS = [["exact", "train.of_input"], ["speed", "train.speed"], ["relative", "train.relative"], ["torque", "train.torque"], ["power", "train.power"], ["inertia", "train.inertia"]];
 
+// A fraction with a true minus.
+const fraction = (text) => text.replace("-", "−");
+const FRACTIONS = ["ratio_exact"];
+
 function showMembers({ members }) {
   const classOf = (key) => (KEPT.includes(key) ? "number" : "number wide");
   const shown = COLUMNS.filter(([key]) => members.some((member) => member[key] !== null && member[key] !== ""));
   byId("members-table").tHead.replaceChildren(headRow([[say("train.member")], [say("train.role"), "wide"], ...shown.map(([key, words]) => [say(words), classOf(key)])]));
-  const cell = (key, value) => element("td", { class: classOf(key) }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : value);
+  const cell = (key, value) => element("td", { class: classOf(key) }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : fraction(value));
   byId("members-rows").replaceChildren(...members.map((member) => element("tr", {}, element("td", {}, term(member.name)), element("td", { class: "wide" }, term(member.role)), ...shown.map(([key]) => cell(key, member[key])))));
 }
 
@@ -60,7 +64,7 @@ function choose(index) {
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   showMembers(current());
-  byId("facts-list").replaceChildren(...current().metrics.flatMap(({ name, value }) => fact(say(`train.fact.${name}`), factText(value, ""), typeof value === "number" ? String(value) : undefined)));
+  byId("facts-list").replaceChildren(...current().metrics.flatMap(({ name, value }) => fact(say(`train.fact.${name}`), FRACTIONS.includes(name) ? fraction(value) : factText(value, ""), typeof value === "number" ? String(value) : undefined)));
   showChecks(current().constraints);
   showWarnings(result.designs?.[index]);
   const fastest = Math.max(1, ...current().members.map((_, i) => Math.abs(scene.rate.call({ design: current() }, i))));

@@ -1,7 +1,7 @@
 /// @file The root mean square of the driving torque over the turn, for the search.
 #pragma once
 
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 #include "problems/linkage/sector_extremes.hpp"
 
 namespace cognate::problems {

@@ -1,4 +1,4 @@
-#include "problems/linkage/cycle_energy.hpp"
+#include "problems/linkage/cycle/cycle_energy.hpp"
 
 #include <algorithm>
 #include <cmath>

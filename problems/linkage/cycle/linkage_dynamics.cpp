@@ -1,4 +1,4 @@
-#include "problems/linkage/linkage_dynamics.hpp"
+#include "problems/linkage/cycle/linkage_dynamics.hpp"
 
 #include <array>
 

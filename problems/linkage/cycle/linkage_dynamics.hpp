@@ -6,7 +6,7 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/kinematics.hpp"
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 
 namespace cognate::problems {
 

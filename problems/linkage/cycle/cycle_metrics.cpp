@@ -1,4 +1,4 @@
-#include "problems/linkage/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/cycle_scan.hpp"
-#include "problems/linkage/linkage_dynamics.hpp"
+#include "problems/linkage/cycle/cycle_scan.hpp"
+#include "problems/linkage/cycle/linkage_dynamics.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/linkage/cycle_quantities.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
 
 namespace cognate::problems {
 

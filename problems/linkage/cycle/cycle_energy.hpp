@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "problems/linkage/cycle_motion.hpp"
+#include "problems/linkage/cycle/cycle_motion.hpp"
 #include "problems/linkage/sector_extremes.hpp"
 
 namespace cognate::problems {

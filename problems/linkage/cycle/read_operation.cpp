@@ -1,4 +1,4 @@
-#include "problems/linkage/read_operation.hpp"
+#include "problems/linkage/cycle/read_operation.hpp"
 
 #include <fmt/core.h>
 

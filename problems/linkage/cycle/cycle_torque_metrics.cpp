@@ -7,9 +7,9 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
-#include "problems/linkage/cycle_metrics.hpp"
-#include "problems/linkage/cycle_scan.hpp"
-#include "problems/linkage/linkage_dynamics.hpp"
+#include "problems/linkage/cycle/cycle_metrics.hpp"
+#include "problems/linkage/cycle/cycle_scan.hpp"
+#include "problems/linkage/cycle/linkage_dynamics.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/linkage/read_cycle.hpp"
+#include "problems/linkage/cycle/read_cycle.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/linkage/read_operation.hpp"
+#include "problems/linkage/cycle/read_operation.hpp"
 
 namespace cognate::problems::reading {
 namespace {

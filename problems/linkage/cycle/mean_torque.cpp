@@ -1,4 +1,4 @@
-#include "problems/linkage/mean_torque.hpp"
+#include "problems/linkage/cycle/mean_torque.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/linkage/cycle_energy.hpp"
+#include "problems/linkage/cycle/cycle_energy.hpp"
 
 namespace cognate::problems {
 namespace {

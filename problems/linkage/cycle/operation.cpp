@@ -1,4 +1,4 @@
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 
 namespace cognate::problems {
 

@@ -1,12 +1,12 @@
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "problems/linkage/cycle_energy.hpp"
-#include "problems/linkage/mean_torque.hpp"
+#include "problems/linkage/cycle/cycle_energy.hpp"
+#include "problems/linkage/cycle/mean_torque.hpp"
 #include "problems/linkage/sector_extremes.hpp"
 
 namespace cognate::problems {

@@ -1,8 +1,8 @@
 /// @file `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and `gravity` of a design problem.
 #pragma once
 
-#include "problems/linkage/cycle_quantities.hpp"
-#include "problems/linkage/operation.hpp"
+#include "problems/linkage/cycle/cycle_quantities.hpp"
+#include "problems/linkage/cycle/operation.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/linkage/four_bar.hpp"
-#include "problems/linkage/cycle_limits.hpp"
+#include "problems/linkage/cycle/cycle_limits.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 
