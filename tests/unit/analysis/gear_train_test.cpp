@@ -50,8 +50,9 @@ TEST(GearTrainTest, LongTrainsStayExact) {
     train.meshes.push_back({{k, k + 1}, {there ? 9973 : 9967, there ? 9967 : 9973}});
   }
   const auto speeds = speeds_of(train, {0});
-  EXPECT_EQ(speeds.shares[60][0], pow(boost::multiprecision::cpp_int(9973), 60U) /
-                                      Fraction(pow(boost::multiprecision::cpp_int(9967), 60U)));
+  const boost::multiprecision::cpp_int driven = pow(boost::multiprecision::cpp_int(9973), 60U);
+  const boost::multiprecision::cpp_int driving = pow(boost::multiprecision::cpp_int(9967), 60U);
+  EXPECT_EQ(speeds.shares[60][0], Fraction(driven, driving));
   EXPECT_EQ(speeds.shares[120][0], 1);
 }
 
