@@ -121,7 +121,7 @@ double rocker_angle(double crank, double coupler, double rocker, double frame, A
 
 TEST(RobustFunctions, TheSineErrsLessByHalf) {
   const auto read = parse_task(
-      "kind = \"function-generation\"\n[target]\nfunction = \"sin(x)\"\ndomain = [0, pi/2]\n"
+      "kind = \"function-generation\"\n[target]\nfunction = \"sin(x)\"\ndomain = [0, \"pi/2\"]\n"
       "input_range_deg = 90\noutput_range_deg = 90\nsamples = 61\n[mechanism]\nframe = 1\n"
       "[bounds]\ncrank = [0.02, 50]\ncoupler = [0.02, 50]\nrocker = [0.02, 50]\n[tolerance]\n"
       "length = 0.01\n[solve]\nrobust = 0.99\n");
