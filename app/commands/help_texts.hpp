@@ -1,4 +1,4 @@
-/// @file What `cognate --help` and the help of its commands say besides their options.
+/// @file The texts of `cognate --help` and of the commands' help, apart from the options.
 #pragma once
 
 namespace cognate::app {
@@ -16,7 +16,7 @@ inline constexpr const char* kFooter =
   cognate list                    every key that a file may have
 
 Examples:
-  cognate analyze press.toml      how a mechanism moves and what it bears, or
+  cognate analyze press.toml      motion and forces of a mechanism, or
                                   how a machine runs (kind = "machine")
   cognate sweep sizes.toml        vary the numbers of a file, and keep the best
   cognate export press.result.json --format dxf
@@ -27,7 +27,7 @@ Exit status:
   0  done; for solve: at least one design meets every constraint
   1  the problem was well posed, but no design meets every constraint; for
      analyze: the mechanism can be assembled nowhere, or the machine does not
-     run as asked for; for sweep: no row passes
+     run as requested; for sweep: no row passes
   2  bad input: options, a file, or a place that cannot be written to
   3  a fault of Cognate's own
 
@@ -94,8 +94,8 @@ inline constexpr const char* kSweepFooter = R"(Output:
                        which can be queried while the study runs
     NAME.report.html   the rows in plots with filters (not with --json, unless
                        --out is given)
-  Ctrl-C and --time-limit end the run; whatever ended it, the same command goes
-  on where it stopped, and the rows are those of a run that was never stopped.
+  Ctrl-C and --time-limit end the run. The same command continues it, and the
+  rows are then those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
   and of processes.
   mpirun runs a study on many processes and machines that see the same files,
@@ -161,7 +161,7 @@ Examples:
 
 inline constexpr const char* kCheckFooter =
     R"(Output:
-  What the file asks for, on standard output; or every fault in it, on standard
+  A summary of the problem, on standard output; or every fault in it, on standard
   error, each as
     FILE:LINE:COLUMN: what is wrong; what is allowed
   The exit status is 0 for a sound file and 2 for one with faults.

@@ -54,7 +54,7 @@ std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScal
                                const std::vector<FoundChain>& found) {
   std::vector<Design> feasible, others;
   // By themselves: a design that misses a limit by little does not stand for its neighbour that
-  // keeps to it.
+  // meets it.
   std::vector<FoundChain> taken_feasible, taken_others;
   for (const FoundChain& one : found) {
     const Topology& topology = *one.problem->topology;
@@ -116,7 +116,7 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
   if (equations >= unknowns + (timed ? 1 : 0)) return;
   result.notes.push_back(
       "The target has fewer points than the chain has dimensions: infinitely many designs meet it "
-      "exactly. More points say more of what is wanted between them.");
+      "exactly. Give more points to define the path between them.");
 }
 
 /// The target where the design has it.

@@ -22,7 +22,7 @@ struct DwellSearchResult {
   synthesis::SearchStatistics statistics;
 };
 
-/// Minimax fits from starts whose dyad of the output hangs on a point that moves along a circle
+/// Minimax fits from starts whose dyad of the output is joined to a point that moves along a circle
 /// while the output dwells, then from disturbed good designs: the valleys are curved and narrow.
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
                                 const Run& run, const Deadline& deadline, Work& work);

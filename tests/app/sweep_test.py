@@ -312,7 +312,7 @@ class SweepTest(Sweeps):
             jsonschema.validate(document, json.loads(schema.read_text()))
         self.assertEqual(document["problem"]["solve"]["atlas"], "atlas.study.db")
         self.assertTrue(any("9 curves of the atlas" in note for note in document["notes"]))
-        self.assertLess(document["designs"][0]["error"]["max"], 5e-3)  # a polygon is wanted
+        self.assertLess(document["designs"][0]["error"]["max"], 5e-3)  # the target is a polygon
 
         (self.folder / "of-closed.toml").write_text(
             'base = "closed.toml"\n[[vary]]\nkey = "bounds.length[1]"\nvalues = [40, 50]\n'

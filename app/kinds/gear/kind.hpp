@@ -92,7 +92,7 @@ std::span<const KeyedEntry> gear_pair_tables();
 /// "wheel.".
 std::span<const Metric> gear_metrics();
 
-/// Keys of the metrics of a pair besides these.
+/// Further keys of the metrics of a pair.
 std::span<const Metric> gear_pair_metrics();
 
 }  // namespace cognate::app

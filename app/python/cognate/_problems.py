@@ -44,7 +44,7 @@ def solve(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Finds the designs that a problem asks for, as ``cognate solve`` does, bit for bit.
+    """Finds the designs of a problem, as ``cognate solve`` does, bit for bit.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ from ._result import Values, _values, make_folder, write_whole
 
 
 class Study:
-    """The rows of a study, kept in its file NAME.study.db; they are read when they are wanted."""
+    """The rows of a study, kept in its file NAME.study.db; they are read when they are needed."""
 
     def __init__(self, file: Union[str, "os.PathLike[str]"], document: Optional[dict[str, Any]] = None,
                  page: str = "") -> None:

@@ -1,4 +1,4 @@
-"""Mechanisms of given dimensions: where they stand, how they move, what they bear.
+"""Mechanisms of given dimensions: positions, motion, forces.
 
 There is a class for each ``mechanism.type`` of files, with the keys of its table as keywords.
 Angles are in radians from the x axis, but degrees under keys that end in ``_deg``; a driving
