@@ -178,7 +178,7 @@ constexpr std::string_view list_name() {
 /// Each word once, with the meaning of its first kind.
 std::vector<Entry> kinds() {
   std::vector<Entry> all{
-      {"study", "any of these with other numbers, as many designs as wanted (cognate sweep)"}};
+      {"study", "designs for many values of the numbers of a base file (cognate sweep)"}};
   problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
     const auto word = KindTraits<Problem>::kWord;
     if (std::ranges::find(all, word, &Entry::name) != all.end()) return;

@@ -364,7 +364,7 @@ TEST(ParetoFrontTest, ErrorsBeyondTheirBoundAreReportedWithTheLeastThatHelps) {
     const std::string& note = result.notes.back();
     const std::string key = "rms_error_max = ";
     ASSERT_NE(note.find(key), std::string::npos) << note;
-    const double helps = std::stod(told.substr(told.find(key) + key.size()));
+    const double helps = std::stod(note.substr(note.find(key) + key.size()));
     EXPECT_GE(helps, 0.65579);
     EXPECT_LE(helps, 0.67);
   }
