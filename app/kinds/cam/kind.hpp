@@ -12,7 +12,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::CamResult> {
   static constexpr std::string_view kMeaning =
-      "a follower is to move by given laws over a turn of a cam";
+      "a follower moves by given laws over a turn of a cam";
   static std::string refusal(const problems::CamProblem& problem, Command command);
   static Result run(const problems::CamProblem& problem, const problems::Run& run) {
     return problems::solve(problem, run);
