@@ -9,8 +9,8 @@
 
 namespace cognate::problems {
 
-/// What was found, in the unit of its space.
-struct FoundDwell {
+/// A minimum, in the unit of its space.
+struct DwellMinimum {
   const DwellSpace* space = nullptr;
   DwellDesign design;
   double half_band = 0;  ///< radians
@@ -18,7 +18,7 @@ struct FoundDwell {
 };
 
 struct DwellSearchResult {
-  std::vector<FoundDwell> designs;  ///< best first; different ones
+  std::vector<DwellMinimum> designs;  ///< best first; different ones
   synthesis::SearchStatistics statistics;
 };
 
