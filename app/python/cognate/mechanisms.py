@@ -63,7 +63,7 @@ class Mechanism(_core.Mechanism):
                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Where the points are: a dictionary of arrays (..., 2) in the unit of the lengths.
 
-        ``points`` names those wanted, all where it is None; ``threads`` is for large arrays, None
+        ``points`` names the points, None all of them; ``threads`` is for large arrays, None
         or 0 as many as the machine has. Points of the frame are arrays that cannot be written to.
         """
         return self._positions(angles, 0, points, threads)
