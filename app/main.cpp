@@ -1,4 +1,4 @@
-/// @file The program `cognate`: what it is told on the command line, and how it ends.
+/// @file The program `cognate`: its command line and its exit status.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>

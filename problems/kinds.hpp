@@ -19,7 +19,7 @@
 
 namespace cognate::problems {
 
-/// Whatever a file may ask for: the one list of kinds. Messages name them in this order, those of
+/// The list of all kinds of problem. Messages name them in this order, those of
 /// one word once.
 using Task =
     std::variant<PathProblem, ChainPathProblem, FunctionProblem, DwellProblem, MotionProblem,

@@ -14,14 +14,14 @@
 
 namespace cognate::problems {
 
-/// What a file asks for, and where its `kind` stands, counted from 1.
+/// The problem of a file, and the place of its `kind`, counted from 1.
 struct TaskAt {
   Task task;
   std::size_t line = 1;
   std::size_t column = 1;
 };
 
-/// What `text` (TOML) asks for, or every fault found in it, in the order of the file.
+/// The problem in `text` (TOML), or every fault found in it, in the order of the file.
 tl::expected<TaskAt, std::vector<Fault>> parse_task_at(std::string_view text);
 
 /// As `parse_task_at`, for a file. One that cannot be read or is larger than 8 MiB is a fault at
@@ -34,7 +34,7 @@ tl::expected<TaskAt, std::vector<Fault>> read_task_at(const std::filesystem::pat
 tl::expected<Task, std::vector<Fault>> parse_task(std::string_view text);
 tl::expected<Task, std::vector<Fault>> read_task(const std::filesystem::path& file);
 
-/// `read`, where a problem of kind `Wanted` is: that a sound file asks for something else is a
+/// `read`, where a problem of kind `Wanted` is: that a sound file is of another kind is a
 /// fault at its `kind`.
 template <class Wanted>
 tl::expected<Wanted, std::vector<Fault>> only(TaskAt read) {

@@ -44,7 +44,7 @@ bool is_blank(std::string_view text) {
       text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
 }
 
-// A study asks for many tasks and is none itself.
+// A study has many tasks and is none itself.
 void fault_study(TableReader& document) {
   const std::string_view place = document.has(kKind) ? kKind : kBase;
   document.fault(place, fmt::format("{}, which 'cognate sweep' runs; expected one of {} here",

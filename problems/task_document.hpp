@@ -1,4 +1,4 @@
-/// @file What a document asks for, apart from the text in which it is written.
+/// @file The task of a document, apart from the text in which it is written.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ struct Source {
 /// The same of `file`, if it can be read.
 tl::expected<Source, std::vector<Fault>> read_source(const std::filesystem::path& file);
 
-/// What `document` asks for, or every fault found in it. Files that it names are looked for in
+/// The task of `document`, or every fault found in it. Files that it names are looked for in
 /// `folder`; there are none where that is empty.
 tl::expected<TaskAt, std::vector<Fault>> read_task(const Table& document,
                                                    const std::filesystem::path& folder);

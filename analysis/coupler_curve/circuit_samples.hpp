@@ -27,7 +27,7 @@ struct CircuitChoice {
 };
 
 /// The circuit that `linkage` is on with its crank at `crank_angle` from the x axis or, where it
-/// does not close there, comes to first as that grows.
+/// does not close there, reaches first as that grows.
 CircuitChoice circuit_at(const FourBar& linkage, double crank_angle);
 
 /// Samples of a closed curve in equal steps of a parameter of period 2π, and the derivatives by it.

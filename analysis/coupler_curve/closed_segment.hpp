@@ -10,7 +10,7 @@
 
 namespace cognate {
 
-/// How many samples tell the places of the segments of δ/L = `relative` apart: the narrower the
+/// Number of samples that resolve the segments of δ/L = `relative`: the narrower the
 /// strip, the shorter they are.
 constexpr std::size_t samples_for_segments(double relative) {
   return relative < 5e-3 ? 1024 : 256;

@@ -109,7 +109,7 @@ FourPointContact four_point_contact(const ContactSeries& series, double size) {
   const Vec2d across = w1 * third.linear - (2 * w2) * second.linear;
   const double constant = w1 * third.constant - 2 * w2 * second.constant;
   const double length = norm(across);
-  // What third coefficients come to where they do not vanish, as all do in a limit position.
+  // The size of third coefficients where they do not vanish, as all do in a limit position.
   double third_terms = 0;
   for (int k = 1; k <= 3; ++k) {
     third_terms = std::max(third_terms, norm(pin_of(series, k)) + norm(turn_of(series, k)) * size);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kFirstInertia = 1.0 / 64;
 constexpr int kMostInertiaDoublings = 40;
 constexpr int kPowerSamples = 720;
-/// (ω_max − ω_min)/ω_m of a drive that comes to rest.
+/// (ω_max − ω_min)/ω_m of a drive that stops.
 constexpr double kComesToRest = 2;
 
 bool runs(const SteadyState& steady) {

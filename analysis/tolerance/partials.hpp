@@ -10,7 +10,7 @@
 namespace cognate {
 
 /// value + Σ by[i]·dxᵢ over T: double, an interval, a number of extended precision. The root of a
-/// number that is not positive has no derivative: it is whatever T makes of 1/0.
+/// number that is not positive has no derivative: it is what T makes of 1/0.
 template <class T, std::size_t Count>
 struct Partials {
   T value{};

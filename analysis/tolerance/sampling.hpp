@@ -37,7 +37,7 @@ struct ResponseStatistics {
 };
 
 struct SampleStatistics {
-  std::size_t samples = 0;    ///< those drawn: fewer than asked for where it was stopped
+  std::size_t samples = 0;    ///< those drawn: fewer than requested if it was stopped
   std::size_t assembled = 0;  ///< of these those that can be assembled at every station
   std::vector<ResponseStatistics> responses;
 };
@@ -46,7 +46,7 @@ struct SampleStatistics {
 struct SamplingOptions {
   std::size_t samples = 0;
   /// Fills changes[d·count + i], those of dimension d in sample first + i. Called from any thread,
-  /// with the same arguments whatever their number.
+  /// with the same arguments for any number of them.
   std::function<void(std::size_t first, std::size_t count, std::span<double> changes)> draw;
   int threads = 1;                                  ///< 0: as many as the machine has
   std::optional<InstructionSet> instruction_set{};  ///< the widest there is, if empty

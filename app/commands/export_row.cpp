@@ -27,7 +27,7 @@ std::string study_stem_of(const fs::path& file) {
   return stem.extension() == ".study" ? stem.stem().string() : stem.string();
 }
 
-/// As much of the study as its file tells, which is all that the text of a design depends on.
+/// As much of the study as its file contains, which is all that the text of a design depends on.
 problems::Study stored_study(SqliteDatabase& database) {
   problems::Study study;
   study.base_text = database.text("SELECT value FROM study WHERE name = 'base'");

@@ -1,45 +1,45 @@
-/// @file What `cognate --help` and the help of its commands say besides their options.
+/// @file The texts of `cognate --help` and of the commands' help, apart from the options.
 #pragma once
 
 namespace cognate::app {
 
 inline constexpr const char* kDescription =
-    R"(Cognate finds planar linkages, cams and gears that do what a problem file asks,
-analyses mechanisms, says how machines run, and maps what is possible.
+    R"(Cognate designs planar linkages, cams and gears from a problem file, analyses
+mechanisms, computes how machines run, and maps whole families of designs.
 )";
 
 inline constexpr const char* kFooter =
     R"(First steps:
   cognate new path-generation     write a commented file to start from
-  cognate check rocker.toml       is the file sound? what would be solved?
+  cognate check rocker.toml       find faults of the file; summarise the problem
   cognate solve rocker.toml       find designs; then open rocker.report.html
   cognate list                    every key that a file may have
 
 Examples:
-  cognate analyze press.toml      how a mechanism moves and what it bears, or
+  cognate analyze press.toml      motion and forces of a mechanism, or
                                   how a machine runs (kind = "machine")
   cognate sweep sizes.toml        vary the numbers of a file, and keep the best
   cognate export press.result.json --format dxf
-  cognate list --metrics          what a result says of a design, in which unit
-  cognate solve --help            all about a command
+  cognate list --metrics          the numbers of a result, with their units
+  cognate solve --help            the help of a command
 
 Exit status:
   0  done; for solve: at least one design meets every constraint
-  1  the problem was well posed, but no design meets every constraint; for
-     analyze: the mechanism can be assembled nowhere, or the machine does not
-     run as asked for; for sweep: no row passes
+  1  the problem is well posed, but no design meets every constraint; for
+     analyze: the mechanism cannot be assembled at any angle, or the machine
+     does not run as requested; for sweep: no row passes
   2  bad input: options, a file, or a place that cannot be written to
-  3  a fault of Cognate's own
+  3  an internal error of Cognate
 
 Shell:
-  Commands, options and files complete themselves at the Tab key after
+  The Tab key completes commands, options and files after
     source <(cognate completion bash)       in bash; the same for zsh
     cognate completion fish | source        in fish
-  Colours are used on a terminal alone, and not where NO_COLOR is set.)";
+  Colours are used only on a terminal, and not if NO_COLOR is set.)";
 
 inline constexpr const char* kNewFooter = R"(Output:
-  KIND.toml in DIR, which solves as it stands: its keys with what they mean, and
-  behind # those that may be added. A file of that name is left as it is.
+  KIND.toml in DIR, a problem that can be solved at once: its keys with their
+  meaning, and after # further keys. An existing file is not overwritten.
 
 Examples:
   cognate new path-generation
@@ -49,12 +49,13 @@ inline constexpr const char* kSolveFooter = R"(Output:
   A table of the designs, best first, on standard output, and files in DIR, NAME
   being FILE's name without its ending:
     NAME.result.json   every number of the designs, for programs
-    NAME.report.html   the linkages moving, their curves and errors, for a
+    NAME.report.html   the linkages in motion, their curves and errors, for a
                        browser
     NAME.csv           of a cam: motion, angles, profile and forces over a turn
-  With --json no files are written unless --out is given; of several files the
-  documents follow one another.
-  Ctrl-C ends the search and reports what was found; a second one ends at once.
+  With --json no files are written unless --out is given; the documents of
+  several files follow one another.
+  Ctrl-C ends the search and reports the designs found; a second one ends at
+  once.
   The same file, seed and version give the same designs with any number of
   threads, unless a time limit ended the run.
 
@@ -64,22 +65,22 @@ Examples:
   cognate solve rocker.toml --json --seed 7 > rocker.json)";
 
 inline constexpr const char* kAnalyzeFooter = R"(Output:
-  What is true of the motion as a whole (class, transmission angle, limits, time
-  ratio, greatest forces) on standard output, and three files in DIR, NAME being
+  The quantities of the whole motion (class, transmission angle, limits, time
+  ratio, maximum forces) on standard output, and three files in DIR, NAME being
   FILE's name without its ending:
     NAME.csv           one row for each step of the drive; units in the header;
-                       of a machine the motion (task) first
-    NAME.result.json   the same numbers and the facts, for programs
-    NAME.report.html   the mechanism moving, curves of motion and forces
-  With --json no files are written unless --out is given; of several files the
-  documents follow one another.
-  Of a design of a result, NAME.result.json, the files are NAME.designN.csv and
-  so on; a synthesised linkage moves as far as it can be assembled.
+                       for a machine the first column is the motion (task)
+    NAME.result.json   the same numbers and the quantities, for programs
+    NAME.report.html   the mechanism in motion, curves of motion and forces
+  With --json no files are written unless --out is given; the documents of
+  several files follow one another.
+  For a design of NAME.result.json the files are NAME.designN.csv and so on; a
+  synthesised linkage moves as far as it can be assembled.
   Where the mechanism cannot be assembled, cells are empty and a note says why.
-  Of a gear the table is its flank; an impossible gear, or pair of gears, ends
+  For a gear the table is its flank; an impossible gear, or pair of gears, ends
   with exit status 1.
-  Of a machine (kind = "machine"): the speed at which it runs, its fluctuation,
-  the flywheel, starts and stops; why, where it has no steady motion.
+  For a machine (kind = "machine"): the speed at which it runs, its fluctuation,
+  the flywheel, starts and stops; or the reason why there is no steady motion.
 
 Examples:
   cognate analyze press.toml
@@ -94,8 +95,8 @@ inline constexpr const char* kSweepFooter = R"(Output:
                        which can be queried while the study runs
     NAME.report.html   the rows in plots with filters (not with --json, unless
                        --out is given)
-  Ctrl-C and --time-limit end the run; whatever ended it, the same command goes
-  on where it stopped, and the rows are those of a run that was never stopped.
+  Ctrl-C and --time-limit end the run. The same command continues it, and the
+  rows are then those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
   and of processes.
   mpirun runs a study on many processes and machines that see the same files,
@@ -151,9 +152,9 @@ Examples:
 inline constexpr const char* kSketchFooter =
     R"(Output:
   One page that needs no network: draw a curve with mouse, pen or finger, and
-  four-bar linkages that trace it are found and move. Limits, points and designs
-  can be changed; problems and designs are saved as files for cognate. A file
-  that is there already is left as it is.
+  the page finds four-bar linkages that trace it and shows them in motion.
+  Limits, points and designs can be changed; problems and designs are saved as
+  files for cognate. An existing file is not overwritten.
 
 Examples:
   cognate sketch
@@ -161,7 +162,7 @@ Examples:
 
 inline constexpr const char* kCheckFooter =
     R"(Output:
-  What the file asks for, on standard output; or every fault in it, on standard
+  A summary of the problem on standard output; or every fault in it on standard
   error, each as
     FILE:LINE:COLUMN: what is wrong; what is allowed
   The exit status is 0 for a sound file and 2 for one with faults.

@@ -54,7 +54,7 @@ constexpr Entry kObjective[] = {
 constexpr KeyedEntry kTables[] = {
     {"the file", "numbers of a base file vary; cognate sweep runs all designs", kFile},
     {"[[vary]]", "a number of the base", kVary},
-    {"[output]", "what rows hold besides what varies", kOutput},
+    {"[output]", "the columns of rows in addition to the variables", kOutput},
     {"[filter]", "which rows are kept", kFilter},
     {"[objective]", "which rows are best", kObjective}};
 
@@ -131,7 +131,7 @@ constexpr Entry kHeadKeys[] = {
     {"length_unit",
      "of all lengths: \"mm\", \"cm\", \"m\" or \"in\"; forces are in N, moments in N m, inertias "
      "in "
-     "kg m2 whatever it is; without it lengths count as m where there are forces"}};
+     "kg m2 for any unit; without it lengths count as m where there are forces"}};
 
 /// The keys of `[raster]`, from their declarations.
 std::span<const Entry> raster_entries() {
@@ -178,7 +178,7 @@ constexpr std::string_view list_name() {
 /// Each word once, with the meaning of its first kind.
 std::vector<Entry> kinds() {
   std::vector<Entry> all{
-      {"study", "any of these with other numbers, as many designs as wanted (cognate sweep)"}};
+      {"study", "designs for many values of the numbers of a base file (cognate sweep)"}};
   problems::for_each_kind([&]<class Problem>(std::type_identity<Problem>) {
     const auto word = KindTraits<Problem>::kWord;
     if (std::ranges::find(all, word, &Entry::name) != all.end()) return;

@@ -79,8 +79,9 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (before > 0) {
     summary.notes.push_back(
-        before == total ? "every design had been evaluated before; nothing was left to do"
-                        : fmt::format("went on from {} designs evaluated before", grouped(before)));
+        before == total
+            ? "every design had been evaluated before; nothing was left to do"
+            : fmt::format("continued after {} designs evaluated before", grouped(before)));
   }
   if (database.unchecked_blocks() > 0) {
     summary.notes.push_back(
@@ -94,7 +95,7 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
 /// What an unfinished run leaves, and how to go on.
 void say_end(const Sweep& sweep, const StudySummary& summary) {
   if (summary.end == StudyEnd::done) return;
-  complain(fmt::format("{} after {} of {} designs; the same command goes on from there",
+  complain(fmt::format("{} after {} of {} designs; the same command continues from there",
                        summary.end == StudyEnd::interrupted ? "interrupted" : "time limit reached",
                        grouped(summary.counts.evaluated),
                        grouped(problems::design_count(sweep.study))));

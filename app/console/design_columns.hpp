@@ -20,7 +20,7 @@ struct QuantityColumn {
 inline constexpr QuantityColumn kObjectiveQuantities[] = {
     {"link_ratio", "link ratio"}, {"longest_link", "longest link [length]"}};
 
-/// What is reported of designs besides what all kinds of problem have.
+/// The columns of designs in addition to those of all kinds of problem.
 struct ColumnChoice {
   std::string_view error_unit;  ///< errors are left out where empty, and in degrees where "deg"
   bool angular_output = false;  ///< whether speeds and accelerations are those of a rocker

@@ -20,7 +20,7 @@ namespace cognate::app {
 class Progress {
  public:
   /// A run of which only the share done is known. `quiet`: show nothing at all. `stopping` is
-  /// raised when the run has been told to end.
+  /// raised when the run has to end.
   Progress(bool quiet, const std::atomic<bool>& stopping);
   /// A run that goes on from `done` of `total` designs.
   Progress(bool quiet, const std::atomic<bool>& stopping, std::int64_t done, std::int64_t total);

@@ -11,8 +11,8 @@
 namespace cognate::app {
 namespace {
 
-/// The widths of characters are the C library's, which needs a locale of UTF-8 for them, whatever
-/// the user's is.
+/// The widths of characters are the C library's, which needs a locale of UTF-8 for them, in any
+/// locale of the user.
 class Utf8 {
  public:
   Utf8() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {}

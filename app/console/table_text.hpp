@@ -24,7 +24,7 @@ std::string counted(std::size_t count, std::string_view noun);
 /// The status in words with what was found: `feasible` of `designs` meet every constraint.
 std::string status_line(problems::Status status, std::size_t designs, int feasible);
 
-/// The number of `result`'s designs, of whatever kind, that meet every constraint.
+/// The number of `result`'s designs, of any kind, that meet every constraint.
 template <class AnyResult>
 int feasible_count(const AnyResult& result) {
   return static_cast<int>(std::ranges::count_if(result.designs, [](const auto& design) {

@@ -76,7 +76,7 @@ std::error_code write_standard_output(std::string_view text) {
 }
 
 void write_standard_error(std::string_view text) {
-  // Where even this cannot be written there is no one left to tell.
+  // If even this cannot be written, there is nowhere to report it.
   [[maybe_unused]] const std::error_code unheard = write_all(STDERR_FILENO, text);
 }
 

@@ -31,7 +31,7 @@ bool error_takes_text();
 /// Writes all of `text` to standard output, past every buffer; the error says why it could not.
 std::error_code write_standard_output(std::string_view text);
 
-/// Writes `text` to standard error. There is nobody to tell when that fails.
+/// Writes `text` to standard error. A failure is ignored.
 void write_standard_error(std::string_view text);
 
 }  // namespace cognate::app

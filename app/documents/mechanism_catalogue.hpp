@@ -16,10 +16,10 @@ struct KeyedEntry {
   std::span<const Entry> keys;
 };
 
-/// The values of `mechanism.type`, with the keys of `[mechanism]` besides `type`.
+/// The values of `mechanism.type`, with the keys of `[mechanism]` except `type`.
 std::span<const KeyedEntry> mechanisms();
 
-/// The values of `dyad.type`, with the keys of `[[dyad]]` besides `type` and `names`.
+/// The values of `dyad.type`, with the keys of `[[dyad]]` except `type` and `names`.
 std::span<const KeyedEntry> dyads();
 
 /// The other tables of an analysis.

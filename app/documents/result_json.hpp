@@ -32,7 +32,7 @@ tl::expected<nlohmann::ordered_json, std::string> finished_document(nlohmann::or
 nlohmann::ordered_json mechanism_json(const problems::NamedMechanism& mechanism);
 
 /// An entry of `designs`. Errors are in the target's unit, of an `angular` one in radians and
-/// besides as `rms_deg`, `max_deg`. `cognate_of` and `mirror_of` are indices into `designs` from 0.
+/// also as `rms_deg`, `max_deg`. `cognate_of` and `mirror_of` are indices into `designs` from 0.
 /// What has no value is left out, but for `metrics.time_ratio`, which is then null; so are
 /// quantities, a condition number and a precision residual that are not finite.
 nlohmann::ordered_json design_json(const problems::Design& design, bool angular);

@@ -11,7 +11,7 @@ inline constexpr auto kToleranceEntries = entries_of(problems::reading::kToleran
 inline constexpr std::string_view kToleranceMeaning =
     "how far the dimensions of what is made may be off";
 
-/// Of the quantity that is judged; what no file asks for is not there.
+/// Of the quantity that is judged; quantities that are not requested are absent.
 inline constexpr Metric kToleranceMetrics[] = {
     {"tolerance_linear", "length", "worst case of first order over all positions"},
     {"tolerance_linear_deg", "deg", "the same of an angle"},

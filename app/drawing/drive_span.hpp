@@ -16,7 +16,7 @@ struct DriveSpan {
 };
 
 /// The range in which `mechanism` can be assembled and that holds most of `stations` (drive
-/// coordinates, in whatever turn): of a crank or floating link the first one where none does, and a
+/// coordinates, in any turn): of a crank or floating link the first one where none does, and a
 /// hair beyond the dead points at its ends; of a driving slider with some of the way beyond its
 /// outermost stations. Empty where the mechanism
 /// cannot be assembled, and for a driving slider without two stations.

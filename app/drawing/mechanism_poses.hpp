@@ -28,7 +28,7 @@ Vec2d place(const BodyTrack& body, std::size_t k, const Vec2d& at);
 
 /// `count` ≥ 2 samples of the motion from `start` to `end`, both included, in equal steps, followed
 /// through change points. The ends of the ranges in which the mechanism can be assembled are
-/// samples besides, with more of them on the way there, where it moves as the square root of the
+/// further samples, with more of them on the way there, where it moves as the square root of the
 /// drive. Where it cannot be assembled only the drive is placed.
 MechanismPoses sample_poses(const Mechanism<double>& mechanism, double start, double end,
                             int count);

@@ -14,7 +14,7 @@
 namespace cognate::app {
 namespace {
 
-/// Of processes that are many on one machine, each takes one processor unless told otherwise.
+/// Of several processes on one machine, each takes one processor by default.
 int threads_of_one(int asked) {
   return std::max(asked, 1);
 }

@@ -42,7 +42,7 @@ std::string_view text_of(const MpiMessage& message);
 /// are few of them, threads of this process evaluate as well.
 class MpiCrew : public StudyCrew {
  public:
-  /// `others`: the processes besides this one, which evaluate with `threads` each.
+  /// `others`: the other processes, which evaluate with `threads` each.
   MpiCrew(const EvaluatorMaker& maker, WorkList& work, int others, int threads);
   /// Ends the others.
   ~MpiCrew() override;

@@ -37,7 +37,7 @@ std::size_t word_of(const py::handle& value, const char* name,
 [[noreturn]] void refuse_type(const py::handle& value, const char* name, std::string_view expected);
 
 /// Raises ProblemError where `__init__` of an object of a class that is bound has not run: pybind11
-/// would make one of whatever stands in the memory.
+/// would read uninitialised memory as one.
 void expect_made(const py::handle& object, const char* name);
 
 /// The T in an object of Python's class for it.

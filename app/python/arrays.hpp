@@ -42,8 +42,8 @@ class Shape {
 /// An argument as doubles one after the other, the last axis fastest.
 class Numbers {
  public:
-  /// `value` is a number or whatever numpy takes for an array of numbers; `name`, of the argument,
-  /// is for messages. Raises ProblemError.
+  /// `value` is a number or anything that numpy takes for an array of numbers; `name`, of the
+  /// argument, is for messages. Raises ProblemError.
   Numbers(const py::handle& value, const char* name);
 
   const Shape& shape() const { return shape_; }

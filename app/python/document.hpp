@@ -1,5 +1,5 @@
-/// @file Problems as Python tells them, files or dictionaries, as the document that the reader of
-/// files takes; and faults as Python gets them.
+/// @file Problems as Python gives them, as files or dictionaries, as the document that the reader
+/// of files takes; and faults as Python gets them.
 #pragma once
 
 #include <pybind11/pybind11.h>

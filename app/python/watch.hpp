@@ -30,9 +30,9 @@ class Watch {
 
   /// Runs `work` in a thread of its own while this one, which holds the interpreter's lock, gives
   /// it up and listens. The first Ctrl-C ends the computation in good order and raises nothing:
-  /// what was found until then is its answer. A second one, whatever else a handler of signals
-  /// raises, and what `progress` raises is raised once `work` has ended, as is what `work` throws.
-  /// `progress`, called with a share and the best value so far, may be None.
+  /// what was found until then is its answer. A second one, and anything else that a handler of
+  /// signals raises, and what `progress` raises is raised once `work` has ended, as is what `work`
+  /// throws. `progress`, called with a share and the best value so far, may be None.
   void run(const py::object& progress, const std::function<void()>& work);
 
  private:

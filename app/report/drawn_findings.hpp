@@ -1,4 +1,4 @@
-/// @file What a synthesis found besides its designs, for drawing.
+/// @file Findings of a synthesis other than its designs, for drawing.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

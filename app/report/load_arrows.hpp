@@ -9,7 +9,7 @@
 
 namespace cognate::app {
 
-/// A list of what acts on the bodies from outside; empty unless `problem` asks for torque or
+/// A list of what acts on the bodies from outside; empty unless `problem` requests torque or
 /// reactions. Each entry has `kind`, `body` (its number) and `at` (the place in the body's axes).
 /// - "load": `force` [x, y] (N, global axes), `torque` (N·m, counter-clockwise) and `acts`, for
 /// each

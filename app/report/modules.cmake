@@ -1,5 +1,5 @@
 # join_modules(MAIN SCRIPT FILES): SCRIPT becomes the text of MAIN and of the modules it imports, each
-# after those it imports itself, without imports and exports; FILES what was read. All come to stand in
+# after those it imports itself, without imports and exports; FILES what was read. All are in
 # one scope: a name at the top level of one module may not be that of another. A module imports by
 # `import { a, b } from "./file.js";` and exports by `export` before a declaration, both at the start
 # of a line.

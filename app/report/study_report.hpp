@@ -22,8 +22,8 @@ std::optional<nlohmann::ordered_json> study_linkage(const problems::Study& study
 /// have nine digits; a value that a row lacks is null, or index −1.
 nlohmann::ordered_json study_report_data(const problems::Study& study, const StudyRows& rows);
 
-/// The indices of the rows drawn, ascending: all, or as many as a page bears, the best first and of
-/// the others an even selection.
+/// The indices of the rows drawn, ascending: all, or as many as a page can hold, the best first and
+/// of the others an even selection.
 std::vector<std::size_t> drawn_study_rows(const StudyRows& rows);
 
 /// A whole HTML page that opens from disk and loads nothing: `document` (the `cognate-study/1`

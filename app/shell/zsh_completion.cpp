@@ -38,7 +38,7 @@ std::string specification(const OptionWords& option) {
                      rest);
 }
 
-/// The words that tell `_arguments` of the options, each on a line of its own.
+/// The words that describe the options to `_arguments`, each on a line of its own.
 std::string specifications(const CommandWords& command, const std::string& indent) {
   std::string text;
   for (const auto& option : command.options) {

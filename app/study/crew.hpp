@@ -131,7 +131,7 @@ class ThreadCrew : public StudyCrew {
   std::optional<problems::StudyBlock> wait(std::chrono::milliseconds patience) override;
   void stop() override;
   bool is_finished() override;
-  /// Whether it was told to stop, or an evaluator has thrown.
+  /// Whether it was stopped, or an evaluator has thrown.
   bool is_stopped() const { return stopped_; }
   int size() const override { return static_cast<int>(threads_.size()); }
 

@@ -37,7 +37,8 @@ std::string explained(const SqliteError& error, const std::filesystem::path& fil
     case SQLITE_FULL:
     case SQLITE_IOERR:
       return fmt::format(
-          "cannot store rows in '{}': {}; the rows so far are there, and the same command goes on "
+          "cannot store rows in '{}': {}; the rows so far are there, and the same command "
+          "continues "
           "once there is room",
           name, error.what());
     case SQLITE_READONLY:

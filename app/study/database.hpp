@@ -30,7 +30,7 @@ class StudyFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What rows depend on besides the study itself.
+/// What rows depend on apart from the study itself.
 struct StudyOrigin {
   std::string text;  ///< of the study file
   std::string version;

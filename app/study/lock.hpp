@@ -11,7 +11,7 @@ namespace cognate::app {
 std::filesystem::path final_target(const std::filesystem::path& file);
 
 /// The file of the lock of the study in `database`, which is no symbolic link: beside it, so that
-/// whoever comes to the database by another name finds the same lock.
+/// a process that opens the database by another name finds the same lock.
 std::filesystem::path lock_file(const std::filesystem::path& database);
 
 /// A lock that ends with the process however that ends. It lies in a file of its own, so that

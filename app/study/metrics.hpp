@@ -30,7 +30,7 @@ tl::expected<problems::Study, std::vector<problems::Fault>> read_study(
 void add_metrics(problems::MetricNames& names, std::span<const Metric> listed,
                  std::string_view within = "");
 
-/// What a study may ask of the designs of a problem besides its metrics, for `cognate list`.
+/// Values of a design that a study may take in addition to the metrics, for `cognate list`.
 std::span<const Metric> study_extras();
 
 /// The single keys that a catalogue lists in one entry: "a_at_1, _at_2" is a_at_1 and a_at_2,

@@ -1,5 +1,5 @@
 // A study of documents: a problem file's text with other numbers in it, each read, checked and
-// evaluated. What is wrong with a file is told, with its place.
+// evaluated. Faults of a file are reported with their place.
 #include <algorithm>
 #include <cmath>
 #include <cognate/evaluation.hpp>

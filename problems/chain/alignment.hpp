@@ -1,6 +1,6 @@
-/// @file How near a drawn curve comes to the target once it is moved, turned and enlarged, without
-/// any iteration: both are compared at equal arcs (with prescribed timing at the same angles of the
-/// crank), for every place where the target may begin.
+/// @file The distance of a drawn curve from the target once it is moved, turned and enlarged,
+/// without any iteration: both are compared at equal arcs (with prescribed timing at the same
+/// angles of the crank), for every place where the target may begin.
 #pragma once
 
 #include <vector>

@@ -43,7 +43,7 @@ struct Move {
   Vec2d turn, from, place;
 };
 
-PlacedChain moved(const ScaledChain& scaled, const FoundChain& found, const Move& move) {
+PlacedChain moved(const ScaledChain& scaled, const ChainMinimum& found, const Move& move) {
   PlacedChain made{found.design, found.angles, {}};
   const double size = norm(move.turn);
   auto& parameters = made.design.parameters;
@@ -85,14 +85,14 @@ ChainPathProblem without_sizes(const ChainPathProblem& problem) {
 }
 
 std::vector<PlacedChain> placed_starts(const ScaledChain& scaled,
-                                       std::span<const FoundChain> found) {
+                                       std::span<const ChainMinimum> found) {
   std::vector<PlacedChain> starts;
   const auto& [crank, place] = crank_line(scaled);
   const auto length = static_cast<std::size_t>(place);
   const auto pivot =
       static_cast<std::size_t>(scaled.lines[static_cast<std::size_t>(crank.first)].parameter);
   const Vec2d centre{middle(scaled, pivot), middle(scaled, pivot + 1)};
-  for (const FoundChain& one : found.first(std::min(found.size(), kMoved))) {
+  for (const ChainMinimum& one : found.first(std::min(found.size(), kMoved))) {
     const auto& own = one.design.parameters;
     for (const double wanted : crank_lengths(scaled, length)) {
       for (int k = 0; k < kDirections; ++k) {

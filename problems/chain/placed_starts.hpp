@@ -18,6 +18,6 @@ ChainPathProblem without_sizes(const ChainPathProblem& problem);
 /// the target is moved with it. Dimensions are within bounds, given ones as given, so that the
 /// target no longer fits exactly.
 std::vector<PlacedChain> placed_starts(const ScaledChain& scaled,
-                                       std::span<const FoundChain> found);
+                                       std::span<const ChainMinimum> found);
 
 }  // namespace cognate::problems

@@ -1,4 +1,4 @@
-/// @file What `kind = "path-generation"` asks for where the mechanism is a longer chain than a
+/// @file What `kind = "path-generation"` specifies where the mechanism is a longer chain than a
 /// four-bar. Angles are in radians, lengths in the file's unit.
 #pragma once
 

@@ -75,7 +75,7 @@ class ChainRaster final : public synthesis::RasterTask {
 
   bool accepts(const RasterPoint& point) const override { return accepts_(chain(point)); }
 
-  RasterPoint point(const FoundChain& found) const {
+  RasterPoint point(const ChainMinimum& found) const {
     return point_of({found.design, found.angles, {}, found.rms * found.rms});
   }
 
@@ -203,7 +203,7 @@ class ChainRaster final : public synthesis::RasterTask {
 
 RasterChainResult search_chain_raster(const ChainPathProblem& problem, const ScaledChain& scaled,
                                       const TargetScale& scale,
-                                      const std::vector<FoundChain>& found,
+                                      const std::vector<ChainMinimum>& found,
                                       const ChainAcceptance& accepts, const Run& run,
                                       const Deadline& deadline) {
   const ChainRaster raster(*problem.raster, scaled, scale, accepts);
@@ -225,7 +225,7 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
     options.known = known;
     options.minima = kMovedMinima;
   } else {
-    for (const FoundChain& one : found) from.push_back(raster.point(one));
+    for (const ChainMinimum& one : found) from.push_back(raster.point(one));
   }
   RasterChainResult result;
   result.search = synthesis::search_raster(raster, from, options);

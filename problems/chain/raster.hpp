@@ -30,7 +30,7 @@ using ChainAcceptance = std::function<bool(const RasterChain& chain)>;
 /// without one; where the target may be moved, of `without_sizes` of it.
 RasterChainResult search_chain_raster(const ChainPathProblem& problem, const ScaledChain& scaled,
                                       const TargetScale& scale,
-                                      const std::vector<FoundChain>& found,
+                                      const std::vector<ChainMinimum>& found,
                                       const ChainAcceptance& accepts, const Run& run,
                                       const Deadline& deadline);
 

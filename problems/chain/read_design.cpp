@@ -34,14 +34,14 @@ void check_something_is_found(TableReader& mechanism, const std::vector<Topology
 std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
                                       std::vector<Topology> known, const Wanted& wanted) {
   PartTables parts(document, tables.mechanism);
-  const bool is_told = known.empty();
+  const bool is_defined_here = known.empty();
   std::vector<Topology> all = std::move(known);
-  if (is_told) {
+  if (is_defined_here) {
     auto topology = read_structure(parts, tables.mechanism, tables.target, wanted);
     if (topology) all.push_back(*std::move(topology));
   }
   if (!all.empty()) read_chain_bounds(tables.bounds, all);
-  is_told ? read_given(parts, all) : read_given_by_name(parts, all);
+  is_defined_here ? read_given(parts, all) : read_given_by_name(parts, all);
   if (!all.empty()) {
     tables.bounds.finish();
     check_something_is_found(tables.mechanism, all);
@@ -55,7 +55,7 @@ std::optional<Range> read_chain_transmission(TableReader& constraints) {
   if (!range) return std::nullopt;
   if (std::max(range->min, 2 * kQuarterTurn - range->max) >= kQuarterTurn) {
     constraints.fault(
-        kKey, fmt::format("is [{}, {}], which no dyad keeps to in motion; expected min < 90 < max",
+        kKey, fmt::format("is [{}, {}], which no dyad satisfies in motion; expected min < 90 < max",
                           range->min, range->max));
     return std::nullopt;
   }

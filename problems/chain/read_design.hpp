@@ -14,7 +14,7 @@
 namespace cognate::problems::reading {
 
 /// What `[mechanism]`, `[bounds]` and the tables of parts say of the topologies `known`, or where
-/// there are none the topology that they tell; empty, with a fault, where they tell none.
+/// there are none, the topology that they define; empty, with a fault, where they define none.
 std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
                                       std::vector<Topology> known, const Wanted& wanted);
 

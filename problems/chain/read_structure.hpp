@@ -17,7 +17,7 @@ struct Wanted {
   std::vector<std::string> points;  ///< empty: the path of the last point
 };
 
-/// The topology that the tables tell, without dimensions; empty, with a fault, where they tell
+/// The topology that the tables define, without dimensions; empty, with a fault, where they define
 /// none. Its `trace` is the last of the points wanted; `target` is the table of their key.
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
                                        TableReader& target, const Wanted& wanted);

@@ -132,7 +132,7 @@ void read_place(TableReader& target, ChainPathProblem& problem) {
                "timing may be moved");
 }
 
-/// What the path of a four-bar takes besides.
+/// Further keys of the path of a four-bar.
 void refuse_four_bar_keys(TableReader& target) {
   for (const std::string_view key :
        {"weights", "order", "crank_sense", "crank_reference", "poses", "method"}) {

@@ -33,7 +33,7 @@ constexpr std::size_t kKept = 40;     ///< minima kept while searching
 constexpr std::size_t kRefined = 12;  ///< of which so many are refined
 constexpr double kHopShare = 0.6;     ///< of the starts that disturb a design known
 constexpr double kMetCost = 1e-20;    ///< mean squared distance that is rounding
-constexpr double kEnough = 1e-11;     ///< and that no workshop can tell from it
+constexpr double kEnough = 1e-11;     ///< and that no workshop can measure
 constexpr double kNearlyMet = 1e-8;   ///< from here on the best is refined at once
 constexpr double kSameChain = 1e-3;   ///< of parameters: designs closer than this are one
 constexpr double kOneValley = 0.25;   ///< closer than this they are in one valley, of which
@@ -148,8 +148,8 @@ class ChainExplorer {
   std::uint64_t drawn() const { return drawn_; }
 
   /// The best designs, with angles at all targets.
-  std::vector<FoundChain> found() const {
-    std::vector<FoundChain> all;
+  std::vector<ChainMinimum> found() const {
+    std::vector<ChainMinimum> all;
     for (const Candidate& one : search_.all()) {
       if (all.size() == kRefined) break;
       all.push_back({&problem_, one.state.design, targets_.at_all(problem_, one.state.angles),
@@ -281,7 +281,7 @@ synthesis::StartRule rule_of(const Solve& options) {
   return rule;
 }
 
-void refine_all(std::vector<FoundChain>& designs, const Solve& options, const Run& run,
+void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const Run& run,
                 const Deadline& deadline, Work& work) {
   std::vector<RefinedChain> refined(designs.size());
   synthesis::Options own;
@@ -290,7 +290,7 @@ void refine_all(std::vector<FoundChain>& designs, const Solve& options, const Ru
   parallel_for(static_cast<int>(designs.size()), run.threads, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     if (deadline.reached()) return;
-    const FoundChain& from = designs[i];
+    const ChainMinimum& from = designs[i];
     refined[i] =
         refine(*from.problem, from.design, from.angles, synthesis::chosen(options.solver), own);
   });
@@ -336,7 +336,7 @@ ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const 
     std::ranges::move(one.found(), std::back_inserter(result.designs));
   }
   refine_all(result.designs, options, run, deadline, work);
-  std::ranges::stable_sort(result.designs, {}, &FoundChain::rms);
+  std::ranges::stable_sort(result.designs, {}, &ChainMinimum::rms);
   for (const ChainExplorer& one : explorers) {
     if (result.designs.empty() || &one.problem() != result.designs.front().problem) continue;
     result.statistics = one.search().statistics(synthesis::kBestMinima);

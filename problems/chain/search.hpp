@@ -10,8 +10,8 @@
 
 namespace cognate::problems {
 
-/// What the search found of one topology, in units of the target.
-struct FoundChain {
+/// A minimum of one topology, in units of the target.
+struct ChainMinimum {
   const ScaledChain* problem = nullptr;
   synthesis::ChainDesign design;
   std::vector<double> angles;  ///< of the crank at the targets, radians
@@ -19,7 +19,7 @@ struct FoundChain {
 };
 
 struct ChainSearchResult {
-  std::vector<FoundChain> designs;  ///< best first
+  std::vector<ChainMinimum> designs;  ///< best first
   synthesis::SearchStatistics statistics;
 };
 

@@ -28,15 +28,15 @@ namespace {
 /// valley.
 constexpr double kSameDimensions = 0.03;
 
-std::vector<double> angles_of_targets(const FoundChain& found) {
+std::vector<double> angles_of_targets(const ChainMinimum& found) {
   if (!found.problem->timed()) return found.angles;
   std::vector<double> angles = found.problem->crank_angles;
   for (double& angle : angles) angle += found.angles.front();
   return angles;
 }
 
-bool is_known(const std::vector<FoundChain>& taken, const FoundChain& other) {
-  return std::ranges::any_of(taken, [&](const FoundChain& known) {
+bool is_known(const std::vector<ChainMinimum>& taken, const ChainMinimum& other) {
+  return std::ranges::any_of(taken, [&](const ChainMinimum& known) {
     if (known.problem != other.problem || known.design.side != other.design.side) return false;
     const auto& a = known.design.parameters;
     const auto& b = other.design.parameters;
@@ -51,12 +51,12 @@ bool is_known(const std::vector<FoundChain>& taken, const FoundChain& other) {
 /// Different designs, those that meet every limit before the others; of these only where there are
 /// no such.
 std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScale& scale,
-                               const std::vector<FoundChain>& found) {
+                               const std::vector<ChainMinimum>& found) {
   std::vector<Design> feasible, others;
   // By themselves: a design that misses a limit by little does not stand for its neighbour that
-  // keeps to it.
-  std::vector<FoundChain> taken_feasible, taken_others;
-  for (const FoundChain& one : found) {
+  // meets it.
+  std::vector<ChainMinimum> taken_feasible, taken_others;
+  for (const ChainMinimum& one : found) {
     const Topology& topology = *one.problem->topology;
     auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
     Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));
@@ -84,10 +84,10 @@ Status status_of(const std::vector<Design>& designs, const Deadline& deadline) {
 
 /// The designs of the raster, from those that the search found without one.
 void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
-                 const ScaledChain& scaled, const std::vector<FoundChain>& continuous,
+                 const ScaledChain& scaled, const std::vector<ChainMinimum>& continuous,
                  const Run& run, const Deadline& deadline, Result& result) {
   const auto design_of = [&](const RasterChain& chain) {
-    const FoundChain as_found{&scaled, chain.design, chain.angles, 0};
+    const ChainMinimum as_found{&scaled, chain.design, chain.angles, 0};
     Design design = verified(problem, *scaled.topology, named(*scaled.topology, chain.design),
                              angles_of_targets(as_found), chain.placement);
     design.origin = "raster";
@@ -116,7 +116,7 @@ void note_unknowns(const ChainPathProblem& problem, const std::vector<ScaledChai
   if (equations >= unknowns + (timed ? 1 : 0)) return;
   result.notes.push_back(
       "The target has fewer points than the chain has dimensions: infinitely many designs meet it "
-      "exactly. More points say more of what is wanted between them.");
+      "exactly. Give more points to define the path between them.");
 }
 
 /// The target where the design has it.

@@ -1,4 +1,4 @@
-/// @file What `kind = "function-generation"` with `target.dwell` asks for: an output that stands
+/// @file What `kind = "function-generation"` with `target.dwell` specifies: an output that stands
 /// still while the crank turns on. Angles are in radians, lengths in the file's unit.
 #pragma once
 

@@ -251,7 +251,7 @@ DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Sol
       result.designs.push_back({&space, found.design, found.half_band, found.violation});
     }
   }
-  std::ranges::stable_sort(result.designs, {}, &FoundDwell::half_band);
+  std::ranges::stable_sort(result.designs, {}, &DwellMinimum::half_band);
   for (const DwellExplorer& one : explorers) {
     work.candidates += static_cast<std::uint64_t>(one.search().starts());
     if (result.designs.empty() || &one.space() != result.designs.front().space) continue;

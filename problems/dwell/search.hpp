@@ -9,8 +9,8 @@
 
 namespace cognate::problems {
 
-/// What was found, in the unit of its space.
-struct FoundDwell {
+/// A minimum, in the unit of its space.
+struct DwellMinimum {
   const DwellSpace* space = nullptr;
   DwellDesign design;
   double half_band = 0;  ///< radians
@@ -18,11 +18,11 @@ struct FoundDwell {
 };
 
 struct DwellSearchResult {
-  std::vector<FoundDwell> designs;  ///< best first; different ones
+  std::vector<DwellMinimum> designs;  ///< best first; different ones
   synthesis::SearchStatistics statistics;
 };
 
-/// Minimax fits from starts whose dyad of the output hangs on a point that moves along a circle
+/// Minimax fits from starts whose dyad of the output is joined to a point that moves along a circle
 /// while the output dwells, then from disturbed good designs: the valleys are curved and narrow.
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
                                 const Run& run, const Deadline& deadline, Work& work);

@@ -19,9 +19,9 @@ namespace {
 
 /// Those that meet every limit, the best first; the others only where there are no such.
 std::vector<Design> designs_of_dwells(const DwellProblem& problem,
-                                      const std::vector<FoundDwell>& found) {
+                                      const std::vector<DwellMinimum>& found) {
   std::vector<Design> feasible, others;
-  for (const FoundDwell& one : found) {
+  for (const DwellMinimum& one : found) {
     if (!std::isfinite(one.half_band)) continue;
     const DwellSpace& space = *one.space;
     auto mechanism = named(*space.topology, space.scale.out_of(space.chain, one.design.chain));

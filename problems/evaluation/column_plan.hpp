@@ -70,7 +70,7 @@ struct ColumnPlan {
   ColumnIndex shaking = kNone;  ///< Fx, Fy, moment
 };
 
-/// The columns that `problem.output` asks for, without values. What a body cannot do has none: one
+/// The columns that `problem.output` requests, without values. What a body cannot do has none: one
 /// that does not turn has no angle, and the drive, whose motion is given, only its coordinate.
 ColumnPlan plan_columns(const AnalysisProblem& problem);
 

@@ -82,7 +82,7 @@ class CurveValues {
   ClosedSegmentFinder segments_;
 };
 
-/// The quantities that `output.curve` asks for.
+/// The quantities that `output.curve` requests.
 std::vector<Quantity> curve_quantities(const AnalysisProblem& problem);
 
 }  // namespace cognate::problems

@@ -121,7 +121,7 @@ AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forc
   const bool any = std::ranges::any_of(
       kOutputWords, [&](const OutputWord& quantity) { return output.*quantity.wanted; });
   if (!any && !table.has(kInstantGeometry) && !output.cognates && !output.curve) {
-    table.faults().add(table.where(), "[output] asks for nothing; expected at least one quantity");
+    table.faults().add(table.where(), "[output] is empty; expected at least one quantity");
   }
   table.finish();
   return output;

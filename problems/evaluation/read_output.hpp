@@ -9,13 +9,13 @@
 
 namespace cognate::problems::reading {
 
-/// The key that asks for Roberts' cognates.
+/// The key that requests Roberts' cognates.
 inline constexpr std::string_view kCognates = "cognates";
 inline constexpr std::string_view kCurve = "curve";
 
-/// What `table` asks for, by `want = [...]`, a list of quantities and points, or by a key for each
-/// quantity and `points = [...]`; by `instant_geometry` the names of bodies, and `cognates`.
-/// `forces`: whether reactions and torque are requested where the file does not say.
+/// The quantities that `table` requests, by `want = [...]`, a list of quantities and points, or by
+/// a key for each quantity and `points = [...]`; by `instant_geometry` the names of bodies, and
+/// `cognates`. `forces`: whether reactions and torque are requested where the file does not say.
 AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces);
 
 }  // namespace cognate::problems::reading

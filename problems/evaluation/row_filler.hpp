@@ -62,7 +62,7 @@ double closure_residual(const Mechanism<double>& mechanism, std::span<const Plac
 /// is proportional to.
 double extent(std::span<const Placement> bodies);
 
-/// What is known of a row besides its columns.
+/// What is known of a row apart from its columns.
 struct RowState {
   int open_dyad = kNone;    ///< the first dyad that is not assembled; kNone where all are
   bool dead_point = false;  ///< where rates are infinite, and forces with them

@@ -126,7 +126,7 @@ bool is_reported(const AnalysisOutput& output, int point) {
 
 /// Landmarks of the reported points on the coupler of a four-bar: "cusp", "inflection", and "double
 /// point" for each of its two passages, each naming the other; those that the motion along
-/// `assembly_ranges` really comes to, in its assemblies. Nothing where curvature is not requested,
+/// `assembly_ranges` really reaches, in its assemblies. Nothing where curvature is not requested,
 /// and for other mechanisms. Points that are not reached before `deadline` have none.
 std::vector<Landmark> curve_landmarks(const AnalysisProblem& problem,
                                       const AssemblyRanges& assembly_ranges,

@@ -1,4 +1,4 @@
-/// Masses and loads of an analysis written down, and whether its mechanism is what it tells.
+/// Writes masses and loads of an analysis, and checks that its mechanism matches its description.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -165,7 +165,7 @@ void check_same_mechanism(const NamedMechanism& given, const NamedMechanism& rea
                     nearly_equal(has.numbers, wants.numbers);
   if (same) return;
   faults.emplace_back(
-      "mechanism is not what its description tells; expected it as problems::named makes it of "
+      "mechanism does not match its description; expected it as problems::named makes it of "
       "the description, or as a file is read");
 }
 

@@ -26,7 +26,7 @@ Result solve_exact_family(const FunctionProblem& problem, const FunctionSamples&
 
 /// Takes each four-bar of `result`, through Chebyshev's points, to level peaks of its structural
 /// error (see synthesis/exact/respacing.hpp) and puts the designs in order of their greatest error.
-/// Those whose peaks cannot be levelled stay as good as they were, or better; `notes` tell of them.
+/// Those whose peaks cannot be levelled stay as good as they were, or better; `notes` name them.
 void level_peaks(const FunctionProblem& problem, const FunctionSamples& wanted, Result& result);
 
 /// Links longer than so many times the shortest are taken for the limit in which a slider takes

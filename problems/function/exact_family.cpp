@@ -254,7 +254,7 @@ Result FamilySearch::solve() {
                     conditions_in_words(wanted_)));
   } else {
     result.notes.push_back(
-        fmt::format("{} conditions leave {} free: the family was looked at in {} places.",
+        fmt::format("{} conditions leave {} free: members of the family were sampled at {} places.",
                     condition_count(wanted_.precision),
                     free_.size() == 2 ? "two numbers" : "one number", evaluated_));
   }

@@ -60,11 +60,11 @@ std::string designs_where(const std::vector<Design>& designs, const Applies& app
 }
 
 void note_turned(Result& result) {
-  std::vector<std::string_view> told;
+  std::vector<std::string_view> reported;
   for (const Design& design : result.designs) {
     const std::string_view what = turned(design);
-    if (what.empty() || std::ranges::count(told, what) > 0) continue;
-    told.push_back(what);
+    if (what.empty() || std::ranges::count(reported, what) > 0) continue;
+    reported.push_back(what);
     const auto alike = [&](const Design& other) { return turned(other) == what; };
     result.notes.push_back(
         fmt::format("{}: {} turned by 180° from the angle given; lengths are positive here, and "

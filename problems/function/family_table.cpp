@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The lengths that tell mechanisms of one type apart.
+/// The lengths that distinguish mechanisms of one type.
 struct Dimensions {
   Assembly assembly = Assembly::open;
   std::vector<double> lengths;

@@ -23,7 +23,7 @@ class ConfinedFunctions {
   explicit ConfinedFunctions(const FunctionProblem& problem);
 
   const FunctionProblem& plain() const { return plain_; }
-  /// The problem that a search from a linkage of these lengths keeps to: see `confining_class`.
+  /// The problem that a search from a linkage of these lengths stays in: see `confining_class`.
   const FunctionProblem& of(const Lengths<double>& links) const;
 
  private:
@@ -76,7 +76,7 @@ class FunctionRefiner {
   /// one already, or needs none.
   bool confine(FunctionFound& found) const;
 
-  /// Goes on from where `found` stands, by the loss that the problem asks for; keeps the result
+  /// Goes on from where `found` stands, by the loss of the problem; keeps the result
   /// unless it is worse by the same objective.
   void refine(FunctionFound& found, const FunctionSamples& wanted, synthesis::Objective objective,
               synthesis::Solver solver, int iterations) const;

@@ -1,5 +1,5 @@
-/// @file What `kind = "function-generation"` asks for. Angles are in radians, lengths in the file's
-/// unit.
+/// @file What `kind = "function-generation"` specifies. Angles are in radians, lengths in the
+/// file's unit.
 #pragma once
 
 #include <functional>
@@ -68,7 +68,7 @@ struct FunctionProblem {
   /// and its first k − 1 derivatives. Their sum is `precision_points`.
   std::vector<int> multiplicity;
   /// With pairs: derivatives of the output by the input in radians, a list for each pair; empty:
-  /// none. Each derivative is a condition besides the pair's own.
+  /// none. Each derivative is a condition in addition to the pair's own.
   std::vector<std::vector<double>> derivatives;
   std::vector<double> sample_at;  ///< sample abscissae in x, explicit; empty for angle pairs
   FunctionStart start = FunctionStart::free;

@@ -97,7 +97,7 @@ void check_exact_start(TableReader& mechanism, FunctionProblem& problem) {
     mechanism.fault(
         key,
         fmt::format("is given, but {} conditions leave {} start to be given; remove "
-                    "it or ask for fewer",
+                    "it or give fewer",
                     problem.precision_points, problem.precision_points == 5 ? "no" : "only one"));
   }
 }
@@ -199,7 +199,7 @@ void read_slider_tables(TableReader& mechanism, TableReader& bounds, TableReader
   read_slider_constraints(constraints, problem);
 }
 
-// What the file asks for, where that is not least squares.
+// The method of the file, where that is not least squares.
 std::string_view beside_least_squares(FunctionObjective objective) {
   switch (objective) {
     case FunctionObjective::exact:

@@ -91,7 +91,7 @@ void read_multiplicity(Goal& goal, const std::optional<std::vector<double>>& at,
     table.fault(kKey, fmt::format("makes {} conditions; {}", sum, kConditions));
   } else if (!function.table.empty() && sum > static_cast<double>(given->size())) {
     table.fault(kKey,
-                "asks for derivatives of a table, which has none of its own; give pairs with "
+                "requires derivatives, which a table does not have; give pairs with "
                 "derivatives, or a function");
   } else {
     for (const double value : *given) problem.multiplicity.push_back(static_cast<int>(value));
@@ -261,7 +261,7 @@ void read_pairs_goal(Goal& goal, TableReader& target, const AnglePairs& pairs,
                     problem.derivatives.empty() ? "pairs" : "pairs and derivatives"));
   } else if (given < kFewestPoints || given > kMostPoints) {
     target.fault(key,
-                 fmt::format("asks for exact synthesis with {} conditions; {}, or objective = "
+                 fmt::format("requests exact synthesis with {} conditions; {}, or objective = "
                              "\"least-squares\"",
                              problem.derivatives.empty() ? static_cast<int>(pairs.size()) : given,
                              kConditions));

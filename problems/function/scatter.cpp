@@ -9,7 +9,7 @@
 namespace cognate::problems {
 namespace {
 
-/// Fewer rows do not tell scatter from shape.
+/// With fewer rows, scatter cannot be distinguished from shape.
 constexpr std::size_t kFewestRows = 20;
 /// Share of the steps in which the sign of what remains changes: four of five for independent
 /// errors, none or few for smooth tables.

@@ -27,7 +27,7 @@ class FunctionScreen {
   /// The nearest angle within `bounds`, modulo 2π.
   double clamped_start(double angle, const std::optional<Range>& bounds) const;
 
-  /// With the start angles that the problem asks for, the output's where it is given: one for both
+  /// With the start angles of the problem, the output's where it is given: one for both
   /// assemblies, or one for each that has the dead centre to start from.
   std::vector<FunctionGenerator> started(FunctionGenerator generator) const;
 

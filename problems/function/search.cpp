@@ -25,7 +25,7 @@ constexpr std::size_t kDeepened = 16;
 constexpr std::size_t kFinished = 4;
 /// How many least-squares designs are turned into minimax ones, which are dearer to refine.
 constexpr std::size_t kMinimaxReserve = 64;
-/// Starts of a round that are refined minimax, and how many must have come to the best to end it.
+/// Starts of a round that are refined minimax, and how many must have reached the best to end it.
 constexpr int kTurnedRound = 32, kEnoughBestHits = 5;
 /// Rounds in which peaks between the samples join them.
 constexpr int kExchangeRounds = 5;
@@ -152,7 +152,7 @@ void Search::add_turned(std::vector<FunctionFound> round) {
 }
 
 /// Least squares draws starts away from what is best in the other sense: beside its minima the
-/// starts themselves are refined, in rounds, until enough of them have come to the best.
+/// starts themselves are refined, in rounds, until enough of them have reached the best.
 void Search::turn_minimax(const std::vector<FunctionFound>& starts, SearchStatistics& statistics) {
   keep_best(kMinimaxReserve);
   auto& all = search_.all();

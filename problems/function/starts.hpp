@@ -3,7 +3,7 @@
 /// Freudenstein's equation is linear in the ratios of the lengths once the start angles are chosen,
 /// so the search over all linkages is one over two angles; the residual of the equation, weighted
 /// by its slope in the output angle, is the structural error to first order. Where both start
-/// angles are free the linkages through five of the samples are starts besides. Where lengths are
+/// angles are free the linkages through five of the samples are starts too. Where lengths are
 /// fixed or the start is at a dead centre, random proportions take its place.
 #pragma once
 

@@ -104,7 +104,8 @@ TableWriter written_bounds(const FunctionProblem& problem) {
 std::optional<std::string> fault_of_function(const FunctionProblem& problem) {
   const auto* function = std::get_if<FunctionOfX>(&problem.target);
   if (!function) return std::nullopt;
-  if (!function->y) return "target has no function y(x); expected one besides its text or table";
+  if (!function->y)
+    return "target has no function y(x); expected one in addition to its text or table";
   const auto& [first, last] = function->domain;
   if (!kNumber.accepts(first) || !kNumber.accepts(last) || !(first < last)) {
     return "target.domain is no interval; expected [x0, x1] with x0 < x1";

@@ -26,7 +26,7 @@ double longest_link(const DyadPair& pair);
 
 /// How good a mechanism is: `violation` of its constraints first (see verify.hpp), then `merit`:
 /// the least acute transmission angle in radians, and a tenth of that at the poses alone (which
-/// tells linkages apart that pass through a change point; of two slides, of their angle), less
+/// distinguishes linkages that pass through a change point; of two slides, of their angle), less
 /// 0.1·ln(1 + longest link/extent of the poses), and for the greatest ratio of lengths of links and
 /// ways of slides less 0.02·ln(ratio/3) beyond 3 and less 0.2·ln(ratio/10) beyond 10; a ratio
 /// beyond 1000 is worse than all others.

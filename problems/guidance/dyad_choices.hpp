@@ -30,7 +30,7 @@ struct DyadChoices {
   std::vector<DyadChoice> choices;
   std::function<std::optional<synthesis::GuidingDyad>(const DyadPlace&)> dyad_at;
   std::vector<std::string> notes;  ///< what is special, or why there is none
-  bool is_degenerate = false;      ///< `notes` tell why the poses have no two dyads
+  bool is_degenerate = false;      ///< `notes` say why the poses have no two dyads
 
   bool is_family() const { return static_cast<bool>(dyad_at); }
 };

@@ -10,7 +10,7 @@
 
 namespace cognate::problems {
 
-/// A dyad and how near it comes to guiding the body: see `synthesis::squared_misfit`.
+/// A dyad and its error in guiding the body: see `synthesis::squared_misfit`.
 struct DyadCandidate {
   synthesis::GuidingDyad dyad;
   double misfit = 0;

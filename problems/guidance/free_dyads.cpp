@@ -23,7 +23,7 @@ using synthesis::GuidingDyad;
 using synthesis::Pose;
 
 /// The rr dyad of the moving pivot at[0], at[1] (extents, body axes), and what it becomes where its
-/// positions are collinear; with two poses at[2] tells its fixed pivot on the bisector.
+/// positions are collinear; with two poses at[2] gives its fixed pivot on the bisector.
 std::optional<GuidingDyad> free_link(const MotionProblem& problem, const DyadPlace& at) {
   const double extent = synthesis::extent(problem.poses);
   const Vec2d pivot = extent * Vec2d{at[0], at[1]};
@@ -93,7 +93,7 @@ void add_free_choices(const MotionProblem& problem, DyadKind kind, DyadChoices& 
   }
 }
 
-/// Whether a link that carries the body without turning it keeps to less than half a turn. Else
+/// Whether a link that carries the body without turning it turns by less than half a turn. Else
 /// every parallelogram of such links passes through its dead points.
 bool is_less_than_half_turn(const std::vector<Pose>& poses, const GuidingDyad& link) {
   std::vector<double> angles;

@@ -141,7 +141,7 @@ Status status_of(const Deadline& deadline, bool ended_early, const Designs& desi
   return designs.any_feasible() ? Status::solved : Status::infeasible;
 }
 
-/// The searches that the problem asks for: pivots that are given do not say which dyad is driven.
+/// The searches of the problem: pivots that are given do not say which dyad is driven.
 std::vector<MotionProblem> drives_of(const MotionProblem& problem) {
   std::vector<MotionProblem> drives{problem};
   MotionProblem without = problem;
@@ -192,14 +192,14 @@ std::string degeneracy(const MotionProblem& problem) {
     return std::abs(std::sin(0.5 * (pose.angle - poses.front().angle))) > kNothing;
   });
   if (!is_turned && !(synthesis::extent(poses) > kNothing * size)) {
-    return "All poses are one: there is nothing to guide the body through.";
+    return "All poses coincide: there is no motion to generate.";
   }
-  const auto told = [](synthesis::GuidanceStatus status) {
+  const auto note = [](synthesis::GuidanceStatus status) {
     return fmt::format("A special motion: {}.", sentence(status));
   };
-  if (!is_turned) return told(synthesis::GuidanceStatus::translation);
+  if (!is_turned) return note(synthesis::GuidanceStatus::translation);
   const bool rests = synthesis::resting_point(poses).travel <= kNothing * size;
-  return rests ? told(synthesis::GuidanceStatus::rotation) : "";
+  return rests ? note(synthesis::GuidanceStatus::rotation) : "";
 }
 
 Result search(const MotionProblem& problem, const Run& run, const Deadline& deadline) {

@@ -169,7 +169,7 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
     if (jacobian.empty() && local.empty()) continue;
 
     const TurnSlopes slopes = turn_slopes(form_.second, second, first, at->pin, at->turn);
-    // The body's angle by each dimension: −F'/F'ψ; the pin's way, and the arm's besides turning.
+    // The body's angle by each dimension: −F'/F'ψ; the pin's way, and the arm's apart from turning.
     const Vec2d by_crank = v[kLength1] * perp(at->crank);
     Full angle{slopes.first.x, slopes.first.y, slopes.pin.x, slopes.pin.y,
                dot(slopes.pin, at->crank)};

@@ -14,7 +14,7 @@ using synthesis::DyadKind;
 constexpr double kLongestLink = 1000;
 constexpr double kShortestLink = 1e-6;
 
-/// What both allow; `b` where they exclude each other, which the checks of the design then tell.
+/// What both allow; `b` where they exclude each other, which the checks of the design then report.
 Range intersect(const Range& a, const std::optional<Range>& b) {
   if (!b) return a;
   const Range both{std::max(a.min, b->min), std::min(a.max, b->max)};

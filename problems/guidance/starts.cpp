@@ -130,8 +130,8 @@ MotionStarts::MotionStarts(const MotionProblem& scaled, const std::vector<std::s
   }
 }
 
-/// A pair whose two links may take either role: both orders, or where nothing tells them apart the
-/// one that keeps to one side at more of the poses.
+/// A pair whose two links may take either role: both orders, or where nothing distinguishes them
+/// the one that stays on one side at more of the poses.
 void MotionStarts::add(const GuidingDyad& a, const GuidingDyad& b, const std::string& origin) {
   const DyadPair forth{conformed(problem_, DyadRole::first, a).dyad,
                        conformed(problem_, DyadRole::second, b).dyad};

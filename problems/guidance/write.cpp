@@ -40,7 +40,7 @@ TableWriter written_mechanism(const MotionProblem& problem) {
   return table;
 }
 
-/// Whether the poses are those that the segments tell; angles may be whole turns apart.
+/// Whether the poses are those that the segments give; angles may be whole turns apart.
 bool are_poses_of_segments(const std::vector<synthesis::Pose>& poses,
                            const std::vector<synthesis::Pose>& read) {
   constexpr double kSame = 1e-9;

@@ -132,8 +132,8 @@ synthesis::ProportionLimits proportion_limits(const Constraints& constraints, do
 Run before_certificate(const Run& run, const Solve& solve) {
   if (!solve.certify || !run.progress) return run;
   Run search = run;
-  search.progress = [tell = run.progress](double share, double best) {
-    tell(kSearchShare * share, best);
+  search.progress = [report = run.progress](double share, double best) {
+    report(kSearchShare * share, best);
   };
   return search;
 }

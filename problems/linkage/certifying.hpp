@@ -42,7 +42,7 @@ std::vector<synthesis::ProportionBox> proportion_roots(const Constraints& constr
 /// What the constraints ask of proportions beyond their root boxes.
 synthesis::ProportionLimits proportion_limits(const Constraints& constraints, double ratio);
 
-/// `run` for the search that comes before a certificate, where `solve` asks for one: its progress
+/// `run` for the search that comes before a certificate, where `solve` requests one: its progress
 /// is then a part of the whole.
 Run before_certificate(const Run& run, const Solve& solve);
 

@@ -17,7 +17,7 @@ double shown_error(ErrorMeasure of, double error);
 /// The name of a column of errors, with its unit: "rms_error_deg".
 std::string error_column(ErrorMeasure of);
 
-/// Adds to the checks of a design whether `error` keeps to `limit`.
+/// Adds to the checks of a design whether `error` is within `limit`.
 void check_error(const ErrorLimit& limit, double error, Design& design);
 
 /// Adds that check where the file has such a bound; the kind says what its error is.

@@ -49,7 +49,7 @@ inline constexpr Key<Constraints> kDefectKeys[] = {
 
 inline constexpr Key<Constraints> kLoopKeys[] = {key<&Constraints::no_extra_loop>(
     "no_extra_loop",
-    "true (default) or false: the whole coupler curve keeps to a closed target curve")};
+    "true (default) or false: the whole coupler curve follows a closed target curve")};
 
 /// `[solve]`, in the order of its table. How many designs there may be, and of what they are best,
 /// depends on the kind.

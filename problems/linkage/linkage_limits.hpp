@@ -80,7 +80,7 @@ struct Constraints {
   bool no_branch_defect = true;
   bool no_order_defect = true;
   bool no_circuit_defect = true;
-  bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve keeps to it
+  bool no_extra_loop = false;  ///< of a closed curve: the whole coupler curve follows it
 };
 
 /// Whether a greatest value is given, and less than infinite.

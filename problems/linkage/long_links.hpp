@@ -13,7 +13,7 @@ struct SliderLimit {
   bool slider_drives = false;  ///< the crank is long, so that the short link is the rocker
   Vec2d pivot;                 ///< of the short link, whose length is `crank`
   double crank = 0, coupler = 0;
-  /// From the pivot to the slide's line, at a right angle to it; C comes to C = pivot + foot + x·t
+  /// From the pivot to the slide's line, at a right angle to it; C is at C = pivot + foot + x·t
   /// with t at a right angle to `foot`'s direction `normal`.
   double offset = 0;
   Vec2d normal;

@@ -9,8 +9,8 @@
 
 namespace cognate::problems::reading {
 
-/// `[constraints]` of any linkage, without `pivot_region`; `limits` tells whether the class and the
-/// link ratio requested are possible at all.
+/// `[constraints]` of any linkage, without `pivot_region`; `limits` decides whether the class and
+/// the link ratio requested are possible at all.
 void read_link_constraints(TableReader& table, const LengthLimits& limits,
                            Constraints& constraints);
 
@@ -30,8 +30,8 @@ void read_design_count(TableReader& table, int most_designs, Solve& solve);
 /// Whether `solver` can have so many unknowns, the crank angle of each point or pose among them.
 void check_unknown_count(TableReader& table, synthesis::Solver solver, int count);
 
-/// `solve.loss` and `solve.loss_scale`. `other`: what the file asks for instead of least squares,
-/// to which no loss belongs, e.g. `objective = "minimax"`; empty where it asks for those.
+/// `solve.loss` and `solve.loss_scale`. `other`: the method of the file instead of least squares,
+/// to which no loss belongs, e.g. `objective = "minimax"`; empty where it is least squares.
 void read_loss(TableReader& table, std::string_view other, Solve& solve);
 
 /// `solve.certify` and `solve.certify_gap` into `solve`. `refusal`: why this problem cannot be

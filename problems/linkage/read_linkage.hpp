@@ -7,7 +7,7 @@
 
 namespace cognate::problems::reading {
 
-/// The tables of a file that asks for a linkage.
+/// The tables of a file that describes a linkage.
 struct LinkageTables {
   TableReader target, mechanism, bounds, constraints, solve;
 

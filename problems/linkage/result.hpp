@@ -42,7 +42,7 @@ struct CurvePlacement {
   Vec2d direction() const { return {std::cos(turn), std::sin(turn)}; }
 };
 
-/// The note of a result whose file asks for a certificate in vain.
+/// The note of a result whose file requests a certificate in vain.
 inline constexpr const char* kNothingToCertify =
     "There is no certificate: the search has not found a design that meets every constraint, or "
     "was "
@@ -131,7 +131,7 @@ inline const FourBar& four_bar(const Design& design) {
   return *design.mechanism.four_bar();
 }
 
-/// A curve of the plane that a synthesis found besides its designs: "centre-point curve".
+/// A curve of the plane that a synthesis returns with its designs: "centre-point curve".
 struct Locus {
   std::string name;
   std::vector<std::vector<Vec2d>> branches;
@@ -175,7 +175,7 @@ struct Result {
   std::vector<Locus> loci;
   std::vector<Family> families;
   std::vector<Quantity> quantities;  ///< counts of a synthesis as a whole: "complex_solutions"
-  std::optional<Certificate> certificate;  ///< where the file asks for one and a design is feasible
+  std::optional<Certificate> certificate;  ///< where the file requests one and a design is feasible
   Work work;
   std::vector<std::string> notes;  ///< sentences for the user: degeneracies, why nothing was found
   std::vector<std::string> warnings{};  ///< those of the designs, with their numbers
@@ -187,8 +187,8 @@ struct Run {
   int threads = 0;                   ///< 0: as many as the machine has
   std::optional<double> time_limit;  ///< seconds
   const std::atomic<bool>* interrupted = nullptr;
-  /// Designs that a search by optimisation begins with besides its own starts; with solve.starts =
-  /// 0, which no file can ask for, instead of them.
+  /// Designs that a search by optimisation begins with, in addition to its own starts; with
+  /// solve.starts = 0, which no file can ask for, instead of them.
   std::vector<Design> known{};
   std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
   /// Called now and then from one thread with the share done (0…1) and the best objective so far.

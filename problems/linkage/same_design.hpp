@@ -1,4 +1,4 @@
-/// @file Telling designs apart, so that equal ones are reported once.
+/// @file Compares designs, so that equal ones are reported once.
 #pragma once
 
 #include "analysis/linkage/four_bar.hpp"

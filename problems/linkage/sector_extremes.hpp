@@ -27,7 +27,7 @@ using SectorExtremes = std::array<SectorExtreme, CycleLimits::kSectors>;
 /// A number with its derivatives by the dimensions.
 using DimensionJet = ceres::Jet<double, std::tuple_size_v<LimitSlopes>>;
 
-/// Whether the links' angles are requested, besides their directions.
+/// Whether the links' angles are requested, not only their directions.
 enum class CycleAngles { none, all };
 
 /// A four-bar at a table of crank angles from its frame.

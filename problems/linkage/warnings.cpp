@@ -97,8 +97,8 @@ class Judgement {
     if (acute >= limits_.transmission_angle) return;
     if (acute < kNearDeadPoint) {
       constexpr const char* kMeaning =
-          "near a dead point: joints bear more than ten times the force transmitted there, and the "
-          "output hardly follows; constraints.transmission_angle_deg keeps away.";
+          "near a dead point: joints carry more than ten times the force transmitted there, and "
+          "the output hardly follows; constraints.transmission_angle_deg limits it.";
       add(fmt::format("The transmission angle comes within {:.2g} degrees of 0 or 180, {}",
                       degrees(std::abs(acute)), kMeaning),
           fmt::format("the transmission angle comes within 5 degrees of 0 or 180, {}", kMeaning));
@@ -141,7 +141,7 @@ class Judgement {
     const double most = target_ ? kUnlikeLinks : limits_.link_ratio;
     if (!is_long_ && ratio > most) {
       constexpr const char* kHelp =
-          "times as long as the shortest; constraints.link_ratio_max keeps them alike.";
+          "times as long as the shortest; constraints.link_ratio_max limits the ratio.";
       add(fmt::format("The longest link is {:.3g} {}", ratio, kHelp),
           fmt::format("the longest link is more than {:.6g} {}", most, kHelp));
     }

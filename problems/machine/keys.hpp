@@ -91,7 +91,7 @@ inline constexpr Key<MachineProblem> kEquivalentKeys[] = {
     own_key<MachineProblem>("interpolation",
                             "of these tables: \"linear\" (default) or \"smooth\"")};
 
-/// `[[load]]`, besides the keys of an analysis.
+/// `[[load]]`, in addition to the keys of an analysis.
 inline constexpr Key<MachineLoad> kMachineLoadKeys[] = {
     own_key<MachineLoad>("value",
                          "what force and torque are multiplied by: an expression in phi, w, t, s, "

@@ -184,8 +184,8 @@ AnalysisProblem with_all_loads(const AnalysisProblem& problem,
   return all;
 }
 
-/// Where a load with `load` may jump or bend besides where its function says: what depends on a
-/// body's travel is asked to tell one way from the other.
+/// Where a load with `load` may jump or bend other than by its function: what depends on a body's
+/// travel needs the sense of its motion.
 LoadRule rule_of_breaks(const AnalysisProblem& all, const std::vector<MachineLoad>& loads,
                         std::size_t load) {
   LoadRule rule = all.loads[load];

@@ -16,7 +16,7 @@
 
 namespace cognate::problems {
 
-/// What a machine has besides what its file gives it once and for all.
+/// The parts of a machine that vary between its tasks and searches.
 struct MachineParts {
   double flywheel = 0;
   bool motor = true;

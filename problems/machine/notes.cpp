@@ -27,32 +27,32 @@ std::string steady_note(const machine::SteadyState& steady, bool turns) {
       return {};
     case NoSteadyState::stalls:
       return fmt::format(
-          "no steady state: the machine stalls, since motor and loads together take from it at "
-          "every speed looked at ({:.6g} J in a period)",
+          "no steady state: the machine stalls, because motor and loads together take energy from "
+          "it at every speed examined ({:.6g} J in a period)",
           -steady.surplus);
     case NoSteadyState::stands:
-      return "no steady state: the machine comes to rest within a turn in which, kept at an even "
-             "speed, it would gain as much as it loses; a greater flywheel helps, or a greater "
-             "start speed where torques do not depend on speed";
+      return "no steady state: the machine stops within a turn, although at constant speed it "
+             "would gain as much energy in a turn as it loses; a larger flywheel helps, or a "
+             "higher start speed if torques do not depend on speed";
     case NoSteadyState::runs_away:
       return fmt::format(
-          "no steady state: the machine runs away, since motor and loads together give to it at "
-          "every speed looked at ({:.6g} J in a period)",
+          "no steady state: the machine runs away, because motor and loads together give energy to "
+          "it at every speed examined ({:.6g} J in a period)",
           steady.surplus);
     case NoSteadyState::any_speed:
       return fmt::format(
-          "every speed is a steady one: torques do not depend on speed and do no work in a period; "
+          "every speed is steady: torques do not depend on speed and do no work in a period; "
           "{}",
           steady.states.empty() ? "give run.start_speed" : "that of the start is taken");
     case NoSteadyState::depends_on_time:
       return "no steady state: motor or loads depend on time";
     case NoSteadyState::open:
-      return turns ? "no steady state: motor or loads have no value at a speed that was looked at"
-                   : "no steady state: the mechanism cannot be assembled all the way round";
+      return turns ? "no steady state: motor or loads have no value at a speed that was examined"
+                   : "no steady state: the mechanism cannot be assembled at every angle";
     case NoSteadyState::unsure:
-      return "no steady state is told: what is found with some steps is not so with others, as "
-             "where torques change too steeply with speed or angle, or act over too short a "
-             "stretch";
+      return "no steady state is reported: results with different steps disagree, as "
+             "where torques change too steeply with speed or angle, or act over too small an "
+             "angle";
     case NoSteadyState::stopped:
     case NoSteadyState::gave_up:
       break;
@@ -65,7 +65,7 @@ std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation)
   using machine::NoSteadyState;
   switch (flywheel.why) {
     case NoSteadyState::any_speed:
-      return "no flywheel can be found while every speed is a steady one; give run.start_speed";
+      return "no flywheel can be found because every speed is steady; give run.start_speed";
     case NoSteadyState::gave_up:
     case NoSteadyState::stopped:
     case NoSteadyState::unsure:
@@ -77,7 +77,7 @@ std::string flywheel_note(const machine::Flywheel& flywheel, double fluctuation)
       return fmt::format("no flywheel makes the machine run with a fluctuation of {:.6g}",
                          fluctuation);
     default:
-      return "no flywheel: the machine has no steady state with any";
+      return "no flywheel gives the machine a steady state";
   }
 }
 
@@ -108,7 +108,7 @@ std::string ended_note(const EndedMotion& motion) {
       return fmt::format("{} was ended before it was done: {}, {}", name,
                          run.stop == RunStop::stopped ? kOutOfTime : kManySteps, place);
     case RunStop::at_rest:
-      return fmt::format("{} fails: the machine comes to rest, {}", name, place);
+      return fmt::format("{} fails: the machine stops, {}", name, place);
     default:
       return fmt::format("{} ended at its limit, {}", name, place);
   }

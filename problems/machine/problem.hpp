@@ -45,7 +45,7 @@ struct Motor {
   double inertia = 0;               ///< of the rotor, about its own axis
 };
 
-/// A load besides those of the analysis whose size is a function: force along a direction at a
+/// A further load, whose size is a function: force along a direction at a
 /// point, or torque.
 struct MachineLoad {
   LoadRule rule;          ///< force and torque for a value of 1
@@ -78,7 +78,7 @@ struct MachineProblem {
   /// the file gives equivalent quantities instead.
   std::optional<AnalysisProblem> mechanism;
   std::vector<MachineLoad> loads;  ///< those that are functions
-  /// `[equivalent]`: inertia and torque at the drive, besides those of the mechanism.
+  /// `[equivalent]`: inertia and torque at the drive, in addition to those of the mechanism.
   std::optional<MachineFunction> inertia, torque;
   std::optional<Motor> motor;
   double flywheel = 0;                ///< inertia at the drive

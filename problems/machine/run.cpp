@@ -160,14 +160,15 @@ class MachineTasks {
       append(result_.quantities, flywheel_quantities(found));
       if (found.without.states.empty()) {
         result_.notes.emplace_back(
-            "without a flywheel the machine does not get round, so that there is no fluctuation "
-            "of it, nor what the textbooks' formula makes of it");
+            "without a flywheel the machine does not complete a turn, so that it has no "
+            "fluctuation "
+            "and the textbook formula gives no flywheel");
       }
       steady_ = std::move(found.steady);
       return;
     }
     fail(flywheel_note(found, *problem_.fluctuation));
-    is_told_ = found.why == found.without.missing && found.why != NoSteadyState::stalls;
+    is_explained_ = found.why == found.without.missing && found.why != NoSteadyState::stalls;
     steady_ = std::move(found.without);
   }
 
@@ -185,11 +186,11 @@ class MachineTasks {
 
   void steady() {
     const SteadyState& found = steady_state();
-    if (!model_.turns()) tell_gap();
+    if (!model_.turns()) note_gap();
     if (!is_steady()) {
       whole_ = false;
-      if (!is_told_) tell_once(steady_note(found, model_.turns()));
-      if (found.missing == NoSteadyState::stalls && sets_out_backwards()) tell_backwards();
+      if (!is_explained_) note_once(steady_note(found, model_.turns()));
+      if (found.missing == NoSteadyState::stalls && sets_out_backwards()) note_backwards();
       return;
     }
     if (found.missing == NoSteadyState::any_speed) {
@@ -215,13 +216,13 @@ class MachineTasks {
     return sum < -kNothing * size;
   }
 
-  void tell_backwards() {
-    tell_once("the machine goes backwards; a steady motion is looked for forwards alone");
+  void note_backwards() {
+    note_once("the machine goes backwards; a steady motion is sought forwards only");
   }
 
-  void tell_gap() { tell_once(model_.gap()); }
+  void note_gap() { note_once(model_.gap()); }
 
-  void tell_once(const std::string& note) {
+  void note_once(const std::string& note) {
     if (std::ranges::find(result_.notes, note) != result_.notes.end()) return;
     result_.notes.push_back(note);
   }
@@ -245,7 +246,7 @@ class MachineTasks {
     return machine::run(machine, from, end, accuracy_, rows);
   }
 
-  void tell(MachineTask task, const Machine& machine, const MachineRun& run) {
+  void add(MachineTask task, const Machine& machine, const MachineRun& run) {
     result_.motions.push_back({task, motion_table(machine, run.states)});
     const std::string name = task == MachineTask::start ? "start" : "stop";
     const MachineState& last = run.states.back();
@@ -258,14 +259,14 @@ class MachineTasks {
   }
 
   /// Says where a motion ended; a failure unless that is all right.
-  void tell_end(const std::string& name, const MachineRun& run, bool is_right) {
+  void note_end(const std::string& name, const MachineRun& run, bool is_right) {
     const bool awaited = !model_.depends_on_time() || problem_.run.time_max;
     const std::string note = ended_note({name, run, model_.turns(), awaited});
     if (is_right) {
       result_.notes.push_back(note);
     } else {
       fail(note);
-      if (run.stop == RunStop::open && !model_.turns()) tell_gap();
+      if (run.stop == RunStop::open && !model_.turns()) note_gap();
     }
   }
 
@@ -288,11 +289,11 @@ class MachineTasks {
     const Machine whole = machine();
     const MachineRun run =
         follow(whole, {.phi = wanted.start_phi, .omega = wanted.start_speed}, end);
-    tell(MachineTask::start, whole, run);
-    if (run.states.back().omega < 0) tell_backwards();
+    add(MachineTask::start, whole, run);
+    if (run.states.back().omega < 0) note_backwards();
     if (run.stop == RunStop::speed) return;
     if (run.stop != RunStop::approached) {
-      tell_end("the start", run, is_limit(run.stop) && !wanted.speed_end);
+      note_end("the start", run, is_limit(run.stop) && !wanted.speed_end);
     } else if (beyond) {
       fail(beyond_note(*wanted.speed_end, *steady_));
     }
@@ -309,8 +310,8 @@ class MachineTasks {
     end.at_rest = true;
     const Machine whole = machine(false, problem_.brake.value_or(0));
     const MachineRun run = follow(whole, {.phi = problem_.run.start_phi, .omega = speed}, end);
-    tell(MachineTask::stop, whole, run);
-    if (run.stop != RunStop::at_rest) tell_end("the stop", run, is_limit(run.stop));
+    add(MachineTask::stop, whole, run);
+    if (run.stop != RunStop::at_rest) note_end("the stop", run, is_limit(run.stop));
   }
 
   const MachineProblem& problem_;
@@ -320,7 +321,7 @@ class MachineTasks {
   double flywheel_ = 0;
   std::optional<SteadyState> steady_;
   MachineResult result_;
-  bool is_told_ = false;  ///< why there is no steady state, with the flywheel
+  bool is_explained_ = false;  ///< why there is no steady state, with the flywheel
   bool whole_ = true;
 };
 

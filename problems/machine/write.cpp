@@ -37,7 +37,7 @@ void write_function(const MachineFunction& function, std::string_view key, std::
   }
   if (!function.value) {
     faults.push_back(fmt::format(
-        "{} has no function of phi, omega and time; expected one, also besides a text or table",
+        "{} has no function of phi, omega and time; expected one, even with a text or table",
         name));
   }
 }

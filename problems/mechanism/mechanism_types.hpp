@@ -1,4 +1,4 @@
-/// @file The types of mechanisms that their dimensions tell: what files call each, its keys, the
+/// @file The types of mechanisms that their dimensions define: what files call each, its keys, the
 /// names of its parts and its output. Readers, results, `cognate list`, tables and the pages take
 /// them from here.
 #pragma once
@@ -272,7 +272,7 @@ struct TypeTraits<ChainDescription> {
   static constexpr std::string_view kMeaning = "a drive and any number of dyads";
 };
 
-/// Whether the dimensions of a mechanism tell everything: not of a chain.
+/// Whether the dimensions define a mechanism completely: not of a chain.
 template <class Type>
 concept SimpleType = requires {
   TypeTraits<Type>::kKeys;

@@ -33,7 +33,7 @@ class PartNames {
 
   void announce(const std::string& point);
   void add_body(Body body);
-  /// Takes note that `point` is fixed on a body, besides those that it is known to be on.
+  /// Adds a body to those on which `point` is known to be fixed.
   void place(const std::string& point, const Attached<double>& on);
 
   /// Whether a part was left out because of a fault. What depends on it is not found, and that is
@@ -107,9 +107,9 @@ struct Axes {
   Vec2d direction{1, 0};
 };
 
-/// The axes that one or two names tell: a body's own; those of the slider that a single point is
+/// The axes that one or two names define: a body's own; those of the slider that a single point is
 /// the pin of; or, of two points of one body, the origin at the first and the first axis towards
-/// the second. A fault where they tell none.
+/// the second. A fault where they define none.
 std::optional<Axes> find_axes(const PartNames& names, const std::vector<Mention>& mentions,
                               FaultList& faults);
 

@@ -21,8 +21,8 @@ struct Chain {
   std::vector<std::optional<Vec2d>> steady{Vec2d{1, 0}};
 };
 
-/// The chain that `mechanism` (`[mechanism]`) and `document` tell: its tables may stand in either.
-/// With a fault, `names.incomplete` is set.
+/// The chain that `mechanism` (`[mechanism]`) and `document` define: its tables may stand in
+/// either. With a fault, `names.incomplete` is set.
 Chain read_chain(TableReader& document, TableReader& mechanism);
 
 }  // namespace cognate::problems::reading

@@ -58,7 +58,7 @@ bool may_move(TableReader& table, const Chain& chain, std::size_t joined, int gu
   const PointOnLink& point = parts.points[joined];
   if (!place_on(point, guide_body)) return true;
   table.fault(kJoins,
-              fmt::format("has {}, a point of {}, which also bears the slide, so that the group "
+              fmt::format("has {}, a point of {}, which also carries the slide, so that the group "
                           "cannot move on it (mobility 0); expected a point of another body",
                           in_quotes(point.name), in_quotes(parts.bodies[guide_body].name)));
   return false;

@@ -1,4 +1,4 @@
-/// @file `[[point]]`: points of links besides their joints.
+/// @file `[[point]]`: points of links other than their joints.
 #pragma once
 
 #include <optional>

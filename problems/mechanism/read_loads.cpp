@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostLoads = 2000;
 
-// Where the load acts: a point, or `at` in the axes that a body or two points tell.
+// Where the load acts: a point, or `at` in the axes of a body or of two points.
 std::optional<Attached<double>> read_place(TableReader& load, const PartNames& names) {
   constexpr std::string_view kOn = "on";
   if (!load.has(kOn)) {

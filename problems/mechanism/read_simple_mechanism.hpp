@@ -1,4 +1,4 @@
-/// @file `[mechanism]` of the types whose dimensions tell everything.
+/// @file `[mechanism]` of the types that their dimensions define.
 #pragma once
 
 #include "problems/mechanism/named_mechanism.hpp"

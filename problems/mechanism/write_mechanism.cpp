@@ -1,4 +1,4 @@
-/// `[mechanism]`, as its description tells it.
+/// `[mechanism]`, from its description.
 #include "problems/mechanism/write_mechanism.hpp"
 
 #include <array>
@@ -80,7 +80,7 @@ struct KeyWriter {
   void set_angle(const Vec2d& direction) const { table.set_deg(key, angle_of(direction)); }
 };
 
-/// What `[mechanism]` says besides its type.
+/// The keys of `[mechanism]` other than its type.
 template <class Type>
 void write_description(const Type& mechanism, TableWriter& table) {
   for (const auto& key : TypeTraits<Type>::kKeys) {

@@ -6,7 +6,7 @@
 
 namespace cognate::problems::reading {
 
-/// `[mechanism]`, as its description tells it.
+/// `[mechanism]`, from its description.
 TableWriter mechanism_writer(const NamedMechanism& mechanism);
 
 }  // namespace cognate::problems::reading

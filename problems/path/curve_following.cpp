@@ -20,7 +20,7 @@ double curve_deviation(const ClosedCurve& curve, const FourBar& linkage,
   const Motion motion(linkage);
   double greatest = 0;
   for (int k = 0; k < positions; ++k) {
-    // Where rounding denies a position at a change point, its neighbours tell as much.
+    // Where rounding denies a position at a change point, its neighbours suffice.
     const auto pose = motion.at(kTurn * k / positions);
     if (!pose || !pose->coupler_point) continue;
     greatest = std::max(greatest, curve.distance(placement.point_back(*pose->coupler_point)));

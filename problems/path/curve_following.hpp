@@ -14,7 +14,7 @@ namespace cognate::problems {
 double curve_deviation(const ClosedCurve& curve, const FourBar& linkage,
                        const CurvePlacement& placement, int positions = 720);
 
-/// Whether a coupler curve with this deviation keeps to a curve whose samples it meets within
+/// Whether a coupler curve with this deviation follows a curve whose samples it meets within
 /// `error_max`: else it runs through a loop of its own between two of them.
 ConstraintCheck check_extra_loop(const ClosedCurve& curve, double deviation, double error_max);
 

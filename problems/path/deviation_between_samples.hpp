@@ -10,8 +10,8 @@
 
 namespace cognate::problems {
 
-/// Tells, of a problem whose samples are those of a closed curve, which minima are no use although
-/// they meet the samples well: a search that keeps the best few would else be full of them.
+/// For a problem whose samples are those of a closed curve: rejects minima that meet the samples
+/// but stray between them. Without it, the best few of a search would all be such minima.
 class DeviationBetweenSamples {
  public:
   explicit DeviationBetweenSamples(const PathProblem& searched);

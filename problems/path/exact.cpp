@@ -42,8 +42,8 @@ class Solver {
 
   Result take() {
     const int free = kEquations - equation_count(problem_);
-    tell_equal_angles(problem_.pose_angles, result_);
-    if (tell_points_on_a_circle(problem_.points, result_)) {
+    note_equal_angles(problem_.pose_angles, result_);
+    if (note_points_on_a_circle(problem_.points, result_)) {
       result_.work.skipped.push_back("solutions");
     } else if (free == 0) {
       solve_all();
@@ -119,17 +119,17 @@ class Solver {
     const bool stopped = found.status == ExactPathStatus::interrupted;
     if (stopped) unfinished_ = true;
     if (found.status != ExactPathStatus::solved && !(stopped && found.tracked > 0)) {
-      tell_status(found, result_);
+      note_status(found, result_);
       return;
     }
     const ExactRoots roots = proved(all, true);
     add(roots);
     result_.work.candidates = std::uint64_t(found.tracked);
-    tell_counts(found, roots, {all.symmetry != RootSymmetry::none, all.settled}, result_);
+    note_counts(found, roots, {all.symmetry != RootSymmetry::none, all.settled}, result_);
     if (unfinished_) {
       result_.notes.push_back("The run was ended before all of it was done: there may be more.");
     } else {
-      tell_designs(designs_, result_);
+      note_exact_designs(designs_, result_);
     }
   }
 
@@ -151,7 +151,7 @@ class Solver {
     }
     result_.quantities.push_back({"free_parameters", double(free)});
     result_.quantities.push_back({"family_members_solved", double(members)});
-    if (members == 0 && failed) tell_status(*failed, result_);
+    if (members == 0 && failed) note_status(*failed, result_);
     result_.notes.push_back(fmt::format(
         "{} positions leave {} of a four-bar's dimensions free: a family of solutions passes "
         "through them, of which {} members were solved, the rest of their conditions (pivots and "
@@ -159,7 +159,7 @@ class Solver {
         problem_.points.size(), free, members, run_.seed,
         members > 0 ? "The best are given; more of solve.starts tries more."
                     : "None was solved, so that nothing is known of the family."));
-    if (!unfinished_ && members > 0) tell_designs(designs_, result_);
+    if (!unfinished_ && members > 0) note_exact_designs(designs_, result_);
   }
 
   void finish() {

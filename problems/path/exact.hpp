@@ -28,24 +28,24 @@ struct Expectation {
 
 /// Adds the counts of a complete solution: how many solutions there are over the complex numbers,
 /// at infinity, lost, proved, and real.
-void tell_counts(const synthesis::ExactPathSolutions& solutions, const ExactRoots& roots,
+void note_counts(const synthesis::ExactPathSolutions& solutions, const ExactRoots& roots,
                  const Expectation& expected, Result& result);
 
-/// Adds why there is nothing to tell of solutions: positions that coincide or are no numbers,
+/// Notes why there are no solutions to report: positions that coincide or are no numbers,
 /// conditions that are not independent, no time.
-void tell_status(const synthesis::ExactPathSolutions& solutions, Result& result);
+void note_status(const synthesis::ExactPathSolutions& solutions, Result& result);
 
-/// Tells of more points on one line or circle than the path of a four-bar has there, a tricircular
+/// Notes more points on one line or circle than the path of a four-bar has there, a tricircular
 /// curve of order six: six. Only degenerate linkages meet them all. False where there are no more;
 /// four on a line or five on a circle are reported all the same.
-bool tell_points_on_a_circle(std::span<const Vec2d> points, Result& result);
+bool note_points_on_a_circle(std::span<const Vec2d> points, Result& result);
 
-/// Tells of three poses or more without a turn between them, which only parallelograms and sliders
+/// Notes three poses or more without a turn between them, which only parallelograms and sliders
 /// give a body.
-void tell_equal_angles(std::span<const double> angles, Result& result);
+void note_equal_angles(std::span<const double> angles, Result& result);
 
 /// Adds what the designs are worth: how many are sound, and what the others miss by.
-void tell_designs(const std::vector<TracedDesign>& designs, Result& result);
+void note_exact_designs(const std::vector<TracedDesign>& designs, Result& result);
 
 /// A problem with as many equations as a four-bar has dimensions.
 struct FamilyMember {

@@ -103,7 +103,7 @@ int spoiled_by(const std::vector<TracedDesign>& designs, Defect defect) {
 
 }  // namespace
 
-void tell_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
+void note_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
                  const Expectation& expected, Result& result) {
   const int real = int(std::ranges::count(roots.roots, true, &synthesis::PathRoot::real));
   const int certified = synthesis::count_distinct(roots.certificates, roots.symmetry);
@@ -131,7 +131,7 @@ void tell_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
   }
   if (solutions.at_infinity > 0) {
     result.notes.push_back(
-        "At infinity a pivot has gone: there a slider takes the place of a crank or rocker.");
+        "Solutions at infinity have a pivot there: a slider replaces the crank or rocker.");
   }
   if (const int unknown = solutions.lost + solutions.duplicates; unknown > 0) {
     result.notes.push_back(fmt::format(
@@ -147,7 +147,7 @@ void tell_counts(const ExactPathSolutions& solutions, const ExactRoots& roots,
       certified, solutions.finite, real_certified, real));
 }
 
-void tell_status(const ExactPathSolutions& solutions, Result& result) {
+void note_status(const ExactPathSolutions& solutions, Result& result) {
   if (solutions.status == ExactPathStatus::coincident) {
     result.notes.push_back(fmt::format(
         "Positions {} and {} coincide: they are one condition, and a curve of solutions passes "
@@ -166,7 +166,7 @@ void tell_status(const ExactPathSolutions& solutions, Result& result) {
   }
 }
 
-bool tell_points_on_a_circle(std::span<const Vec2d> points, Result& result) {
+bool note_points_on_a_circle(std::span<const Vec2d> points, Result& result) {
   constexpr int kMostOnPath = 6, kDegenerate = 4;
   const auto [line, circle] = most_on_line_and_circle(points);
   if (line > kMostOnPath) {
@@ -192,7 +192,7 @@ bool tell_points_on_a_circle(std::span<const Vec2d> points, Result& result) {
   return line > kMostOnPath || circle > kMostOnPath;
 }
 
-void tell_equal_angles(std::span<const double> angles, Result& result) {
+void note_equal_angles(std::span<const double> angles, Result& result) {
   constexpr double kSame = 1e-9;
   constexpr std::ptrdiff_t kDetermined = 3;
   for (const double angle : angles) {
@@ -209,14 +209,14 @@ void tell_equal_angles(std::span<const double> angles, Result& result) {
   }
 }
 
-void tell_designs(const std::vector<TracedDesign>& designs, Result& result) {
+void note_exact_designs(const std::vector<TracedDesign>& designs, Result& result) {
   const auto sound = std::ranges::count_if(designs, is_sound);
   if (designs.empty()) {
     result.notes.push_back("None of the solutions that were found is a linkage of the real plane.");
     return;
   }
-  result.notes.push_back(fmt::format(
-      "{} of {} linkages of the real plane keep to every constraint.", sound, designs.size()));
+  result.notes.push_back(fmt::format("{} of {} linkages of the real plane meet every constraint.",
+                                     sound, designs.size()));
   if (sound > 0) return;
   result.notes.push_back(
       fmt::format("Near misses: {} linkages have a branch defect alone, {} meet the positions in "

@@ -186,7 +186,7 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   };
   synthesis::Solution solution = in_order(model);
   const Lengths<double> links = lengths(model.linkage(solution.x));
-  // A crank that has come to turn fully has to keep its transmission angle over the turn. And a
+  // A crank that has become fully rotatable must keep its transmission angle over the turn. And a
   // curve may end at a change point: a descent towards it crawls unless it knows of the border.
   const bool turns = model.transmission_on_the_way() && crank_rotates(links);
   const auto side =
@@ -206,8 +206,8 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   if (improves(along)) return along;
   found.minimum = start;
   found.minimum.confined_to = confined_to;
-  // Where the crank has come to turn fully and breaks the limits, the descent is repeated within
-  // the class that it began in.
+  // Where the crank has become fully rotatable and violates the limits, the descent is repeated
+  // within the class that it began in.
   const bool lost = turns && solution.violation > kPathFeasibility;
   const auto own = lost ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
   if (!knows_limits || !own || own == side || own == confined_to) return solution;

@@ -71,7 +71,7 @@ struct PathRules {
   double merit(const PathFound& found) const { return by_cost ? found.cost : value(found); }
 };
 
-/// Goes on from the point of `found`, by the loss that the problem asks for (a point's two
+/// Goes on from the point of `found`, by the loss of the problem (a point's two
 /// residuals being one error), and counts the work.
 synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synthesis::Solver solver,
                              const synthesis::Options& options);

@@ -19,7 +19,7 @@ double largest_violation(const PathModel& model, std::span<const double> x) {
   return most;
 }
 
-/// Where the transmission angle is limited over the way of the crank, one that has come to turn
+/// Where the transmission angle is limited over the way of the crank, one that has started to turn
 /// fully has to keep it over the turn: it is then kept to its class, and to those limits.
 void confine_turning(const PathProblem& problem, const PathModel& model, double penalty,
                      PathFound& found) {

@@ -1,4 +1,4 @@
-/// @file What `kind = "path-generation"` asks for. Angles are in radians, lengths in the file's
+/// @file What `kind = "path-generation"` specifies. Angles are in radians, lengths in the file's
 /// unit.
 #pragma once
 

@@ -46,7 +46,7 @@ struct PathForm {
   }
 };
 
-/// The problem that a form keeps to, as `model_of` has it.
+/// The problem restricted to a form, as `model_of` has it.
 PathProblem confined(const PathProblem& scaled, const std::optional<RequiredClass>& to) {
   PathProblem problem = scaled;
   problem.constraints.required_class = to;
@@ -64,7 +64,7 @@ PathForm form_of(const PathProblem& scaled, const PathMinimum& minimum) {
   return form;
 }
 
-/// The forms of the minima, and those in which the file allows the linkage besides.
+/// The forms of the minima, and the others that the file allows.
 class PathForms {
  public:
   PathForms(const PathProblem& scaled, const std::vector<PathMinimum>& minima) : scaled_(scaled) {
@@ -212,7 +212,7 @@ class PathRaster final : public synthesis::ModelRaster {
   }
 
   /// One of each form, what is not on the raster as in a point that is known; of timed paths with
-  /// several phases besides.
+  /// several phases too.
   std::vector<RasterPoint> starts_of(std::span<const RasterPoint> from) const {
     std::vector<RasterPoint> starts;
     for (std::size_t form = 0; form < forms_.all().size(); ++form) {

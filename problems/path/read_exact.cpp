@@ -104,7 +104,7 @@ void check_sense_has_an_order(TableReader& target, const PathProblem& problem) {
   if (problem.crank_sense == CrankSense::either || problem.order != PointOrder::any) return;
   target.fault("crank_sense",
                "is given for positions in any order (order = \"any\", as poses and points together "
-               "have it), of which no sense can be told; remove it, or add order = \"cyclic\" "
+               "have it), for which the sense is not defined; remove it, or add order = \"cyclic\" "
                "and list the positions as they follow one another");
 }
 

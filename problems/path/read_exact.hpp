@@ -1,4 +1,4 @@
-/// @file `method = "exact"` of paths: positions, and what there may be besides.
+/// @file `method = "exact"` of paths: positions and the other keys.
 #pragma once
 
 #include "problems/path/problem.hpp"

@@ -128,7 +128,7 @@ synthesis::Options options(const Deadline& deadline, int iterations, double tole
 }
 
 /// From some of the points to more: the same linkage, its crank angles interpolated, or those at
-/// which it comes nearest to the points in order. Whatever refinement gives counts as better.
+/// which it comes nearest to the points in order. Any refinement counts as better.
 void carry_over(const PathCoarsening& some, const PathCoarsening& more, PathFound& found) {
   const PathModel coarse = model_of(some.coarse(), found.minimum);
   const PathModel fine = model_of(more.coarse(), found.minimum);

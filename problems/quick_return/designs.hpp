@@ -13,7 +13,7 @@
 
 namespace cognate::problems {
 
-/// What a four-bar's `problem` asks for.
+/// The target of a four-bar's `problem`.
 synthesis::RockerTask rocker_task(const QuickReturnProblem& problem);
 
 /// `crank_angles` are those of the two limits; the error is that of the time ratio as simulated.

@@ -16,16 +16,16 @@ using synthesis::PivotArc;
 using synthesis::RockerDegeneracy;
 using synthesis::SliderDegeneracy;
 
-/// Digits that tell `length` from the ends of the intervals, at least six.
+/// Digits that distinguish `length` from the ends of the intervals, at least six.
 int digits_for(double length, const std::vector<LengthInterval>& intervals) {
   constexpr int kLeast = 6, kMost = 17;
-  const auto is_told = [&](double end, int digits) {
+  const auto is_distinct = [&](double end, int digits) {
     return end == length ||
            fmt::format("{:.{}g}", end, digits) != fmt::format("{:.{}g}", length, digits);
   };
   for (int digits = kLeast; digits < kMost; ++digits) {
     const bool all = std::ranges::all_of(intervals, [&](const LengthInterval& interval) {
-      return is_told(interval.min, digits) && is_told(interval.max, digits);
+      return is_distinct(interval.min, digits) && is_distinct(interval.max, digits);
     });
     if (all) return digits;
   }
@@ -58,8 +58,8 @@ std::string not_possible(const std::string& what, double length,
     return std::abs(length) > interval.min && std::abs(length) < interval.max;
   });
   return inside ? fmt::format(
-                      "{} of {} is so near the end of what is possible that rounding "
-                      "hides whether the linkage moves as wanted: it must be {}.",
+                      "{} of {} is so near the limit of what is possible that rounding errors "
+                      "hide whether the linkage moves as required: it must be {}.",
                       what, length, in_words(intervals, digits))
                 : fmt::format("{} of {} is not possible: it must be {}.", what, length,
                               in_words(intervals, digits));
@@ -113,11 +113,11 @@ std::string why_no_rocker(const QuickReturnProblem& problem,
 
 std::string best_of_each_arc(const synthesis::RockerSolutions& found) {
   if (found.degeneracy != RockerDegeneracy::none) {
-    return "The design is the one with the greatest least transmission angle within the "
+    return "The design is the one with the largest minimum transmission angle within the "
            "constraints.";
   }
   return "Time ratio, rocker and swing leave a family of crank-rockers; the designs are those with "
-         "the greatest least transmission angle within the constraints, one for each arc of crank "
+         "the largest minimum transmission angle within the constraints, one for each arc of crank "
          "pivots.";
 }
 
@@ -132,7 +132,7 @@ std::string longest_coupler(const QuickReturnProblem& problem) {
   return fmt::format(
       "With K = 1 the least transmission angle grows with the coupler, towards {:.6g} degrees, so "
       "that no linkage is the best: the design has the longest coupler up to a link ratio of "
-      "{:.6g}, or that the bounds and constraints ask for. Give the coupler, the frame, a line for "
+      "{:.6g}, or as the bounds and constraints allow. Give the coupler, the frame, a line for "
       "the crank pivot, or bounds for another.",
       90 - *problem.swing * 90 / kPi, synthesis::free_link_ratio(rocker_task(problem)));
 }
@@ -237,7 +237,7 @@ std::string shaper_note(synthesis::ShaperOutcome outcome) {
              "a longer rod is needed, or another ram_height.";
     case synthesis::ShaperOutcome::overshoot:
       return "The rod leans so far that the ram turns back before the bar does: its stroke and "
-             "time ratio would differ from those wanted. A longer rod, or another ram_height, is "
+             "time ratio would differ from those required. A longer rod, or another ram_height, is "
              "needed.";
     case synthesis::ShaperOutcome::solved:
       break;

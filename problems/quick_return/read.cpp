@@ -22,7 +22,7 @@ constexpr NumberRule kSwing{[](double x) { return x >= 1e-3 && x <= 179.999; },
 constexpr NumberRule kPressureAngle{[](double x) { return x >= 1e-3 && x <= 89.999; },
                                     "an angle in degrees from 0.001 to 89.999"};
 
-// All solutions, unless the file asks for fewer.
+// All solutions, unless the file limits their number.
 constexpr int kMostDesigns = 100;
 
 std::optional<double> required(TableReader& table, std::string_view key, const NumberRule& rule) {

@@ -216,7 +216,7 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
   if (!result.designs.empty()) result.status = sound ? Status::solved : Status::infeasible;
   if (result.status == Status::infeasible && !result.families.empty()) {
     result.notes.emplace_back(
-        "No linkage of the family keeps to every constraint; the designs come nearest.");
+        "No linkage of the family meets every constraint; the designs are the nearest.");
   }
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);

@@ -167,7 +167,7 @@ Relaxation of_clearance(std::size_t index) {
           }};
 }
 
-/// What holds over the full turn, which only a turning crank can keep to: the class stays.
+/// What holds over the full turn, which only a turning crank can meet: the class stays.
 void add_cycle_limits(const Constraints& constraints, std::vector<Relaxation>& all) {
   for (std::size_t i = 0; i < constraints.clearances.size(); ++i) all.push_back(of_clearance(i));
   for (const CycleDeclaration& quantity : kCycleQuantities) {

@@ -33,7 +33,7 @@ double cost_in_positions(const Work& work, const Constraints& constraints);
 inline constexpr double kMostExplaining = 3e8;
 
 /// Adds that to the notes of a result without a sound design. `solve_once` solves a changed
-/// problem, which asks for one design from few starts, and explains nothing.
+/// problem, which requests one design from few starts, and explains nothing.
 template <class AnyProblem, class SolveOnce>
 void add_infeasibility(const AnyProblem& problem, const Deadline& deadline,
                        const SolveOnce& solve_once, Result& result) {

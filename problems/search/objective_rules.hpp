@@ -1,5 +1,5 @@
-/// @file What of a design besides its error can be made best: how it is read off a finished design,
-/// and how it becomes a bound that a search keeps to.
+/// @file Objectives other than the error: how each is measured on a finished design
+/// and how it becomes a bound for a search.
 #pragma once
 
 #include <optional>

@@ -17,10 +17,10 @@ namespace cognate::problems {
 /// under others.
 inline constexpr int kMinima = 6;
 
-/// What of several objectives a file asks for besides the error; empty where nothing.
+/// The objectives other than the error; empty if there are none.
 std::optional<DesignObjective> measure_of(const Solve& solve);
 
-/// What the file asks for, how its error is called and how it is solved.
+/// The objectives of the file, the name of its error and how it is solved.
 struct ObjectiveTask {
   DesignLimits limits;  ///< those of the file
   DesignObjective measure;

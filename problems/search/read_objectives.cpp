@@ -94,7 +94,7 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
                 "minimax; leave one of them out");
   }
   if (!can_solve(solve.solver, {.constraints = true})) {
-    table.fault("solver", fmt::format("is \"{}\", which cannot keep to the bounds that several "
+    table.fault("solver", fmt::format("is \"{}\", which cannot keep within the bounds that several "
                                       "objectives need; every other solver can",
                                       to_string(solve.solver)));
   }
@@ -124,7 +124,7 @@ void read_objectives(TableReader& constraints_table, TableReader& solve_table,
     solve_table.fault(kKey, "are two without \"error\"; expected \"error\" and one other");
   } else if (!with_error && !constraints.error) {
     solve_table.fault(kKey, fmt::format("does without \"error\", which is then to be bounded; "
-                                        "expected constraints.{}, or \"error\" besides",
+                                        "expected constraints.{}, or \"error\" as well",
                                         to_string(scope.error)));
   }
   if (!solve_table.has("designs")) solve.designs = front ? kFrontDesigns : 1;

@@ -31,7 +31,7 @@ inline constexpr Key<StraightLineGoal> kGoalKeys[] = {
     key<&StraightLineGoal::direction>("target.direction_deg", "of the line, either way along it",
                                       kAngle)};
 
-/// `[constraints]` of a search besides those of linkages.
+/// `[constraints]` of a search in addition to those of linkages.
 inline constexpr Key<SegmentConstraints> kSegmentKeys[] = {
     key<&SegmentConstraints::crank_range>("constraints.crank_range_deg",
                                           "search: [min, max] of the crank's turn over the segment",

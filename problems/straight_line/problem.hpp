@@ -50,7 +50,7 @@ struct SegmentConstraints {
 
 /// `kind = "straight-line"`. With `method = "exact"`: coupler points whose path has contact of at
 /// least `contact` points with a straight line, by the local theory of a position. Else the
-/// linkages that `goal` asks for; then `type` and `given` say what is given (a slider-crank's
+/// linkages of `goal`; then `type` and `given` say what is given (a slider-crank's
 /// offset in `slider_offset`, its slide line's direction in `given.frame_angle`).
 struct StraightLineProblem {
   std::string title;

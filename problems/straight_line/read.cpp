@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kCrankAngle = "crank_deg";
 
-/// Whether the file asks for the theory of contact.
+/// Whether the file uses the theory of contact.
 bool read_method(TableReader& target) {
   constexpr std::string_view kMethods[] = {"exact"};
   target.choice_of("method", kMethods);

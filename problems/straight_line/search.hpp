@@ -34,7 +34,7 @@ struct SegmentEffort {
 };
 
 /// Optima of a problem in the search's unit (`in_unit`), equal for any number of threads. `known`:
-/// segments to begin with besides. Counts what was done in `work`.
+/// further segments to begin with. Counts what was done in `work`.
 SegmentSearchResult search_segments(const StraightLineProblem& problem,
                                     const std::vector<LinkageSegment>& known,
                                     const SegmentEffort& effort, const Run& run,

@@ -52,7 +52,7 @@ std::optional<double> fit_line(LinkageSegment& segment);
 /// The problem's lengths divided by `unit`.
 StraightLineProblem in_unit(StraightLineProblem problem, double unit);
 
-/// Whether something fixes the linkage's scale besides the length of the segment: a dimension
+/// Whether something fixes the linkage's scale other than the length of the segment: a dimension
 /// given, a bound of one, or a place of a pivot.
 bool has_scale(const StraightLineProblem& problem);
 

@@ -120,7 +120,7 @@ class Collector {
     append(synthesis::straight_positions(linkage, problem_.contact),
            problem_.slider ? "No point: only in a limit position with crank and coupler along the "
                              "slide line has a slider-crank points of contact of four or more "
-                             "besides the slider's pin."
+                             "other than the slider's pin."
                            : "No position of this assembly gives Ball's point contact of five "
                              "points.");
   }

@@ -12,7 +12,7 @@
 
 namespace cognate::problems {
 
-/// Gives what the base file of a study asks for with other numbers, without reading text again.
+/// Gives the problem of the base file of a study with other numbers, without reading text again.
 class StudyBase {
  public:
   explicit StudyBase(const Study& study);
@@ -20,7 +20,7 @@ class StudyBase {
   StudyBase(StudyBase&&) noexcept;
   StudyBase& operator=(StudyBase&&) noexcept;
 
-  /// What the base asks for with `values`, one for each variable, or every fault that it then has,
+  /// The problem of the base with `values`, one for each variable, or every fault that it then has,
   /// where they stand in the base. A whole number where the base has one stays one.
   tl::expected<Task, std::vector<Fault>> with(std::span<const double> values);
 

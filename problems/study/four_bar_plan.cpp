@@ -15,7 +15,7 @@ namespace {
 /// So many that those of a range of the crank are soon looked through.
 constexpr double kMostTurns = 100;
 
-/// The analysis that the base file asks for, where it is one of a four-bar over a whole turn,
+/// The analysis of the base file, where it is one of a four-bar over a whole turn,
 /// within some turns of 0.
 std::optional<AnalysisProblem> four_bar_base(const Study& study) {
   auto analysis = parse_task<AnalysisProblem>(study.base_text);

@@ -14,7 +14,7 @@
 
 namespace cognate::problems {
 
-/// The metrics of what a base file asks for.
+/// The metrics of the problem of a base file.
 using MetricCatalogue = std::function<MetricNames(const Task& base)>;
 
 /// The study in `text` (TOML), or every fault found in it, in the order of the file. Its base file
@@ -28,7 +28,7 @@ tl::expected<Study, std::vector<Fault>> parse_study(std::string_view text,
 tl::expected<Study, std::vector<Fault>> read_study(const std::filesystem::path& file,
                                                    const MetricCatalogue& metrics);
 
-/// Whatever a file may hold.
+/// Any content of a file.
 using TaskOrStudy = std::variant<Task, Study>;
 
 /// What `file` holds, a task or a study, or every fault found in it.

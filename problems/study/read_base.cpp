@@ -63,7 +63,7 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
   }
   if (begins_with_atlas(read->task)) {
     study_file.fault(
-        kBase, fmt::format("is {}, which has solve.atlas, a file that its rows would hang on; "
+        kBase, fmt::format("is {}, which has solve.atlas, a file that its rows would depend on; "
                            "expected a base without one",
                            in_quotes(*base)));
     return std::nullopt;

@@ -11,7 +11,7 @@
 namespace cognate::problems::reading {
 
 /// The study that `document` describes; only where `faults` stays empty is it whole. The base file
-/// is looked for in `folder`, and `metrics` are those of what it asks for.
+/// is looked for in `folder`, and `metrics` are those of its problem.
 Study read_study(const Table& document, const std::filesystem::path& folder,
                  const MetricCatalogue& metrics, FaultList& faults);
 

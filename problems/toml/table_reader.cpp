@@ -104,7 +104,7 @@ std::optional<double> TableReader::turning_speed(std::string_view key, const Num
   const std::string by_minute = fmt::format("{}_rpm", key);
   if (!has(by_minute)) return number(key, rule);
   if (has(key)) {
-    fault(by_minute, fmt::format("is given besides {}; expected one of them", name(key)));
+    fault(by_minute, fmt::format("is given together with {}; expected one of them", name(key)));
   }
   const auto turns = number(by_minute, rule);
   return turns ? std::optional(*turns * (kTurn / 60)) : std::nullopt;

@@ -1,4 +1,4 @@
-/// @file What a file about a gear train asks for. Speeds are in rad/s, torques in N m.
+/// @file What a file about a gear train specifies. Speeds are in rad/s, torques in N m.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct TrainPlanet {
   double mass = 0;     ///< of each
 };
 
-/// `[[shaft]]`: what a member has besides its gears.
+/// `[[shaft]]`: what a member has in addition to its gears.
 struct TrainShaft {
   std::string name;
   double inertia = 0;

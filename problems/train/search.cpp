@@ -13,15 +13,15 @@
 namespace cognate::problems {
 namespace {
 
-/// A train that is found: one of gears on fixed axes, or a planetary one.
-struct FoundTrain {
+/// Teeth of a train on fixed axes, or of a planetary one.
+struct TrainDesign {
   std::vector<std::array<int, 2>> stages;  ///< driver and driven of each pair
   int sun = 0, planet = 0, ring = 0, count = 0;
   double error = 0;
   int size = 0;
 };
 
-/// Those found, best first, no more than are sought.
+/// The best designs, best first, no more than requested.
 class BestTrains {
  public:
   BestTrains(TrainObjective objective, std::size_t count) : objective_(objective), count_(count) {}
@@ -29,7 +29,7 @@ class BestTrains {
   bool may_take(double error, int size) const {
     return best_.size() < count_ || key(error, size) < key(best_.back().error, best_.back().size);
   }
-  void take(FoundTrain found) {
+  void take(TrainDesign found) {
     if (!may_take(found.error, found.size)) return;
     const auto place = std::ranges::upper_bound(best_, found, [&](const auto& a, const auto& b) {
       return key(a.error, a.size) < key(b.error, b.size);
@@ -37,7 +37,7 @@ class BestTrains {
     best_.insert(place, std::move(found));
     if (best_.size() > count_) best_.pop_back();
   }
-  const std::vector<FoundTrain>& all() const { return best_; }
+  const std::vector<TrainDesign>& all() const { return best_; }
 
  private:
   std::pair<double, double> key(double error, int size) const {
@@ -47,7 +47,7 @@ class BestTrains {
 
   TrainObjective objective_;
   std::size_t count_;
-  std::vector<FoundTrain> best_;
+  std::vector<TrainDesign> best_;
 };
 
 class TrainSearch {
@@ -60,7 +60,7 @@ class TrainSearch {
         deadline_(deadline),
         best_(target.objective, count) {}
 
-  std::vector<FoundTrain> found() && {
+  std::vector<TrainDesign> found() && {
     if (target_.train == TrainType::planetary) {
       find_planetary();
     } else if (target_.coaxial) {
@@ -85,7 +85,7 @@ class TrainSearch {
     for (const ToothQuotient& quotient : best) {
       const auto drivers = teeth_of(quotient.driver, target_.teeth, quotient.pairs);
       const auto driven = teeth_of(quotient.driven, target_.teeth, quotient.pairs);
-      FoundTrain found{.error = quotient.error, .size = quotient.size()};
+      TrainDesign found{.error = quotient.error, .size = quotient.size()};
       for (std::size_t k = 0; k < drivers.size(); ++k) {
         found.stages.push_back({drivers[k], driven[k]});
       }
@@ -189,7 +189,7 @@ class TrainSearch {
   BestTrains best_;
 };
 
-GearTrainProblem compound_train(const FoundTrain& found) {
+GearTrainProblem compound_train(const TrainDesign& found) {
   GearTrainProblem train;
   const auto shaft = [](std::size_t k) { return fmt::format("shaft {}", k + 1); };
   for (std::size_t k = 0; k < found.stages.size(); ++k) {
@@ -200,7 +200,7 @@ GearTrainProblem compound_train(const FoundTrain& found) {
   return train;
 }
 
-GearTrainProblem planetary_train(const FoundTrain& found, const TrainTarget& target) {
+GearTrainProblem planetary_train(const TrainDesign& found, const TrainTarget& target) {
   GearTrainProblem train;
   train.meshes = {{.gears = {"sun", "planet"}, .teeth = {found.sun, found.planet}},
                   {.gears = {"planet", "ring"},
@@ -219,7 +219,7 @@ GearTrainProblem planetary_train(const FoundTrain& found, const TrainTarget& tar
   return train;
 }
 
-GearTrainDesign design_of(const FoundTrain& found, const GearTrainProblem& problem) {
+GearTrainDesign design_of(const TrainDesign& found, const GearTrainProblem& problem) {
   const TrainTarget& target = *problem.target;
   GearTrainProblem train =
       target.train == TrainType::planetary ? planetary_train(found, target) : compound_train(found);
@@ -256,7 +256,7 @@ void find_trains(const GearTrainProblem& problem, const Deadline& deadline,
           found.front().error, target.ratio));
     }
   }
-  for (const FoundTrain& each : found) result.designs.push_back(design_of(each, problem));
+  for (const TrainDesign& each : found) result.designs.push_back(design_of(each, problem));
 }
 
 }  // namespace cognate::problems

@@ -203,7 +203,7 @@ class MultiStart {
     }
   }
 
-  /// Tells how much of the present stage is done.
+  /// Reports how much of the present stage is done.
   void report(double part) const {
     if (run_.progress) run_.progress(stage_.at(part), best_);
   }

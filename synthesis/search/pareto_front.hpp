@@ -72,7 +72,7 @@ enum class LastPoint { before_an_upright_end, greatest_level };
 
 /// Points of the front that are known, best error first: none is as good as another in both.
 ///
-/// The front falls or rises monotonically, since what keeps to a bound keeps to every looser one:
+/// The front falls or rises monotonically, since what meets a bound meets every looser one:
 /// a point that is found better than one of a looser bound takes its place, and each point is a
 /// start for those beside it.
 class FrontSearch {

@@ -53,7 +53,7 @@ struct SearchOptions {
   /// When there are enough starts. Unless the number is given, at least 200 and at most 2000, until
   /// five led to the best minimum and it was found in the first third of them.
   StartRule rule{.most = 2000, .patience = 3, .met = 1e-24};
-  std::vector<SearchStart> known{};  ///< to begin with besides the starts; they are no hits
+  std::vector<SearchStart> known{};  ///< to begin with in addition to the starts; they are no hits
 
   std::size_t designs = 10;  ///< minima to return at most
   /// Beyond these, so many explored minima are refined further.

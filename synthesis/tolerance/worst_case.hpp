@@ -20,7 +20,7 @@ struct WorstCase {
 };
 
 /// Of a scalar response at a station, over the changes of dimensions in `box`. Empty where the
-/// mechanism comes to a dead point, or cannot be assembled, somewhere in the box.
+/// mechanism reaches a dead point, or cannot be assembled, somewhere in the box.
 std::optional<WorstCase> worst_case(const AffineMechanism& mechanism, const Response& response,
                                     const Station& station, std::span<const Interval> box);
 

@@ -106,7 +106,7 @@ class Analyze(unittest.TestCase):
         return document
 
     def check_document(self, document):
-        """What holds of every result, besides its schema."""
+        """What holds for every result, apart from its schema."""
         if jsonschema is not None:
             jsonschema.validate(document, json.loads(SCHEMA.read_text()))
         columns = document["analysis"]["columns"]

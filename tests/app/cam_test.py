@@ -120,10 +120,10 @@ class CamTable(unittest.TestCase):
         rows = self.table(CAM.format(more=""), "--steps", "7200")
         metrics = json.loads((self.at / "cam.result.json").read_text())["designs"][0]["metrics"]
         greatest = max(abs(row["pressure_angle_deg"]) for row in rows)
-        told = max(abs(metrics[key]) for key in ("pressure_angle_deg_max_rise",
+        reported = max(abs(metrics[key]) for key in ("pressure_angle_deg_max_rise",
                                                  "pressure_angle_deg_max_return"))
-        self.assertLessEqual(greatest, told * (1 + 1e-12))
-        self.assertGreater(greatest, told * (1 - 1e-6))
+        self.assertLessEqual(greatest, reported * (1 + 1e-12))
+        self.assertGreater(greatest, reported * (1 - 1e-6))
         least = min(row["curvature_radius"] for row in rows if row.get("curvature_radius", -1) > 0)
         self.assertAlmostEqual(least, metrics["curvature_radius_min"], delta=1e-6)
         # At rest at displacement 0 the normal leads to the cam's centre.

@@ -292,7 +292,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(closed.returncode, 2)
         self.assertIn("cannot write to standard output", closed.stderr)
 
-    def test_a_limit_on_the_size_of_files_is_told(self):
+    def test_a_limit_on_the_size_of_files_is_reported(self):
         done = subprocess.run(
             ["/bin/sh", "-c", 'ulimit -f 1; "$0" analyze "$1" --quiet', PROGRAM,
              LIBRARY / "analysis" / "shaper.toml"],
@@ -300,7 +300,7 @@ class CommandLine(unittest.TestCase):
         self.expect_one_line_refusal(done, "cannot write", "File too large")
         self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_a_time_limit_that_ends_a_table_is_told(self):
+    def test_a_time_limit_that_ends_a_table_is_reported(self):
         done = run("analyze", LIBRARY / "analysis" / "shaper.toml", "--time-limit", "1e-9", "--json",
                    cwd=self.folder)
         notes = json.loads(done.stdout)["notes"]

@@ -166,9 +166,9 @@ class Examples(unittest.TestCase):
         ran = 0
         for page in pages():
             text = text_of(page)
-            told = {content for _, content in SAVED_AS.findall(text)}
+            files_of_commands = {content for _, content in SAVED_AS.findall(text)}
             for language, content in BLOCK.findall(text):
-                if language != "toml" or content in seen or content in told:
+                if language != "toml" or content in seen or content in files_of_commands:
                     continue
                 seen.add(content)
                 tables = tomllib.loads(content)  # a fragment is TOML too

@@ -195,7 +195,7 @@ starts = 256
             self.assertGreaterEqual(min(lengths), 10 - 1e-6)
             self.assertLessEqual(max(lengths), 160 + 1e-6)
 
-    def test_chain_told_point_by_point(self):
+    def test_chain_given_point_by_point(self):
         text = """
 kind = "function-generation"
 [target]

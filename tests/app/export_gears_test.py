@@ -46,7 +46,7 @@ def involute_distance(x, y, teeth, shift, module):
 
 
 def corner_distance(x, y, teeth, shift, module):
-    """How near the round corner of the rack's tip comes to a point while it rolls past."""
+    """The least distance of the rack's round tip corner from a point while it rolls past."""
     corner = CLEARANCE / (1 - math.sin(ALPHA)) * module
     across = (math.pi / 4 - ADDENDUM * math.tan(ALPHA)) * module - corner * math.cos(ALPHA)
     depth = (shift - ADDENDUM - CLEARANCE) * module + corner
@@ -190,7 +190,7 @@ class ExportGearsTest(unittest.TestCase):
         self.assertLess(count[0.1], count[1e-3])
 
     def depth_and_gap(self, distance):
-        """How deep the pinion's corners are in the wheel, and how near they come to it."""
+        """How deep the pinion's corners are in the wheel, and their least distance from it."""
         self.export(self.result(pair(distance)), "csv", "--chord-tolerance", 5e-3)
         pinion, wheel = ([row[:2] for row in self.rows(f"gears.{name}.csv")]
                          for name in ("pinion", "wheel"))

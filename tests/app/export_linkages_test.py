@@ -367,7 +367,7 @@ class ExportLinkagesTest(unittest.TestCase):
         self.assertGreaterEqual(seen, 2)
 
     def test_slots_of_many_turns(self):
-        """The stroke of an offset slider-crank by Pythagoras, whatever the number of turns."""
+        """The stroke of an offset slider-crank by Pythagoras, for any number of turns."""
         stroke = math.sqrt(230**2 - 25**2) - math.sqrt(30**2 - 25**2)
         for start, end in [(0, 360), (0, 36000), (-32400, 32400), (7200, -100)]:
             with self.subTest((start, end)):
@@ -426,7 +426,7 @@ class ExportLinkagesTest(unittest.TestCase):
                 labels = [text.text for text in root.iter("{http://www.w3.org/2000/svg}text")]
                 self.assertEqual(sorted(labels), sorted(self.document(result)["position"]["places"]))
 
-    def test_thin_walls_are_told(self):
+    def test_thin_walls_are_reported(self):
         done = run("export", self.named("crank-rocker"), "--format", "svg", "--parts", "--hole", 0.1,
                    "--width", 0.119, "--out", "thin", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -466,7 +466,7 @@ class ExportLinkagesTest(unittest.TestCase):
             self.assertEqual(root.find("{http://www.w3.org/2000/svg}title").text, title)
         self.assertTrue(self.export(result, "dot").read_text().startswith('graph "Presse <1> – 压力机" {'))
 
-    def test_a_table_that_the_time_limit_ended_is_told(self):
+    def test_a_table_that_the_time_limit_ended_is_reported(self):
         done = run("export", self.named("crank-rocker"), "--format", "csv", "--steps", 100000,
                    "--time-limit", "1e-9", "--out", "late", cwd=self.folder)
         self.assertEqual(done.returncode, 0)

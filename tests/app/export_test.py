@@ -402,7 +402,7 @@ class ExportTest(unittest.TestCase):
         self.assertEqual(document["points"], len(self.points(result)))
         self.assertEqual(self.export(result, "svg", "--quiet").stdout, "")
 
-    def test_undercut_is_told(self):
+    def test_undercut_is_reported(self):
         result = self.solve(problem(['type = "translating-flat"'], 25, {"base_radius": 5}))
         done = self.export(result, "svg")
         self.assertIn("crosses itself", done.stderr)

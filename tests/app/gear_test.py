@@ -92,7 +92,7 @@ class Gears(unittest.TestCase):
         file.write_text(text)
         return file
 
-    def test_a_worm_wheel_that_cannot_be_is_told_as_such(self):
+    def test_a_worm_wheel_that_cannot_be_is_reported_as_such(self):
         worm = 'kind = "gear-pair"\nmechanism = {gearing = "worm", wheel_teeth = 3, module = 2, wheel_shift = -10}\n'
         document = self.document_of(self.problem(worm))  # by the schema
         self.assertEqual(document["status"], "infeasible")

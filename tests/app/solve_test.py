@@ -59,7 +59,7 @@ def refuse_constant(name):
 
 
 # Seconds for each worked problem: a search that is cut goes all the same ways, and tests of the kinds
-# let the long ones end. With one seed asked for the program is a sanitized one, which is slower.
+# let the long ones end. With one seed requested the program is a sanitized one, which is slower.
 BOUND = "2" if "COGNATE_TEST_SEEDS" in os.environ else "6"
 
 
@@ -115,7 +115,7 @@ class Solve(unittest.TestCase):
         return file
 
     def check_document(self, document):
-        """What holds of every result, besides its schema."""
+        """What holds for every result, apart from its schema."""
         if jsonschema is not None:
             jsonschema.validate(document, json.loads(SCHEMA.read_text()))
         problem = document["problem"]

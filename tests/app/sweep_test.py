@@ -1,4 +1,4 @@
-"""Studies from outside: files, documents, what is refused, what survives being stopped.
+"""Studies from outside: rows, documents, reports, and what is refused.
 
 Run as: sweep_test.py PROGRAM SCHEMA, the built program and the JSON schema of summaries.
 """
@@ -8,75 +8,19 @@ import json
 import math
 import os
 import pathlib
-import pty
 import re
-import resource
-import shutil
-import signal
 import sqlite3
-import struct
-import subprocess
 import sys
-import tempfile
-import time
 import unittest
+
+from sweeps import SLIDER, SMALL, Sweeps
 
 try:
     import jsonschema
 except ImportError:
     jsonschema = None
 
-PROGRAM = ""
 SCHEMA = pathlib.Path()
-
-SLIDER = """
-kind = "analysis"
-[mechanism]
-type = "slider-crank"
-pivot = [0, 0]
-crank = 1
-coupler = 3
-offset = 0.25
-[drive]
-speed = 1
-steps = 36
-[output]
-position = true
-"""
-
-SMALL = """
-base = "slider.toml"
-[[vary]]
-key = "mechanism.coupler"
-range = [0.5, 5.5]
-steps = 21
-[[vary]]
-key = "mechanism.offset"
-values = [0, 0.25, 0.5]
-[output]
-metrics = ["class", "output_stroke", "time_ratio"]
-[filter]
-"transmission_angle_deg.acute_min" = { min = 30 }
-[objective]
-maximize = "output_stroke"
-"""
-
-# Analysed one by one for longer than any test lasts.
-LONG = """
-base = "slider.toml"
-[[vary]]
-key = "mechanism.coupler"
-range = [2, 5]
-sampling = "sobol"
-count = 4000000
-[[vary]]
-key = "mechanism.offset"
-range = [0, 0.5]
-sampling = "sobol"
-count = 4000000
-[output]
-metrics = ["output_stroke"]
-"""
 
 ATLAS_BASE = """
 kind = "analysis"
@@ -119,12 +63,6 @@ atlas = "atlas.study.db"
 """
 
 # MPI keeps some memory to its end, which a sanitized program would count as leaked.
-MPI = dict(
-    os.environ,
-    OMPI_ALLOW_RUN_AS_ROOT="1",
-    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-    ASAN_OPTIONS="detect_leaks=0",
-)
 
 
 def refuse_constant(name):
@@ -143,60 +81,6 @@ def planted_curve():
         point = 2j * (b + (1.5 + 2j) * coupler)
         points.append([point.real, point.imag])
     return points
-
-
-class Sweeps(unittest.TestCase):
-    """A folder with a base file and studies of it."""
-
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        (self.folder / "slider.toml").write_text(SLIDER)
-        (self.folder / "small.toml").write_text(SMALL)
-        (self.folder / "long.toml").write_text(LONG)
-
-    def run_program(self, *arguments, **options):
-        return subprocess.run(
-            [PROGRAM, *map(str, arguments)],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            **options,
-        )
-
-    def start(self, *arguments, **options):
-        return subprocess.Popen(
-            [PROGRAM, *map(str, arguments)],
-            cwd=self.folder,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            **options,
-        )
-
-    def rows(self, file, table="runs ORDER BY id"):
-        with sqlite3.connect(self.folder / file) as database:
-            return database.execute(f"SELECT * FROM {table}").fetchall()
-
-    def wait_for_rows(self, file):
-        """Queries the study file while the study runs, until there are rows."""
-        deadline = time.monotonic() + 60
-        while time.monotonic() < deadline:
-            try:
-                if (self.folder / file).exists() and self.rows(file, "runs LIMIT 1"):
-                    return
-            except sqlite3.OperationalError:
-                pass  # its tables are not there yet
-            time.sleep(0.02)
-        self.fail("no rows within a minute")
-
-    def expect_refusal(self, done, *parts):
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertEqual(done.stdout, "")
-        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-        for part in parts:
-            self.assertIn(part, done.stderr)
 
 
 class SweepTest(Sweeps):
@@ -312,7 +196,7 @@ class SweepTest(Sweeps):
             jsonschema.validate(document, json.loads(schema.read_text()))
         self.assertEqual(document["problem"]["solve"]["atlas"], "atlas.study.db")
         self.assertTrue(any("9 curves of the atlas" in note for note in document["notes"]))
-        self.assertLess(document["designs"][0]["error"]["max"], 5e-3)  # a polygon is wanted
+        self.assertLess(document["designs"][0]["error"]["max"], 5e-3)  # the target is a polygon
 
         (self.folder / "of-closed.toml").write_text(
             'base = "closed.toml"\n[[vary]]\nkey = "bounds.length[1]"\nvalues = [40, 50]\n'
@@ -331,86 +215,6 @@ class SweepTest(Sweeps):
         for command in ("check", "solve"):
             done = self.run_program(command, "closed.toml")
             self.expect_refusal(done, place, "it has no column fourier.m4; an atlas is")
-
-    def test_study_file_changed_by_hand_is_refused(self):
-        self.run_program("sweep", "small.toml", "--json")
-        whole = (self.folder / "small.study.db").read_bytes()
-        for change in (
-            "DELETE FROM runs WHERE id = 20",
-            "DROP TABLE blocks",
-            "DROP TABLE front",
-            "UPDATE blocks SET first = first + 5",
-            "UPDATE blocks SET count = count + 1000",
-            "UPDATE blocks SET count = -count",
-            "UPDATE blocks SET first = -1",
-            "INSERT INTO blocks VALUES (62, 1, 0, 1, 0, 0, 0, 0)",
-        ):
-            with self.subTest(change):
-                for ending in ("-wal", "-shm"):
-                    (self.folder / ("small.study.db" + ending)).unlink(missing_ok=True)
-                (self.folder / "small.study.db").write_bytes(whole)
-                database = sqlite3.connect(self.folder / "small.study.db")
-                database.execute(change)
-                database.commit()
-                database.close()
-                self.expect_refusal(self.run_program("sweep", "small.toml"), "is damaged", "move it away")
-
-    def test_changed_bits_of_rows_are_found(self):
-        (self.folder / "bits.toml").write_text(SMALL)
-        self.run_program("sweep", "bits.toml", "--json")
-        file = self.folder / "bits.study.db"
-        whole = file.read_bytes()
-        strokes = [row[4] for row in self.rows("bits.study.db")]
-        self.assertGreater(len(strokes), 10)
-        found = 0
-        for number, stroke in enumerate(strokes):
-            at = whole.find(struct.pack(">d", stroke))
-            self.assertGreater(at, 0)
-            bit = 7 * number % 64
-            changed = bytearray(whole)
-            changed[at + bit // 8] ^= 1 << bit % 8
-            file.write_bytes(changed)
-            done = self.run_program("sweep", "bits.toml")
-            self.expect_refusal(done, "is damaged (the rows of the designs ", "are not those that were stored")
-            self.assertEqual(file.read_bytes(), changed)
-            found += 1
-        self.assertEqual(found, len(strokes))
-        first = self.rows("bits.study.db")[0][0]
-        self.expect_refusal(
-            self.run_program("export", "bits.study.db", "--row", first), "are not those that were stored"
-        )
-        file.write_bytes(whole)
-        self.assertEqual(self.run_program("sweep", "bits.toml").returncode, 0)
-
-    def test_file_of_before_checksums_is_gone_on_with(self):
-        self.run_program("sweep", "small.toml", "--json")
-        rows = self.rows("small.study.db")
-        with sqlite3.connect(self.folder / "small.study.db") as database:
-            database.execute("DROP TABLE checksums")
-        again = self.run_program("sweep", "small.toml")
-        self.assertEqual((again.returncode, again.stderr), (0, ""))
-        self.assertIn("blocks of rows have no checksums", again.stdout)
-        self.assertEqual(self.rows("small.study.db"), rows)
-
-    def test_one_study_by_two_names_has_one_lock(self):
-        (self.folder / "other").mkdir()
-        (self.folder / "third").mkdir()
-        (self.folder / "other/long.study.db").symlink_to("../long.study.db")
-        (self.folder / "third/long.study.db").symlink_to(self.folder / "other/long.study.db")
-        running = self.start("sweep", "long.toml", "--quiet")
-        self.wait_for_rows("long.study.db")
-        for folder in ("other", "third"):
-            second = self.run_program("sweep", "long.toml", "--out", folder)
-            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
-        running.send_signal(signal.SIGHUP)
-        _, errors = running.communicate(timeout=60)
-        self.assertEqual(running.returncode, 0)
-        self.assertIn("interrupted after", errors)
-        before = len(self.rows("long.study.db"))
-        done = self.run_program("sweep", "long.toml", "--time-limit", "0.5", "--out", "third")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue((self.folder / "third/long.study.db").is_symlink())
-        self.assertGreater(len(self.rows("long.study.db")), before)
 
     def test_pipes(self):
         os.mkfifo(self.folder / "pipe")
@@ -434,88 +238,6 @@ class SweepTest(Sweeps):
                 database.execute("SELECT value FROM study WHERE name = 'study'").fetchone()[0], text
             )
 
-    def test_interrupted_and_gone_on_with(self):
-        (self.folder / "some.toml").write_text(LONG.replace("4000000", "20000"))
-        running = self.start("sweep", "some.toml", "--quiet")
-        self.wait_for_rows("some.study.db")
-        second = self.run_program("sweep", "../" + self.folder.name + "/some.toml", "--out", self.folder)
-        if running.poll() is None:
-            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
-        running.send_signal(signal.SIGINT)
-        _, errors = running.communicate(timeout=60)
-        self.assertEqual(running.returncode, 0)
-        self.assertRegex(errors, r"interrupted after [\d ]+ of 20 000 designs; the same command goes on")
-        part = self.rows("some.study.db")
-        self.assertGreater(len(part), 0)
-        self.assertLess(len(part), 20000)
-        self.assertFalse((self.folder / "some.study.lock").exists())
-        done = self.run_program("sweep", "some.toml", "--threads", "3")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("went on from", done.stdout)
-        self.run_program("sweep", "some.toml", "--threads", "1", "--out", "whole")
-        rows = self.rows("some.study.db")
-        self.assertEqual(rows, self.rows("whole/some.study.db"))
-        self.assertEqual([row for row in rows if row[0] in {row[0] for row in part}], part)
-
-    def test_time_limit(self):
-        done = self.run_program("sweep", "long.toml", "--time-limit", "0.3")
-        self.assertIn("time limit reached after", done.stderr)
-        self.assertIn("stopped at the time limit", done.stdout)
-        self.assertEqual(done.returncode, 0)
-
-    def test_disk_is_full(self):
-        limit = 400_000  # bytes; the file of a limit and the end of a disk are one error of writing
-
-        def limited():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-
-        done = self.run_program("sweep", "long.toml", "--quiet", preexec_fn=limited)
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("cannot store rows in", done.stderr)
-        self.assertIn("the rows so far are there", done.stderr)
-        with sqlite3.connect(self.folder / "long.study.db") as database:
-            self.assertEqual(database.execute("PRAGMA integrity_check").fetchone(), ("ok",))
-            kept = database.execute("SELECT sum(kept) FROM blocks").fetchone()[0]
-            self.assertEqual(database.execute("SELECT count(*) FROM runs").fetchone()[0], kept)
-        self.assertGreater(kept, 0)
-        more = self.run_program("sweep", "long.toml", "--time-limit", "0.3", "--json")
-        self.assertGreater(json.loads(more.stdout)["counts"]["kept"], kept)
-
-    def test_place_that_cannot_be_written(self):
-        (self.folder / "file").write_text("")
-        self.expect_refusal(self.run_program("sweep", "small.toml", "--out", "file"), "'file'")
-        if os.geteuid() != 0:
-            (self.folder / "shut").mkdir(mode=0o500)
-            self.expect_refusal(self.run_program("sweep", "small.toml", "--out", "shut"), "'shut'")
-
-    def test_study_file_is_removed(self):
-        running = self.start("sweep", "long.toml", "--quiet")
-        self.wait_for_rows("long.study.db")
-        (self.folder / "long.study.db").unlink()
-        _, errors = running.communicate(timeout=60)
-        self.assertEqual(running.returncode, 2)
-        self.assertIn("was removed or replaced while the study ran", errors)
-
-    def test_progress_on_a_terminal(self):
-        controller, terminal = pty.openpty()
-        self.addCleanup(os.close, controller)
-        with os.fdopen(terminal, "w") as error:
-            running = subprocess.Popen(
-                [PROGRAM, "sweep", "long.toml", "--time-limit", "1.5", "--json"],
-                cwd=self.folder,
-                stdout=subprocess.DEVNULL,
-                stderr=error,
-                env=dict(os.environ, TERM="xterm"),
-            )
-        shown = b""
-        while running.poll() is None:
-            try:
-                shown += os.read(controller, 1000)
-            except OSError:
-                break
-        running.wait()
-        self.assertRegex(shown.decode(), r"\[\.*#*\.*\] +\d+ %  [\d ]+ of 4 000 000 designs, [\d ]+/s, .* left")
-
     def test_design_of_a_row(self):
         self.run_program("sweep", "small.toml")
         number, coupler, offset, _, stroke, *_ = self.rows("small.study.db", "best")[0]
@@ -537,63 +259,7 @@ class SweepTest(Sweeps):
         )
 
 
-@unittest.skipUnless(shutil.which("mpirun"), "mpirun is not there")
-class MpiTest(Sweeps):
-    def setUp(self):
-        if not pathlib.Path(PROGRAM).with_name("cognate-mpi").exists():
-            self.skipTest("built without MPI")
-        super().setUp()
-
-    def run_many(self, count, *arguments):
-        return subprocess.run(
-            ["mpirun", "--oversubscribe", "-n", str(count), PROGRAM, *arguments],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            env=MPI,
-            timeout=120,
-        )
-
-    def test_rows_are_those_of_one_process(self):
-        (self.folder / "some.toml").write_text(LONG.replace("4000000", "3000"))
-        many = self.run_many(3, "sweep", "some.toml", "--out", "many")
-        self.assertEqual(many.returncode, 0, many.stderr)
-        self.assertEqual(many.stdout.count("3 000 designs evaluated"), 1, many.stdout)
-        self.assertIn("on 3 threads", many.stdout)
-        self.run_program("sweep", "some.toml", "--out", "one")
-        for table in ("runs ORDER BY id", "best", "front ORDER BY id", "study ORDER BY name"):
-            self.assertEqual(
-                self.rows("many/some.study.db", table), self.rows("one/some.study.db", table)
-            )
-
-    def test_faults_are_said_once(self):
-        (self.folder / "bad.toml").write_text(SMALL.replace("coupler", "cuopler"))
-        done = self.run_many(3, "sweep", "bad.toml")
-        self.assertEqual(done.returncode, 2)
-        self.assertEqual(done.stderr.count("bad.toml:"), 1, done.stderr)
-        done = self.run_many(2, "sweep", "small.toml", "--seed", "x")
-        self.assertEqual(done.returncode, 2)
-        self.assertEqual(done.stderr.count("--seed: 'x'"), 1, done.stderr)
-
-    def test_interrupted_and_gone_on_with(self):
-        running = subprocess.Popen(
-            ["mpirun", "--oversubscribe", "-n", "2", PROGRAM, "sweep", "long.toml"],
-            cwd=self.folder,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            env=MPI,
-        )
-        self.wait_for_rows("long.study.db")
-        running.send_signal(signal.SIGINT)
-        _, errors = running.communicate(timeout=60)
-        self.assertRegex(errors, r"interrupted after [\d ]+ of 4 000 000 designs")
-        kept = len(self.rows("long.study.db"))
-        more = self.run_many(2, "sweep", "long.toml", "--json", "--time-limit", "0.3")
-        self.assertGreater(json.loads(more.stdout)["counts"]["kept"], kept)
-
-
 if __name__ == "__main__":
     SCHEMA = pathlib.Path(sys.argv.pop(2))
-    PROGRAM = sys.argv.pop(1)
+    del sys.argv[1]
     unittest.main()

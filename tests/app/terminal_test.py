@@ -270,7 +270,7 @@ class AtTheTerminal(unittest.TestCase):
 
     # Mistakes
 
-    def test_first_mistakes_are_told_with_what_to_do(self):
+    def test_first_mistakes_are_reported_with_what_to_do(self):
         def solved(*arguments):
             return ("solve", self.problem, *arguments)
 

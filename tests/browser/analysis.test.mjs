@@ -75,7 +75,7 @@ test("the mechanism moves by itself, stops, and goes on", () => visit("four-bar"
   await moves(page, c);
 }));
 
-test("who asks for less motion finds it at rest", () => visit("four-bar", still, async (page) => {
+test("with reduced motion the page does not play by itself", () => visit("four-bar", still, async (page) => {
   const start = await pin(page, "B");
   await page.waitForTimeout(300);
   assert.deepEqual(await pin(page, "B"), start);

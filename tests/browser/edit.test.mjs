@@ -239,7 +239,7 @@ for (const [name, joint, fields] of [["library-four-bar-forces", "C", { "load.0.
   }));
 }
 
-test("what is too large to be edited says so, and its page bears no kernel", () => visit("analysis-hundred-links", async (page) => {
+test("what is too large to be edited says so, and its page contains no kernel", () => visit("analysis-hundred-links", async (page) => {
   assert.ok(await page.locator(".edit-toggle").isDisabled());
   assert.match(await page.locator(".edit-toggle").getAttribute("title"), /too large/);
   assert.match(await page.locator("#kernel").textContent(), /^$/);

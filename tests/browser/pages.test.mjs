@@ -1,4 +1,4 @@
-// What all report pages have in common: how the picture is looked at, what it shows besides, one
+// What all report pages have in common: how the picture is looked at, its extra layers, one
 // cursor, tables, keys, paper, contrast, size.
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
@@ -115,7 +115,7 @@ test("the picture is saved as SVG that needs no style sheet, and in motion", () 
   assert.equal(bytes.subarray(0, 4).toString("hex"), "1a45dfa3");
 }));
 
-test("a click on a body traces a point of it, and its coordinates are told", () => visit("library-crank-rocker", async (page) => {
+test("a click on a body traces a point of it, and its coordinates are shown", () => visit("library-crank-rocker", async (page) => {
   await turnTo(page, 50);
   const at = await page.locator('[data-body="3"] path').first().evaluate((path) => {
     const p = path.getPointAtLength(0.1);
@@ -229,8 +229,8 @@ test("the other assembly and the cognates are linkages, and cognates carry the c
   assert.equal(await page.locator("#ghosts li").count(), 3);
   // Lengths of the cognate on A as multiples of those of the linkage: its first link is as long as
   // the coupler point is from B.
-  const [, told] = /links ([\d.]+)/.exec(await page.locator("#ghosts li").nth(1).textContent());
-  assert.ok(Math.abs(Number(told) - Math.hypot(10.6372, 2.29018)) < 1e-4, told);
+  const [, shown] = /links ([\d.]+)/.exec(await page.locator("#ghosts li").nth(1).textContent());
+  assert.ok(Math.abs(Number(shown) - Math.hypot(10.6372, 2.29018)) < 1e-4, shown);
   await toggle(page, "assembly");
   assert.equal(await page.locator("#ghosts li").count(), 2);
 }));
@@ -258,7 +258,7 @@ test("the point leaves a trace", () => visit("ellipse", async (page) => {
   assert.equal(await page.locator("[data-extra=trace]").getAttribute("aria-pressed"), "true");
 }));
 
-test("the magnifier shows the errors of the result at a scale that is told", () => visit("ellipse", async (page) => {
+test("the magnifier shows the errors of the result at a scale that is shown", () => visit("ellipse", async (page) => {
   await page.keyboard.press("m");
   const errors = await page.evaluate(() => {
     const { designs, target } = JSON.parse(document.getElementById("data").textContent);
@@ -369,7 +369,7 @@ test("the keys are listed, and letters can be switched off", () => visit("ellips
   assert.equal(await page.locator(".lens").isVisible(), true);
 }));
 
-test("what the picture comes to rest at is told, and every control has a name and shows its focus", () => visit("library-crank-rocker", async (page) => {
+test("a screen reader speaks the position at which the picture stops, and every control has a name and shows its focus", () => visit("library-crank-rocker", async (page) => {
   await turnTo(page, 120);
   await page.waitForFunction(() => /120/.test(document.getElementById("live").textContent));
   const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, [tabindex='0']")].filter((part) => part.checkVisibility())

@@ -17,7 +17,7 @@ if (!folder) {
 // A drop, drawn by hand on the page of `cognate sketch`.
 const DROP = Array.from({ length: 61 }, (_, i) => (i * Math.PI) / 30).map((t) => [0.44 + 0.1 * Math.sin(t), 0.5 - 0.17 * Math.cos(t) + 0.04 * Math.cos(2 * t)]);
 
-// `draw`: a stroke, in shares of the sheet. `click`: a choice about the picture. `press`: what the picture shows besides. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// `draw`: a stroke, in shares of the sheet. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "sketch", command: "sketch", file: "sketch", draw: DROP, drive: 150, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },

@@ -58,26 +58,26 @@ for (const [kind, name] of [["cam", "valve"], ["cam", "oscillating-roller"], ["q
   });
 }
 
-test("a machine is told by its masses, loads and motor", () => visit("machine-press", {}, async (page) => {
-  const told = await rows(page);
-  assert.equal(told["Kind"], "Machine dynamics");
-  assert.equal(told["Link 2"], "name coupler; mass 18 kg; centre (0.2, 0); inertia 0.4 kg·m²");
-  assert.equal(told["Load"], "on slider; force (−40000, 0) N; when advance; stroke 0.7 … 1");
-  assert.match(told["Motor"], /^line stall torque 900 N·m; no load speed 157.08 rad\/s; ratio 20;/);
-  assert.equal(told["Gravity"], "(9.80665, 0) units/s²");
-  assert.equal(told["Flywheel"], "fluctuation 0.1");
+test("a machine is described by its masses, loads and motor", () => visit("machine-press", {}, async (page) => {
+  const card = await rows(page);
+  assert.equal(card["Kind"], "Machine dynamics");
+  assert.equal(card["Link 2"], "name coupler; mass 18 kg; centre (0.2, 0); inertia 0.4 kg·m²");
+  assert.equal(card["Load"], "on slider; force (−40000, 0) N; when advance; stroke 0.7 … 1");
+  assert.match(card["Motor"], /^line stall torque 900 N·m; no load speed 157.08 rad\/s; ratio 20;/);
+  assert.equal(card["Gravity"], "(9.80665, 0) units/s²");
+  assert.equal(card["Flywheel"], "fluctuation 0.1");
 }));
 
-test("a path is told by its points, bounds and limits", () => visit("ellipse", {}, async (page) => {
-  const told = await rows(page);
-  assert.match(told["Target"], /^points \(20, 10\), \(17.66, 15.142\), \(11.736, 17.878\), \(5, 16.928\) … \(10\); timing free; /);
-  assert.equal(told["Bounds"], "crank 5 … 80; coupler 5 … 80; rocker 5 … 80; frame 5 … 80");
-  assert.match(told["Constraints"], /^class crank-rocker; transmission angle 45 … 135°; no branch defect;/);
-  assert.equal(told["Lengths in"], undefined);
+test("a path is described by its points, bounds and limits", () => visit("ellipse", {}, async (page) => {
+  const card = await rows(page);
+  assert.match(card["Target"], /^points \(20, 10\), \(17.66, 15.142\), \(11.736, 17.878\), \(5, 16.928\) … \(10\); timing free; /);
+  assert.equal(card["Bounds"], "crank 5 … 80; coupler 5 … 80; rocker 5 … 80; frame 5 … 80");
+  assert.match(card["Constraints"], /^class crank-rocker; transmission angle 45 … 135°; no branch defect;/);
+  assert.equal(card["Lengths in"], undefined);
 }));
 
-test("the card is told in Chinese", () => visit("machine-press", { locale: "zh-CN" }, async (page) => {
-  const told = await rows(page);
-  assert.equal(told["载荷"], "位于 滑块；力 (−40000, 0) N；作用时间 工作行程；行程 0.7 … 1");
-  assert.equal(told["飞轮"], "速度不均匀系数 0.1");
+test("the card is translated into Chinese", () => visit("machine-press", { locale: "zh-CN" }, async (page) => {
+  const card = await rows(page);
+  assert.equal(card["载荷"], "位于 滑块；力 (−40000, 0) N；作用时间 工作行程；行程 0.7 … 1");
+  assert.equal(card["飞轮"], "速度不均匀系数 0.1");
 }));

@@ -37,7 +37,7 @@ test("the crank turns by itself, stops, and goes on", () => visit("ellipse", {},
   await moves(page, "#pin-b");
 }));
 
-test("who asks for less motion finds it at rest", () => visit("ellipse", still, async (page) => {
+test("with reduced motion the page does not play by itself", () => visit("ellipse", still, async (page) => {
   const start = await pin(page);
   await page.waitForTimeout(300);
   assert.deepEqual(await pin(page), start);
@@ -157,7 +157,7 @@ test("no design: the page says so", () => visit("nothing", still, async (page) =
   assert.equal(await page.locator("#stage").isVisible(), false);
 }));
 
-test("a function generator shows what is wanted, and its error", () => visit("log10-refined", still, async (page) => {
+test("a function generator shows the desired function, and its error", () => visit("log10-refined", still, async (page) => {
   assert.match(await page.locator("#readout").textContent(), /error/);
   assert.ok(await page.locator("path.wanted").evaluate((p) => p.getTotalLength() > 20));
   if (hasCurves) assert.match(await page.locator(".plot h3").nth(1).textContent(), /Structural error/);

@@ -25,7 +25,7 @@ cam::Cam cam_of(const cam::CamFollower<double>& follower, const std::vector<Moti
   return {{follower, starting_place(follower), operation}, *programme_of(motion)};
 }
 
-/// A cam as a file gives it, all dimensions known, with facts as a solver would tell them.
+/// A cam as a file gives it, all dimensions known, with facts as a solver would report them.
 SampleCam sample(std::string name, const cam::CamFollower<double>& follower,
                  const std::vector<MotionSegment>& motion) {
   SampleCam sample{.name = std::move(name), .problem = {}, .result = {}};

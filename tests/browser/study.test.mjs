@@ -57,7 +57,7 @@ test("a crank that does not turn fully goes on in the other assembly", () => {
 });
 
 // As circuit_at has it, whose test has the same linkage: the coupler is the shortest link.
-test("of two circuits the one that the drive starts on is drawn, or comes to first", () => {
+test("of two circuits the one that the drive starts on is drawn, or reaches first", () => {
   const links = { fixed_pivots: [[0, 0], [1.6, 0]], crank: 2, coupler: 1, rocker: 1.9, assembly: "open" };
   const isUpper = (start) => new RowLinkage({ ...links, start }).poses(100).every(({ b }) => b[1] > 0);
   const upper = new RowLinkage({ ...links, start: 0 });
@@ -243,7 +243,7 @@ test("arrow keys step through the points, zoom keeps the row", plotted, () => vi
   assert.equal(await page.locator("#design-title").textContent(), after);
 }));
 
-test("a point that is pointed at tells its values", plotted, () => visit("grid", still, async (page) => {
+test("pointing at a point shows its values", plotted, () => visit("grid", still, async (page) => {
   const at = await page.locator("#scatter-plane .chosen").evaluate((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]);
   await page.locator("#scatter-plane svg").hover({ position: { x: at[0], y: at[1] } });
   assert.match(await page.locator("#scatter-plane .tip").textContent(), /Design .*Size: /);

@@ -21,7 +21,7 @@ const placed = (page, selector) => page.locator(selector).evaluateAll((all) => a
 
 for (const { size, scheme } of LOOKS) {
   for (const name of ["motion", "quick-return", "straight-line", "nine-points"]) {
-    test(`${name} fits a ${size} in ${scheme} colours, whatever design is chosen`, () => visit(name, { size, scheme, ...still }, async (page) => {
+    test(`${name} fits a ${size} in ${scheme} colours, with any design chosen`, () => visit(name, { size, scheme, ...still }, async (page) => {
       const count = Math.min(4, await page.locator("#designs tbody").count());
       for (let i = 0; i < count; ++i) {
         await choose(page, i);
@@ -87,7 +87,7 @@ test("curves of the synthesis are shown and hidden by their buttons", () => visi
   assert.equal(await page.locator('[data-locus="0"]').count(), 1);
 }));
 
-test("what the synthesis tells of itself is shown", () => visit("motion", still, async (page) => {
+test("what the synthesis reports of itself is shown", () => visit("motion", still, async (page) => {
   assert.equal(await fact(page, "findings", "Real dyads"), "12");
   assert.match(await page.locator("#notes").textContent(), /unbounded/);
   await choose(page, 1);
@@ -148,9 +148,9 @@ const columnsOf = (page, nth, name) => page.evaluate(([n, property]) => {
 test("precision points stand on the plot of the structural error", { skip: withoutPlots }, () => visitReport(browser, "log10", still, async (page) => {
   const wanted = [1, 2, 3].map((k) => 1.5 - 0.5 * Math.cos(((2 * k - 1) * Math.PI) / 6));
   const note = await page.locator("#plots .plot p").nth(1).textContent();
-  const told = /x = ([\d., ]+)$/.exec(note)[1].split(", ").map(Number);
-  assert.equal(told.length, 3, note);
-  told.forEach((x, k) => assert.ok(Math.abs(x - wanted[k]) < 5e-4, note));
+  const printed = /x = ([\d., ]+)$/.exec(note)[1].split(", ").map(Number);
+  assert.equal(printed.length, 3, note);
+  printed.forEach((x, k) => assert.ok(Math.abs(x - wanted[k]) < 5e-4, note));
   const rings = await columnsOf(page, 1, "--target");
   const groups = rings.reduce((all, [from, to]) => { if (all.length && from - all.at(-1)[1] < 12) all.at(-1)[1] = to; else all.push([from, to]); return all; }, []);
   const [first, second, third] = groups.map(([from, to]) => (from + to) / 2);

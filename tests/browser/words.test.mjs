@@ -32,7 +32,7 @@ const leftInEnglish = (page) => page.evaluate(() => {
 
 for (const name of ["ellipse", "exact-quick-return", "analysis-shaper", "cam-translating-roller", "gear-pair", "gear-undercut", "train-planetary", "machine-compressor", "study-grid",
   "library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller", "ellipse-on-half-units"]) {
-  test(`${name} is told in Chinese`, () => visit(name, { size: "phone", locale: "zh-CN" }, async (page) => {
+  test(`${name} is translated into Chinese`, () => visit(name, { size: "phone", locale: "zh-CN" }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hans");
     await assertFits(page);
     assert.deepEqual(await leftInEnglish(page), []);

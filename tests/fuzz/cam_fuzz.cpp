@@ -1,4 +1,4 @@
-// libFuzzer on the design of cams: whatever the file, one that is read is solved, its numbers are
+// libFuzzer on the design of cams: any file that is read is solved, its numbers are
 // finite, and the curves of its cams can be drawn.
 //
 //   build/fuzz/tests/fuzz/cam_fuzz -dict=tests/fuzz/read.dict -max_len=2000 CORPUS

@@ -1,4 +1,4 @@
-// libFuzzer on the reader: whatever the bytes, a problem whose function can be called anywhere on
+// libFuzzer on the reader: for any bytes, a problem whose function can be called anywhere on
 // its domain, a mechanism that can be evaluated, or one to a hundred faults.
 //
 //   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-19 -DCOGNATE_BUILD_FUZZERS=ON

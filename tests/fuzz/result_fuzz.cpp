@@ -1,4 +1,4 @@
-// libFuzzer on the reader of result files: whatever the bytes, a cam whose curves can be drawn, or
+// libFuzzer on the reader of result files: for any bytes, a cam whose curves can be drawn, or
 // a message that says what is wrong and what is requested.
 //
 //   build/fuzz/tests/fuzz/result_fuzz -max_len=4000 CORPUS

@@ -1,4 +1,4 @@
-/// @file What must hold of every gear and gear pair that the reader accepts, whatever the file.
+/// @file What must hold of every gear and gear pair that the reader accepts, for any file.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline bool is_sound(const GearProblem& problem) {
   return result.status == Status::solved ? !result.columns.empty() : !result.notes.empty();
 }
 
-/// A pair of which nothing is left to find can be told of; of others the choices are real ones.
+/// A pair with nothing left to find can be reported; of others the choices are real ones.
 inline bool is_sound(const GearPairProblem& problem) {
   if (!is_sound(problem.rack)) return false;
   if (is_whole(problem)) {

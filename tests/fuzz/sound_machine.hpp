@@ -1,4 +1,4 @@
-/// @file What must hold of every machine that the reader accepts, whatever the file.
+/// @file What must hold of every machine that the reader accepts, for any file.
 #pragma once
 
 #include <algorithm>

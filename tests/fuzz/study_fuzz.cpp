@@ -1,4 +1,4 @@
-// libFuzzer on the reader of studies: whatever the bytes, a study of which any design has numbers
+// libFuzzer on the reader of studies: for any bytes, a study of which any design has numbers
 // and a text, or one to a hundred faults. The base is that of the library.
 //
 //   cmake --build build/fuzz --target study_fuzz
@@ -31,7 +31,8 @@ MetricNames names(const Task&) {
   return {{{"time_ratio"}, {"output_swing_deg"}, {"class", true}}, {"mechanism.crank", "error"}};
 }
 
-// The numbers of a design lie in their ranges, and its text asks for what they ask for directly.
+// The numbers of a design lie in their ranges, and its text gives the same problem as they do
+// directly.
 void check(const Study& study) {
   const auto count = design_count(study);
   require(count >= 1 && count <= 1'000'000'000'000);

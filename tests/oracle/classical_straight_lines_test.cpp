@@ -79,8 +79,8 @@ void expect_sound(const Result& result) {
     EXPECT_TRUE(design.metrics.defects.empty());
     const double from = quantity(design, "crank_from_deg") * kPi / 180;
     const double to = quantity(design, "crank_to_deg") * kPi / 180;
-    const double told = quantity(design, "deviation_relative");
-    EXPECT_NEAR(plain_straightness(four_bar(design), from, to), told, 3e-3 * told + 1e-8);
+    const double reported = quantity(design, "deviation_relative");
+    EXPECT_NEAR(plain_straightness(four_bar(design), from, to), reported, 3e-3 * reported + 1e-8);
   }
 }
 

@@ -300,7 +300,7 @@ TEST(ExactFunction, NamesDegeneratePairs) {
   EXPECT_TRUE(says(corner, "not smooth"));
 }
 
-// Any parallelogram turns both links alike; whatever the number of pairs.
+// Any parallelogram turns both links alike; for any number of pairs.
 TEST(ExactFunction, EqualTurningIsThatOfAParallelogram) {
   for (const std::string rows : {"[[0, 5], [10, 15], [20, 25]]",
                                  "[[0, 0], [10, 10], [20, 20], "

@@ -277,7 +277,7 @@ TEST(RefinedFunction, GivesTheSameDesignsOnAnyNumberOfThreads) {
   }
 }
 
-/// The tighter an active limit, the greater the least error; each design keeps to it.
+/// The tighter an active limit, the greater the least error; each design meets it.
 TEST(RefinedFunction, KeepsToAnActiveTransmissionLimit) {
   for (const char* target : {"log10(x)\"\ndomain = [1, 2]\noutput_range_deg = 90",
                              "1/x\"\ndomain = [1, 2]\noutput_range_deg = -90"}) {

@@ -45,7 +45,7 @@ std::string file(const Planted& planted, const std::string& constraints) {
          constraints;
 }
 
-// Starts whose cranks turn fully come to the same linkage. Had they been limited over a full turn,
+// Starts whose cranks turn fully reach the same linkage. Had they been limited over a full turn,
 // which no triple rocker makes, most seeds would leave it again.
 TEST(LimitedFunctions, OfTripleRockersAreLimitedOverTheirOwnMotion) {
   const Planted wide{1,

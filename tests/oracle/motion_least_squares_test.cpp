@@ -23,7 +23,7 @@ namespace {
 using synthesis::DyadKind;
 using synthesis::GuidingDyad;
 
-/// Seeds per problem, unless the environment asks for fewer (slow builds).
+/// Seeds per problem, unless the environment sets fewer (slow builds).
 int seeds(int most) {
   const char* text = std::getenv("COGNATE_TEST_SEEDS");
   return text ? std::clamp(std::atoi(text), 1, most) : most;
@@ -302,7 +302,7 @@ TEST(MotionLeastSquares, SaysThatAMotionIsSpecial) {
   for (const auto& [problem, word] : {std::pair{turned, "turns about one point"},
                                       {pinned, "turns about one point"},
                                       {shifted, "no pose is turned"},
-                                      {still, "All poses are one"}}) {
+                                      {still, "All poses coincide"}}) {
     MotionProblem asked = problem;
     asked.method = MotionMethod::least_squares;
     asked.dyads = {DyadKind::rr};

@@ -350,7 +350,7 @@ TEST(ParetoFrontTest, WhatIsKnownWhenTheTimeEndsIsAFront) {
   }
 }
 
-TEST(ParetoFrontTest, ErrorsBeyondTheirBoundAreToldWithTheLeastThatHelps) {
+TEST(ParetoFrontTest, ErrorsBeyondTheirBoundAreReportedWithTheLeastThatHelps) {
   for (const std::string objectives : {"[\"error\"]", "[\"transmission_angle\"]"}) {
     const Result result =
         solved(semicircle("rms_error_max = 0.5\n", "objectives = " + objectives + "\n"));
@@ -361,10 +361,10 @@ TEST(ParetoFrontTest, ErrorsBeyondTheirBoundAreToldWithTheLeastThatHelps) {
     EXPECT_FALSE(check.satisfied);
     ASSERT_FALSE(result.notes.empty());
     // The least error is 0.65579 with 20/20 seeds; see docs/records.md.
-    const std::string& told = result.notes.back();
+    const std::string& note = result.notes.back();
     const std::string key = "rms_error_max = ";
-    ASSERT_NE(told.find(key), std::string::npos) << told;
-    const double helps = std::stod(told.substr(told.find(key) + key.size()));
+    ASSERT_NE(note.find(key), std::string::npos) << note;
+    const double helps = std::stod(note.substr(note.find(key) + key.size()));
     EXPECT_GE(helps, 0.65579);
     EXPECT_LE(helps, 0.67);
   }

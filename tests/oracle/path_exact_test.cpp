@@ -286,7 +286,7 @@ TEST(FewPoints, AreMetByTheBestOfAFamily) {
   }
 }
 
-/// As the file has it that names no seed: what is solved is told, and nothing else.
+/// As the file has it that names no seed: what is solved is reported, and nothing else.
 PathProblem family(std::vector<Vec2d> points) {
   PathProblem problem;
   problem.method = PathMethod::exact;

@@ -20,7 +20,7 @@ using problems::FunctionProblem;
 using problems::MotionProblem;
 using problems::PathProblem;
 
-/// Seeds per problem: 10 for paths, 2 for the many functions, unless the environment asks for fewer
+/// Seeds per problem: 10 for paths, 2 for the many functions, unless the environment sets fewer
 /// (slow builds). `records 100` in the benchmarks tries a hundred of each.
 int seeds(const Record& record) {
   const char* text = std::getenv("COGNATE_TEST_SEEDS");

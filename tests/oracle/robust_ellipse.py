@@ -123,8 +123,8 @@ def main():
     longest, starts, seed = (int(word) for word in (sys.argv[1:] + ["30", "200", "2"][len(sys.argv) - 1:]))
     for name, sigma in (("robust", TOLERANCE / SIGMAS), ("nominal", 1e-4)):
         best = search(longest, starts, seed, sigma)[:20]
-        told = sorted(best, key=lambda one: quantile(one[2], one[1])) if name == "robust" else best
-        for _, side, x in told[:3]:
+        best_first = sorted(best, key=lambda one: quantile(one[2], one[1])) if name == "robust" else best
+        for _, side, x in best_first[:3]:
             worst = np.abs(slopes(x, side)[0] - TARGETS).max()
             print(f"{name}: nominal error {worst:.4f}, 99 % quantile {quantile(x, side):.4f}, "
                   f"crank, coupler, rocker, frame {np.round(np.exp(x[2:6]), 2)}")

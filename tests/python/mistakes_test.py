@@ -158,7 +158,7 @@ class MistakesTest(unittest.TestCase):
 
 
 class AttackTest(unittest.TestCase):
-    """Whatever comes in, an answer or an exception comes out."""
+    """Any input gives an answer or an exception."""
 
     STRANGE = [None, True, 0, -1, 2**70, 1.5, math.nan, math.inf, "", "x", b"x", [], [[]], {}, {1: 2},
                set(), object(), lambda: 0, np.array(3), np.array([]), np.zeros((0, 2)),

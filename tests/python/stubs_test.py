@@ -52,7 +52,7 @@ class StubsTest(unittest.TestCase):
         ran = self.run_tool("mypy", "--strict", "-p", "cognate")
         self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
 
-    def test_users_are_told(self):
+    def test_users_get_the_types(self):
         ran = self.run_tool("mypy", "--strict", "-c", GOOD)
         self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
         for code, named in BAD.items():

@@ -170,7 +170,7 @@ TEST(CamProblem, APreloadIsWantedOnlyWhereForcesOfAFreeMotionAreJudged) {
   read_or_fail(free_motion("closure = \"groove\"\nload = 1\n" + limits));
 }
 
-// What the second cam of a pair bears can be limited, and so can the force on parallel faces.
+// The load on the second cam of a pair can be limited, and so can the force on parallel faces.
 TEST(CamProblem, LimitsThatHoldForTheSecondContact) {
   const std::string contact = "load = 1\n[contact]\nwidth = 1\nelasticity = [1, 1]\n";
   const std::string limits = "[constraints]\ncontact_force_max = 1\n";

@@ -156,7 +156,7 @@ const FaultCase kFaults[] = {
      {{7, 9, "is a limit of four-bars"}}},
     {"NoMotionKeepsTo",
      file("[mechanism]\ntype = \"watt-1\"\n[constraints]\ntransmission_angle_deg = [95, 150]\n"),
-     {{7, 26, "no dyad keeps to"}}},
+     {{7, 26, "no dyad satisfies"}}},
     {"SolverOfFourBars",
      file("[mechanism]\ntype = \"watt-1\"\n[solve]\nsolver = \"slsqp\"\n"),
      {{7, 10, "is for four-bars alone"}}},

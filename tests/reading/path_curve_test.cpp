@@ -130,7 +130,7 @@ const FaultCase kFaults[] = {
 
 class PathCurveFaults : public ::testing::TestWithParam<FaultCase> {};
 
-TEST_P(PathCurveFaults, AreToldAtTheirPlace) {
+TEST_P(PathCurveFaults, AreReportedAtTheirPlace) {
   expect_faults(GetParam());
 }
 
@@ -192,7 +192,7 @@ TEST_F(Drawings, APrefixedNamespaceIsRead) {
       read("<s:svg xmlns:s=\"http://www.w3.org/2000/svg\"><s:path d=\"M0 0h1v1z\"/></s:svg>"));
 }
 
-TEST_F(Drawings, FaultsAreToldAtTheKey) {
+TEST_F(Drawings, FaultsAreReportedAtTheKey) {
   expect_fault("", "is no XML");
   expect_fault("<svg><path d=\"M0 0", "is no XML at byte");
   expect_fault(svg("<circle r='1'/>"), "has no <path>");

@@ -116,13 +116,13 @@ struct Bad {
   const char* says;
 };
 
-TEST(PathData, WhatIsNoClosedCurveIsToldAtItsPlace) {
+TEST(PathData, WhatIsNoClosedCurveIsReportedAtItsPlace) {
   const Bad bad_texts[] = {
       {"", 0, "draws nothing"},
       {"M 0 0", 0, "draws nothing"},
       {"L 0 0", 0, "begin with a move"},
       {"M 0 0 B 1 1", 6, "no command"},
-      {"M 0 0 L 1", 9, "no number where one is wanted; L takes two"},
+      {"M 0 0 L 1", 9, "no number here; L takes two"},
       {"M 0 0 C 1 1 2 2 3", 17, "no number"},
       {"M 0 0 L 1 inf", 10, "no number"},
       {"M 0 0 L 1 nan", 10, "no number"},

@@ -1,4 +1,4 @@
-/// Poles between samples, told from peaks and steps.
+/// Poles between samples, distinguished from peaks and steps.
 #include "problems/function/target/poles.hpp"
 
 #include <gtest/gtest.h>

@@ -92,7 +92,7 @@ bool all_sound(const Result& result) {
       result.designs, [](const Design& design) { return all_satisfied(design.constraints); });
 }
 
-// The best of each arc breaks the limit; others of the family keep to it.
+// The best of each arc breaks the limit; others of the family meet it.
 TEST(QuickReturnProblem, LooksForTheBestWithinTheConstraints) {
   const std::string family = "rocker = 290\nswing_deg = 34\n[constraints]\n";
   const auto ratio = solved(file("1.25", family + "link_ratio_max = 3.5\n"));
@@ -103,7 +103,7 @@ TEST(QuickReturnProblem, LooksForTheBestWithinTheConstraints) {
   EXPECT_TRUE(all_satisfied(angles.designs.at(0).constraints));
 }
 
-// K = 1 leaves a length free whatever else is given.
+// K = 1 leaves a length free in every case.
 TEST(QuickReturnProblem, ChoosesWhereEveryLengthWillDo) {
   const std::string rocker = "rocker = 290\nswing_deg = 34\n";
   const std::string slider = "type = \"slider-crank\"\nstroke = 100\n";

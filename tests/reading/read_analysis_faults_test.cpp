@@ -163,7 +163,7 @@ const std::vector<FaultCase> kSimpleCases = {
     {"OutputOfNothing",
      four_bar("[output]\nposition = false\nvelocity = false\nacceleration = false\n"
               "transmission = false\n"),
-     {{8, 1, "asks for nothing"}}},
+     {{8, 1, "is empty"}}},
     {"OutputWantsTheUnknown",
      four_bar("[output]\nwant = [\"positions\", \"E\"]\npoints = [\"F\"]\n"),
      {{9, 9, "perhaps for \"position\""},
@@ -225,7 +225,7 @@ const std::vector<FaultCase> kChainCases = {
              "slide = {through = \"B\", on = \"BC\"}}"),
      {{6, 24, "both points of \"BC\", so that the group cannot move on it (mobility 0)"},
       {7, 24, "both points of \"crank\""},
-      {8, 24, "a point of \"BC\", which also bears the slide"}}},
+      {8, 24, "a point of \"BC\", which also carries the slide"}}},
     {"SlidesOnOneBodyOrParallel",
      six_bar(
          "{type = \"PRP\", slides = [{through = \"A\"}, {through = \"D\", direction_deg = 90}], "

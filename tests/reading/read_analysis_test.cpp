@@ -122,7 +122,7 @@ TEST(ReadAnalysisTest, PointsAloneKeepTheUsualQuantities) {
   EXPECT_EQ(keyed.output.points, (std::vector<int>{1}));
 }
 
-// The frame of a link is that of the points in the order of their naming, whatever the axes of the
+// The frame of a link is that of the points in the order of their naming, for any axes of the
 // body are: between C and B, u runs from C towards B and v to its left.
 TEST(ReadAnalysisTest, LinksInTheAxesOfTheirBodies) {
   const AnalysisProblem problem = read(std::string(kFourBar) + R"(

@@ -161,7 +161,7 @@ const std::vector<FaultCase> kPathCases = {
      {{6, 9, "longer than the other three links together (3)"}}},
     {"ExactSenseWithoutOrder",
      path("method = \"exact\"\norder = \"any\"\ncrank_sense = \"cw\"\n"),
-     {{6, 15, "of which no sense can be told"}}},
+     {{6, 15, "for which the sense is not defined"}}},
     {"PosesForLeastSquares", path("poses = [[0, 2, 0]]\n"), {{4, 9, "without method = \"exact\""}}},
     {"ExactUnusedKeys",
      path("method = \"exact\"\nweights = [1, 1, 1]\n[solve]\nsolver = \"ceres\"\n"

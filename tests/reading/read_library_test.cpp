@@ -37,7 +37,7 @@ TEST(ReadLibraryTest, EveryFileIsATask) {
   int count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibrary)) {
     if (entry.path().extension() != ".toml") continue;
-    if (entry.path().parent_path().filename() == "study") continue;  // asks for many tasks
+    if (entry.path().parent_path().filename() == "study") continue;  // has many tasks
     EXPECT_TRUE(read_task(entry.path())) << entry.path();
     ++count;
   }
@@ -222,7 +222,7 @@ TEST(ReadLibraryTest, CrankRockerParabola) {
   EXPECT_EQ(problem.constraints.required_class, RequiredClass::crank_rocker);
 }
 
-// Tables are sampled at their own x, and where samples = N asks for others, between them.
+// Tables are sampled at their own x, and where samples = N requires others, between them.
 TEST(ReadFunctionTest, TableSamples) {
   const std::string head =
       "kind = \"function-generation\"\n[target]\ntable = [[0, 0], [1, 1], [4, 2]]\n"

@@ -1,4 +1,4 @@
-// Whatever is done to the files of the library, reading gives a problem or at least one fault.
+// Reading a mutated file of the library gives a problem or at least one fault.
 
 #include <gtest/gtest.h>
 

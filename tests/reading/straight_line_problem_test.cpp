@@ -172,7 +172,7 @@ void expect_none(const std::string& mechanism, int contact, const std::string& r
   EXPECT_NE(result.notes[0].find(reason), std::string::npos) << result.notes[0];
 }
 
-TEST(StraightLine, WhatHasNoneIsToldWhy) {
+TEST(StraightLine, WhatHasNoneIsReportedWithTheReason) {
   const std::string parallelogram =
       "cranks = \"parallel\"\nsides = \"same\"\ncrank = 2\nrocker = 2\ncoupler = 3\n";
   expect_none(parallelogram, 3, "parallelogram");
@@ -195,7 +195,7 @@ TEST(StraightLine, WhatHasNoneIsToldWhy) {
 }
 
 TEST(StraightLine, StretchesEndAtChangePoints) {
-  // B comes to D at 0°, where an assembly kept would turn the coupler over.
+  // B reaches D at 0°, where an assembly kept would turn the coupler over.
   for (const std::string start : {"crank_deg = 1", "crank_deg = 359\nassembly = \"crossed\""}) {
     const Result kite = solve_text("frame = 2\ncrank = 2\ncoupler = 1\nrocker = 1\n" + start, 4);
     ASSERT_FALSE(kite.designs.empty());

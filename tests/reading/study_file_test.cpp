@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path kLibrary = kLibraryFolder;
 
-/// Metrics made up for the test: two numbers, a word, and lists of what only a design tells.
+/// Metrics made up for the test: two numbers, a word, and lists of what only a design has.
 MetricNames names(const Task&) {
   return {{{"time_ratio"}, {"angle_deg.min"}, {"class", true}}, {"mechanism.dyad"}};
 }
@@ -307,7 +307,7 @@ TEST(KeyPath, HasOneSpelling) {
   }
 }
 
-// Whatever happens to a file, it ends in a study or in faults within it.
+// A mutated file gives a study, or faults within it.
 TEST(StudyFile, EveryMutationGivesAStudyOrFaults) {
   const std::string whole =
       with("rows = \"all\"\n[filter]\ntime_ratio = [1, 2]\n") +

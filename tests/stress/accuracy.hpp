@@ -7,7 +7,7 @@
 
 namespace cognate::stress {
 
-/// What the formula's own few roundings may come to is allowed for up to this condition.
+/// The formula's own few roundings are allowed for up to this condition.
 inline constexpr double kWell = 5;
 
 /// Worst error and where it was: of the directions of coupler and rocker, and of the coupler point

@@ -53,7 +53,7 @@ void normalise(Mechanism<Exact>& mechanism) {
 }
 
 /// The chain in 237 bits, with input number `index` (the last two are the crank's direction)
-/// changed by the part `step`. Tells how many numbers there are.
+/// changed by the part `step`. Returns how many numbers there are.
 class ExactChain {
  public:
   explicit ExactChain(const ChainPosition& at) : at_(at), sides_(sides(at.mechanism)) {

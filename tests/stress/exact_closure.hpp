@@ -39,7 +39,7 @@ struct ExactClosure {
 
 ExactClosure exact_closure(const Configuration& at);
 
-/// Cosine and sine of the crank angle, each rounded once: the best that a formula which asks for
+/// Cosine and sine of the crank angle, each rounded once: the best that a formula which takes
 /// them can be given.
 Vec2d rounded_crank(const Vec2d& half_crank);
 

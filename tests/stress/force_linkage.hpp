@@ -24,8 +24,8 @@ struct Linkage {
   int steps = 3;
 };
 
-/// What is judged: the driving torque, and the magnitudes of reactions. A massless crank bears at A
-/// what it bears at B, a massless rocker at D what it bears at C.
+/// What is judged: the driving torque, and the magnitudes of reactions. A massless crank carries at
+/// A the force of B, a massless rocker at D that of C.
 enum class ForceQuantity { torque, at_b, at_c, on_slide };
 
 /// A force at the crank's angle `q`, with or without the load.

@@ -122,7 +122,7 @@ class Tester:
         print(self.faults[-1], flush=True)
 
     def start(self, arguments):
-        # A program started in the background by a shell may have been told to ignore SIGINT.
+        # A program started in the background by a shell may ignore SIGINT.
         return subprocess.Popen(
             [self.program, *arguments, "--threads", "1", "--out", "out"], cwd=self.folder, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment,

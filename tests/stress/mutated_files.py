@@ -1,4 +1,4 @@
-"""Whatever stands in a file, a command ends with an answer or with what is wrong and where.
+"""For any file, a command ends with an answer or with what is wrong and where.
 
 Run as: mutated_files.py PROGRAM LIBRARY [--count N] [--seed N] [--keep DIR] [--only WORD] [--slack S]
 

@@ -4,7 +4,7 @@ Run as: planted_chains.py PROGRAM [--count N] [--seed S] [--seeds K] [--noise SH
 [--topologies stephenson-3 watt-1 eight-bar-1] [--any] [--targets closed open timed]
 The planted chain closes over the whole turn, within the limit on the transmission angles of a
 problem with limits, and passes the points in order; the squares of the noise are its error. A
-design worse than that, or none, is missed. With --any the file asks for a six-bar or an eight-bar,
+design worse than that, or none, is missed. With --any the file specifies a six-bar or an eight-bar,
 without saying which. Exact problems count as found below 0.01 % of the diagonal.
 """
 

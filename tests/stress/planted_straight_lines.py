@@ -2,7 +2,7 @@
 
 Run as: planted_straight_lines.py PROGRAM [--count N] [--seed S] [--seeds K] [--allowed SHARE]
 
-A random linkage has a segment that is straight to a few hundredths; the problem asks for the least
+A random linkage has a segment that is straight to a few hundredths; the problem is the least
 deviation over that length within limits that the linkage meets, some of them barely. A design that
 is less straight, or none within the limits, is missed.
 """

@@ -23,7 +23,7 @@ PANELS = {
     "near a change point": ("Nearly a change point", "excess of l₄ over l₁ + l₂ − l₃, relative"),
 }
 
-# Form: label, colour, marker; the palette of Okabe & Ito, told apart without colour vision too.
+# Form: label, colour, marker; the palette of Okabe & Ito, distinguishable without colour vision too.
 FORMS = {
     "half-angle tangents": ("Freudenstein, tangents of half angles", "#cc79a7", "v"),
     "law of cosines": ("law of cosines, acos and atan2", "#e69f00", "s"),

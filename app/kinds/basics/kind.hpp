@@ -22,7 +22,7 @@
 
 namespace cognate::app {
 
-/// The commands that compute what a file asks for.
+/// The commands that compute the problem of a file.
 enum class Command { solve, analyze };
 
 /// How a design of a study came out, and its entry of `designs` in the result document.
@@ -31,18 +31,17 @@ struct Evaluated {
   nlohmann::ordered_json design;
 };
 
-/// Of each kind of problem, in its folder, besides what `KindBase` says of most:
+/// What each kind of problem defines in its folder, in addition to `KindBase`:
 /// - `kMeaning`, a line of `cognate list`;
 /// - `refusal(problem, command)`, why a command does not take it; empty where it does;
 /// - `run(problem, run)`, its result;
-/// - `describe(problem)`, what it asks for in a line;
+/// - `describe(problem)`, its summary in a line;
 /// - `design_json(problem, result, i)`, entry i of `designs` in the result document;
 /// - `table(problem, result, screen)`, what the terminal shows;
 /// - `page(problem)` and `report_data(problem, result)`, the report and what it draws;
-/// - `metric_names(base)`, what a study may ask of its designs;
-/// - where there is a table of numbers, `csv(problem, result)`, or `csv(problem, result, steps)`
-/// where its
-///   rows are in equal steps.
+/// - `metric_names(base)`, the metrics of its designs for a study;
+/// - if there is a table of numbers, `csv(problem, result)`, or `csv(problem, result, steps)` if
+///   its rows are in equal steps.
 template <class Problem>
 struct Kind;
 
@@ -60,7 +59,7 @@ struct KindBase {
   /// What is wrong with the files that a sound problem names.
   static std::vector<problems::Fault> faults(const Problem& /*problem*/) { return {}; }
 
-  /// Designs for the search to begin with, or what is wrong with the files that tell them.
+  /// Designs for the search to begin with, or the faults of the files that give them.
   static tl::expected<std::vector<problems::Design>, std::vector<problems::Fault>> known_designs(
       const Problem& /*problem*/) {
     return {};
@@ -126,7 +125,7 @@ nlohmann::ordered_json problem_json(const Problem& problem) {
 }
 
 /// The document `cognate-result/1` of a run: `format`, `version`, `seed`, `status`, `problem`,
-/// `designs` (best first), what the kind has besides, `notes`, `work`, as
+/// `designs` (best first), what else the kind has, `notes`, `work`, as
 /// `schema/cognate-result-1.schema.json` describes. Angles are in degrees under keys that end in
 /// `_deg`.
 ///

@@ -57,8 +57,8 @@ constexpr Entry kFollower[] = {
     {"mass", "translating; inertia: oscillating, about the pivot; with drive.speed"},
     {"spring_rate", "by length, or by radian of an oscillating follower"},
     {"preload",
-     "of the spring at displacement 0; left out: the minimum that keeps contact; wanted "
-     "where angles or shares of the motion are free and forces limited or minimised"},
+     "of the spring at displacement 0; by default the minimum that keeps contact; required "
+     "if angles or shares of the motion are free and forces limited or minimised"},
     {"load", "constant, against the rise: a force, or a moment about the pivot"}};
 
 constexpr Entry kMotion[] = {

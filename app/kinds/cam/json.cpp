@@ -54,7 +54,7 @@ ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) 
   return mechanism;
 }
 
-/// 90° less the pressure angle, whose sign tells the two sides of 90° apart; 0° or 180° where the
+/// 90° less the pressure angle, whose sign distinguishes the two sides of 90°; 0° or 180° where the
 /// follower stands on the wrong side of the cam's centre.
 ordered_json transmission_json(const cam::Cam& cam) {
   const auto pressure = turn_extremes(cam.programme, cam::MotionPart::whole, cam.system,

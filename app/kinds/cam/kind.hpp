@@ -12,7 +12,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::CamResult> {
   static constexpr std::string_view kMeaning =
-      "a follower is to move by given laws over a turn of a cam";
+      "a follower moves by given laws over a turn of a cam";
   static std::string refusal(const problems::CamProblem& problem, Command command);
   static Result run(const problems::CamProblem& problem, const problems::Run& run) {
     return problems::solve(problem, run);
@@ -22,7 +22,7 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
   static std::string describe(const problems::CamProblem& problem);
 
   /// `mechanism` is a table of type "cam" that alone gives the design's cam, `crank_deg` empty and
-  /// `error` 0, since a profile gives its motion exactly; besides `proof` of the size.
+  /// `error` 0, since a profile gives its motion exactly; and `proof` of the size.
   static Json design_json(const problems::CamProblem& problem, const Result& result,
                           std::size_t index);
 
@@ -55,7 +55,7 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
 /// The values of `follower.type`, each with the keys of lengths that it has.
 std::span<const KeyedEntry> cam_followers();
 
-/// Keys of the metrics of a cam besides those that all designs have.
+/// Keys of the metrics of a cam other than those of all designs.
 std::span<const Metric> cam_metrics();
 
 }  // namespace cognate::app

@@ -9,7 +9,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::ChainPathProblem> : LinkageKind<problems::ChainPathProblem> {
   static constexpr std::string_view kMeaning =
-      "a point of a six-bar, an eight-bar or a chain of dyads is to pass through given points";
+      "a point of a six-bar, an eight-bar or a chain of dyads passes through given points";
   static constexpr std::string_view kListName = "path-generation (chains)";
   static constexpr std::string_view kMethods =
       "six-bars, eight-bars and chains of dyads by least squares";

@@ -9,7 +9,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::DwellProblem> : LinkageKind<problems::DwellProblem> {
   static constexpr std::string_view kMeaning =
-      "the output of a six-bar or a chain of dyads is to stand still over a part of the turn";
+      "the output of a six-bar or a chain of dyads stands still over a part of the turn";
   static constexpr std::string_view kListName = "function-generation (dwells)";
   static constexpr std::string_view kMethods =
       "six-bars and chains of dyads whose output stands still over a part of the turn";

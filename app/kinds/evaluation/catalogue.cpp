@@ -72,7 +72,7 @@ constexpr Metric kAnalysisMetrics[] = {
      "instead of both: the dead or change point near which it grows without bound"},
     {"closure_residual", "1", "maximum gap at a joint over the size of the mechanism"},
     {"power_residual", "1", "torque of the reactions less that of virtual work, over its maximum"},
-    {"defects", "", "always empty: nothing was asked of the motion"}};
+    {"defects", "", "always empty for an analysis"}};
 
 constexpr Metric kAnalysisColumns[] = {
     {"crank_deg", "deg", "the crank's angle from the x axis, the first column"},

@@ -9,7 +9,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::FunctionProblem> : LinkageKind<problems::FunctionProblem> {
   static constexpr std::string_view kMeaning =
-      "the rocker's angle is to follow a function of the crank's angle";
+      "the rocker's angle follows a function of the crank's angle";
   static constexpr std::string_view kMethods =
       "designs by Freudenstein's equation and by least squares";
   static std::span<const Entry> keys();

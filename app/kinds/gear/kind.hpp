@@ -53,7 +53,7 @@ template <>
 struct Kind<problems::GearPairProblem>
     : KindBase<problems::GearPairProblem, problems::GearPairResult> {
   static constexpr std::string_view kMeaning =
-      "two gears are to mesh; teeth, shifts or centre distance are found";
+      "two gears mesh; teeth, shifts or centre distance are found";
   static std::string refusal(const problems::GearPairProblem& problem, Command command);
   static Result run(const problems::GearPairProblem& problem, const problems::Run& run) {
     return problems::solve(problem, run);
@@ -92,7 +92,7 @@ std::span<const KeyedEntry> gear_pair_tables();
 /// "wheel.".
 std::span<const Metric> gear_metrics();
 
-/// Keys of the metrics of a pair besides these.
+/// Further keys of the metrics of a pair.
 std::span<const Metric> gear_pair_metrics();
 
 }  // namespace cognate::app

@@ -8,7 +8,7 @@ namespace cognate::app {
 
 template <>
 struct Kind<problems::MotionProblem> : LinkageKind<problems::MotionProblem> {
-  static constexpr std::string_view kMeaning = "a body is to be carried through poses";
+  static constexpr std::string_view kMeaning = "a body moves through poses";
   static constexpr std::string_view kMethods = "designs by Burmester's theory and by least squares";
   static std::span<const Entry> keys();
   static std::string describe(const problems::MotionProblem& problem);

@@ -18,7 +18,7 @@ namespace cognate::app {
 /// What a study may ask of the best design of a synthesis.
 problems::MetricNames linkage_metric_names();
 
-/// Besides, of a design that is one of these chains, the transmission angle of each of its joints.
+/// Also, of a design that is one of these chains, the transmission angle of each of its joints.
 problems::MetricNames chain_metric_names(std::span<const problems::Topology> topologies);
 
 /// The size of a design that is a four-bar, among its metrics.
@@ -29,9 +29,9 @@ inline constexpr const char* kDesignsLinkage =
     "kind is that of a design problem, which 'cognate solve' solves; expected kind = \"analysis\" "
     "with a whole [mechanism]";
 
-/// Besides what every kind has, each of these has
+/// In addition to what every kind has, each of these has
 /// - `kMethods` and `keys()`, how its designs are found and what `cognate list` says of its keys;
-/// - `columns(problem)`, what the table of designs shows besides what all have;
+/// - `columns(problem)`, the columns of designs in addition to those of all kinds;
 /// - `target_json(problem)`, what the page draws of its target.
 template <class Problem>
 struct LinkageKind : KindBase<Problem, problems::Result> {

@@ -14,8 +14,8 @@ constexpr auto kBrake = entries_of(keys::kBrakeKeys);
 constexpr auto kRun = entries_of(keys::kRunKeys);
 
 constexpr KeyedEntry kTables[] = {
-    {"[[load]]", "as of an analysis, and besides", kLoad},
-    {"[equivalent]", "at the drive, instead of a [mechanism] or besides it", kEquivalent},
+    {"[[load]]", "as of an analysis, and also", kLoad},
+    {"[equivalent]", "at the drive, instead of a [mechanism] or added to it", kEquivalent},
     {"[motor]", "what drives the machine", kMotor},
     {"[flywheel]", "on the drive", kFlywheel},
     {"[brake]", "of a stop", kBrake},

@@ -13,7 +13,7 @@ template <>
 struct Kind<problems::MachineProblem>
     : KindBase<problems::MachineProblem, problems::MachineResult> {
   static constexpr std::string_view kMeaning =
-      "what a motor, loads and inertias make of a mechanism's motion: steady, start, stop (cognate "
+      "the motion of a mechanism with a motor, loads and inertias: steady, start, stop (cognate "
       "analyze)";
   static constexpr const char* kWhenInterrupted =
       "interrupted; the motions found until then are reported";

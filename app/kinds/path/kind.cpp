@@ -107,8 +107,9 @@ Kind<PathProblem>::known_designs(const PathProblem& problem) {
 problems::Result Kind<PathProblem>::run(const PathProblem& problem, const problems::Run& run) {
   problems::Result result = problems::solve(problem, run);
   if (!run.known.empty()) {
-    result.notes.push_back(fmt::format(
-        "The search began with {} curves of the atlas, besides its own starts.", run.known.size()));
+    result.notes.push_back(
+        fmt::format("The search began with {} curves of the atlas, in addition to its own starts.",
+                    run.known.size()));
   }
   return result;
 }

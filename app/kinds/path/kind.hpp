@@ -9,7 +9,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::PathProblem> : LinkageKind<problems::PathProblem> {
   static constexpr std::string_view kMeaning =
-      "a point of the coupler is to pass through given points or follow a closed curve";
+      "a point of the coupler passes through given points or follows a closed curve";
   static constexpr std::string_view kMethods = "designs by homotopy and by least squares";
   static std::span<const Entry> keys();
   static std::string describe(const problems::PathProblem& problem);

@@ -9,7 +9,7 @@ namespace cognate::app {
 template <>
 struct Kind<problems::QuickReturnProblem> : LinkageKind<problems::QuickReturnProblem> {
   static constexpr std::string_view kMeaning =
-      "the return is to take less time than the advance, by a given ratio";
+      "the return takes less time than the advance, by a given ratio";
   static constexpr std::string_view kMethods = "designs from the time ratio";
   static std::span<const Entry> keys();
   static std::string describe(const problems::QuickReturnProblem& problem);

@@ -51,7 +51,7 @@ constexpr QuantityColumn kSearchedLineQuantities[] = {{"straight_length", "strai
                                                       {"size_over_length", "size/length"}};
 
 /// The distances of the curve from the line that was sought, and the places along it: finer than
-/// the positions drawn can tell. Null without such a stretch.
+/// the positions drawn resolve. Null without such a stretch.
 ordered_json deviation_json(const problems::Design& design) {
   const auto& quantities = design.metrics.quantities;
   const auto from = find_quantity(quantities, problems::kSegmentFromKey),

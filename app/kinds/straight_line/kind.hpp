@@ -8,8 +8,7 @@ namespace cognate::app {
 
 template <>
 struct Kind<problems::StraightLineProblem> : LinkageKind<problems::StraightLineProblem> {
-  static constexpr std::string_view kMeaning =
-      "a point of the coupler is to move along a straight line";
+  static constexpr std::string_view kMeaning = "a point of the coupler moves along a straight line";
   static constexpr std::string_view kMethods =
       "designs by minimax search and from the curvature of coupler curves";
   static std::span<const Entry> keys();

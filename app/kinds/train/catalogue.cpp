@@ -31,7 +31,7 @@ constexpr Entry kTrainSolve[] = {{"designs", "1 to 100 (default 3)"}};
 constexpr KeyedEntry kTrainTables[] = {
     {"[[mesh]]", "two gears in mesh; a member is all that turns as one", kMeshes},
     {"[[planet]]", "a member whose axis goes round with a carrier", kPlanets},
-    {"[[shaft]]", "what a member has besides its gears", kShafts},
+    {"[[shaft]]", "members: what they have in addition to gears", kShafts},
     {"[mechanism]", "what is fixed", kTrainMechanism},
     {"[[input]]", "a member that is driven, one for each degree of freedom", kInputs},
     {"[output]", "the member that drives", kTrainOutput},

@@ -6,7 +6,7 @@
     result.best.mechanism.curve()                  # arrays in, arrays out
     result                                         # in a notebook: the design moves
 
-Whatever a problem file can ask for is asked for with the same keys; numbers are bit for bit those of
+The keys are those of problem files; numbers are bit for bit those of
 the program. Mechanisms of given dimensions are classes (:class:`FourBar` ... :class:`Chain`),
 many at once :mod:`cognate.batch`, synthesis in closed form :mod:`cognate.exact`, searches over
 models of your own :mod:`cognate.model`, studies :func:`sweep`.

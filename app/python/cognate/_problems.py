@@ -44,7 +44,7 @@ def solve(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Finds the designs that a problem asks for, as ``cognate solve`` does, bit for bit.
+    """Finds the designs of a problem, as ``cognate solve`` does, bit for bit.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def solve(
         those of ``problem``. Angles are in degrees under keys that end in ``_deg``. Lists may be
         arrays, mechanisms may be objects of :class:`Mechanism`. None leaves a key out.
 
-    Ctrl-C ends the search; what was found until then is returned with the status
+    Ctrl-C ends the search; the designs found so far are returned with the status
     ``"interrupted"``. A second one raises KeyboardInterrupt.
 
     Raises :class:`ProblemError` with every fault of the problem.
@@ -114,7 +114,7 @@ def check(problem: Problem = None, **tables: Any) -> Checked:
 def list(kind: str = "", *, metrics: bool = False) -> dict[str, Any]:  # noqa: A001
     """What this version can do: the document of ``cognate list --json``.
 
-    Of one ``kind`` of problem, or of all; with ``metrics`` every number that comes back and its
+    Of one ``kind`` of problem, or of all; with ``metrics`` every number of the results and its
     unit.
 
     >>> import cognate

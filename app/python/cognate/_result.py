@@ -171,7 +171,7 @@ class Design:
 
     @property
     def warnings(self) -> list[str]:
-        """Why it would hardly be built though it meets the file, and constraints that it misses."""
+        """Why it is impractical although it meets the file, and constraints that it misses."""
         missed = [f"{c.name} is {c.value}; the bound is {c.bound}"
                   for c in self.constraints if not c.satisfied]
         return [*missed, *self._table.get("warnings", [])]
@@ -293,7 +293,7 @@ class Result:
 
     @property
     def notes(self) -> list[str]:
-        """Sentences: degeneracies, why nothing was found, what no engineer would build."""
+        """Sentences: degeneracies, why nothing was found, impractical designs."""
         return [str(note) for note in self.document["notes"]]
 
     @property

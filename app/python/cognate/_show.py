@@ -211,6 +211,6 @@ def _moving(design: "_result.Design") -> str:
 
 
 def design_html(design: "_result.Design") -> str:
-    """The design moving, its numbers, and what is to be said against it."""
+    """The design moving, its numbers, and its warnings."""
     warnings = "".join(f"<li>{html.escape(text)}</li>" for text in design.warnings)
     return _moving(design) + _table([_brief(design)]) + (f"<ul>{warnings}</ul>" if warnings else "")

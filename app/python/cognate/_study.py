@@ -1,4 +1,4 @@
-"""Studies: any problem with other numbers, any number of times."""
+"""Studies: a problem evaluated for many values of its numbers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._result import Values, _values, make_folder, write_whole
 
 
 class Study:
-    """The rows of a study, kept in its file NAME.study.db; they are read when they are wanted."""
+    """The rows of a study, kept in its file NAME.study.db; they are read when they are needed."""
 
     def __init__(self, file: Union[str, "os.PathLike[str]"], document: Optional[dict[str, Any]] = None,
                  page: str = "") -> None:
@@ -100,7 +100,7 @@ def sweep(
     keywords: ``vary=[{...}]``, ``output={...}``, ``filter={...}``, ``objective={...}``. ``base`` is
     the name of a file, relative to the study file or to the working folder, or a dictionary, which
     is written to NAME.base.toml in the folder ``out``. Rows are stored in NAME.study.db there;
-    Ctrl-C and the time limit lose none of them, and the same call goes on.
+    Ctrl-C and the time limit lose none of them, and the same call continues.
     """
     if name is not None and (not isinstance(name, str) or Path(name).name != name):
         raise _fault("name", f"is {name!r}; expected what files are to be called, without a folder")

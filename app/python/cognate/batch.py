@@ -74,7 +74,7 @@ def positions(designs: Any, angles: Any, *, out: Any = None, threads: Optional[i
 def evaluate(designs: Any, angles: Any, quantities: abc.Sequence[str] = ("position",), *,
              out: Optional[abc.Mapping[str, Any]] = None,
              threads: Optional[int] = 1) -> dict[str, Any]:
-    """The quantities wanted, of m designs at n angles, and no others are computed.
+    """The requested quantities of m designs at n angles; no others are computed.
 
     ``position``, ``velocity`` and ``acceleration`` are (m, n, 2), the last two derivatives by the
     crank angle; ``curvature`` of the coupler curve, ``transmission_sin`` and ``transmission_cos``

@@ -1,4 +1,4 @@
-"""Mechanisms of given dimensions: where they stand, how they move, what they bear.
+"""Mechanisms of given dimensions: positions, motion, forces.
 
 There is a class for each ``mechanism.type`` of files, with the keys of its table as keywords.
 Angles are in radians from the x axis, but degrees under keys that end in ``_deg``; a driving
@@ -63,7 +63,7 @@ class Mechanism(_core.Mechanism):
                   threads: Optional[int] = 1) -> dict[str, Any]:
         """Where the points are: a dictionary of arrays (..., 2) in the unit of the lengths.
 
-        ``points`` names those wanted, all where it is None; ``threads`` is for large arrays, None
+        ``points`` names the points, None all of them; ``threads`` is for large arrays, None
         or 0 as many as the machine has. Points of the frame are arrays that cannot be written to.
         """
         return self._positions(angles, 0, points, threads)

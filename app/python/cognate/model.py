@@ -33,12 +33,12 @@ class Model:
     residuals
         A function of an array (n,) that returns (m,) numbers, or None where there is no value.
     jacobian
-        Of the residuals, (m, n); central differences without.
+        Of the residuals, (m, n); central differences by default.
     constraints
-        A function that returns (k,) numbers that are to be at least 0, the first ``equalities`` of
+        A function that returns (k,) numbers that must be at least 0, the first ``equalities`` of
         them 0. Defined everywhere within the bounds.
     constraint_jacobian
-        (k, n); central differences without.
+        (k, n); central differences by default.
     objective
         ``"sum-of-squares"`` or ``"max-abs"``.
     """

@@ -1,5 +1,5 @@
-/// @file Texts between a page and a kernel: the page asks for `room`, puts its question there, and
-/// finds the answer, of the length that a call returns, where `text` says.
+/// @file Texts between a page and a kernel: the page requests `room`, writes its question there,
+/// and finds the answer, of the length that a call returns, where `text` says.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -92,8 +92,8 @@ json design_of(const PathProblem& problem, const FourBar& linkage,
           {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
 }
 
-/// Minima of a scaled problem near the best starts, as many as are wanted and some more, which may
-/// prove to be the same.
+/// Minima of a scaled problem near the best starts, as many as are requested and some more, which
+/// may prove to be the same.
 std::vector<problems::PathFound> minima(const PathProblem& scaled, std::uint64_t seed) {
   problems::Run run;
   run.seed = seed;

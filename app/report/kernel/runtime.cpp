@@ -38,7 +38,7 @@ void std::__libcpp_verbose_abort(const char*, ...) {
   __builtin_trap();
 }
 
-/// A page asks for no time: what it calls has no deadline.
+/// A page has no clock: what it calls has no deadline.
 std::chrono::steady_clock::time_point std::chrono::steady_clock::now() noexcept {
   return {};
 }

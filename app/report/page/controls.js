@@ -1,4 +1,4 @@
-// What every moving report can be told: play, pause, speed, one step on or back, print, save.
+// The controls of every moving report: play, pause, speed, one step on or back, print, save.
 
 import { byId, element, svg } from "./dom.js";
 import { Help, shortcut, TAKES_KEYS } from "./keys.js";
@@ -36,7 +36,7 @@ export class Controls {
     group.append(button(-1, "back"), play, button(1, "on"));
   }
 
-  // What a screen reader is told once the picture rests: the drive, by its own slider.
+  // What a screen reader speaks once the picture rests: the drive, by its own slider.
   describe = () => {
     const slider = byId("play").closest(".controls").querySelector("input[type=range]");
     return [slider.getAttribute("aria-label"), slider.getAttribute("aria-valuetext"), byId("readout")?.textContent].filter(Boolean).join(" · ");
@@ -55,7 +55,7 @@ export class Controls {
     const button = byId("play");
     button.setAttribute("aria-label", say(playing ? "motion.pause" : "motion.play"));
     button.replaceChildren(icon(playing ? "pause" : "play"));
-    if (playing) this.live.hush(); else this.live.tell(this.describe);
+    if (playing) this.live.hush(); else this.live.announce(this.describe);
   }
 
   setSpeed(step) {
@@ -79,7 +79,7 @@ export class Controls {
     });
   }
 
-  // Plays from the start, unless the reader asked for less motion.
+  // Plays from the start, unless the system is set to reduced motion.
   start() {
     this.setSpeed(0);
     this.listen();

@@ -1,4 +1,4 @@
-// What a picture can show besides the mechanism, each switched on and off by a button below it.
+// Extra layers of a picture, each switched on and off by a button below it.
 
 import { element, svg } from "./dom.js";
 import { shortcut } from "./keys.js";

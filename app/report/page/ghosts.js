@@ -70,7 +70,7 @@ function firstPose(kind, scene) {
 }
 
 export class Ghost {
-  // `notes`: a list in which the dimensions are told.
+  // `notes`: the list that shows the dimensions.
   constructor(kind, notes) {
     Object.assign(this, { kind, notes, name: kind, words: `extras.${kind}`, root: svg("g", { class: `ghost-linkage ${kind}` }), line: element("li") });
   }
@@ -82,7 +82,7 @@ export class Ghost {
     return pose !== null && [pose.a, pose.b, pose.c, pose.d ?? pose.a, pose.p ?? pose.a].flat().every(Number.isFinite);
   }
 
-  // Where its joints come to.
+  // The positions of its joints.
   places(scene) {
     return scene.drives.filter((_, i) => i % 8 === 0).map((drive) => ghostAt(this.kind, scene, drive)).flatMap((pose) => (pose ? ["a", "b", "c", "d", "p"].map((key) => pose[key]).filter(Boolean) : []));
   }
@@ -95,10 +95,10 @@ export class Ghost {
     this.parts = { plate: svg("path", { class: "ghost-plate" }), links: svg("path", { class: "ghost-links" }), pins: this.joints.map(() => svg("circle", { class: "pin", r: 3.4 })) };
     this.root.replaceChildren(svg("path", { class: "ghost-path", d: pathWithGaps(traced) }), ...[start.a, start.d].filter(Boolean).map((pivot) => groundSign(view.screen(pivot))),
       this.parts.plate, this.parts.links, ...this.parts.pins);
-    this.#tell(start);
+    this.#showDimensions(start);
   }
 
-  #tell(pose) {
+  #showDimensions(pose) {
     const { crank, coupler, rocker, pivots, point } = dimensionsOf(pose);
     const pair = (p) => `${number(p[0], 6)}, ${number(p[1], 6)}`;
     const values = { name: say(this.words), crank: number(crank, 7), coupler: number(coupler, 7), first: pair(pivots[0]) };

@@ -27,7 +27,7 @@ export function showHead(result, kind, summary, keys, ends = {}) {
 // `warnings`: of the whole answer; those of one design stand beside it.
 export function showNotes(notes, warnings = []) {
   byId("notes").hidden = notes.length + warnings.length === 0;
-  // What moves comes first, what is told of it next.
+  // The picture that moves comes first, its texts next.
   document.querySelector("#main > .side")?.after(byId("notes"));
   byId("notes-list").replaceChildren(...warnings.map((text) => noteItem(text, "warning")), ...notes.map((note) => noteItem(note)));
 }

@@ -41,8 +41,7 @@ export class Kernel {
     return this.calls.four_bar() === 1;
   }
 
-  // What the linkage taken is, used at the crank angles `stations`, and moved between `travel`
-  // besides.
+  // Facts of the current linkage, used at the crank angles `stations` and moved between `travel`.
   facts(stations, travel = [], sequence = "any") {
     this.put([...stations, ...travel]);
     const count = this.calls.four_bar_quantities(stations.length, travel.length, SEQUENCES[sequence]);

@@ -1,4 +1,4 @@
-// What a screen reader is told of the picture, once it rests.
+// What a screen reader speaks about the picture once it rests.
 
 import { element } from "./dom.js";
 
@@ -10,8 +10,8 @@ export class Live {
     document.body.append(this.region);
   }
 
-  // `text()` is asked when nothing has been told for a while.
-  tell(text) {
+  // `text()` is called once nothing has been announced for a while.
+  announce(text) {
     clearTimeout(this.waiting);
     this.waiting = setTimeout(() => { this.region.textContent = text(); }, REST);
   }

@@ -1,4 +1,4 @@
-// Figures that tell of the computation rather than of the mechanism: they stand behind "More", each
+// Figures about the computation rather than the mechanism: they stand behind "More", each
 // with what it means beside the pointer and in a dialog.
 
 import { element, fact } from "./dom.js";

@@ -51,7 +51,7 @@ export class MechanismScene extends Picture {
   placeOf(body, drive) { return this.mechanism.places(drive)[body]; }
   nameOf(body) { return term(this.mechanism.bodies[body].name); }
 
-  // Places that things of the picture come to.
+  // Places that things of the picture reach.
   get crowd() { return this.mechanism.points.flatMap((point) => point.path.filter(Boolean)); }
 
   // Of the points followed and the joints, from where they were sampled.

@@ -1,4 +1,4 @@
-// Cards that still tell of the design as it was found while another is shown: grey, and saying so.
+// Cards that still show the design as it was found while another is in the picture: grey, and saying so.
 
 import { byId, element } from "./dom.js";
 import { say } from "./words.js";

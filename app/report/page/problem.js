@@ -1,12 +1,12 @@
-// The card "Problem": what the file asks for in words, and the file itself.
+// The card "Problem": the problem in words, and the file itself.
 
 import { byId, element, fact } from "./dom.js";
 import { number, sentence } from "./format.js";
 import { problemToml } from "./toml.js";
 import { LENGTH_UNIT, keyword, language, say } from "./words.js";
 
-// Of a file these are told elsewhere: its head, and how the answer is found and shown.
-const TOLD_ELSEWHERE = ["kind", "title", "length_unit", "solve", "output", "warnings"];
+// Of a file these are described elsewhere: its head, and how the answer is found and shown.
+const SHOWN_ELSEWHERE = ["kind", "title", "length_unit", "solve", "output", "warnings"];
 
 // The units of what is neither a length nor an angle.
 const UNITS_OF_KEYS = {
@@ -114,10 +114,10 @@ function rowsOf([name, value]) {
 export function showProblem(problem, kind) {
   byId("problem").hidden = !problem?.kind;
   if (!problem?.kind) return;
-  const told = Object.entries(problem).filter(([key]) => !TOLD_ELSEWHERE.includes(key)).flatMap(rowsOf);
+  const described = Object.entries(problem).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
   const objectives = problem.solve?.objectives ? [[sentence(keyName("objectives", "")), valueParts(problem.solve.objectives, "objectives", "solve")]] : [];
   const unit = LENGTH_UNIT ? [[say("dimensions.lengths_in"), [LENGTH_UNIT]]] : [];
-  byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...told, ...objectives].flatMap(([name, parts]) => {
+  byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...described, ...objectives].flatMap(([name, parts]) => {
     const [dt, dd] = fact(name, "");
     dd.append(...parts);
     return [dt, dd];

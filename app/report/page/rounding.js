@@ -12,7 +12,7 @@ export const errorText = (value, size, show) => (isRounding(value, size) ? say("
 
 const COPIED_DIGITS = 12;
 
-// `x` to as many digits as a number of the size `size` has with twelve: what is copied bears no rounding.
+// `x` to as many digits as a number of the size `size` has with twelve: copied numbers are not rounded.
 export function withoutRounding(x, size) {
   if (!Number.isFinite(x) || !(size > 0)) return x;
   const places = COPIED_DIGITS - 1 - Math.floor(Math.log10(size));
@@ -22,7 +22,7 @@ export function withoutRounding(x, size) {
 
 const isDegrees = (key) => /_deg$/.test(key);
 
-// The largest length in a table of dimensions, whatever its shape.
+// The largest length in a table of dimensions of any shape.
 export function sizeOf(table) {
   const sizes = (value, key) => (typeof value === "number" ? [isDegrees(key) ? 0 : Math.abs(value)]
     : value !== null && typeof value === "object" ? Object.entries(value).flatMap(([k, part]) => sizes(part, Array.isArray(value) ? key : k)) : []);

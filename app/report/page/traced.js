@@ -12,7 +12,7 @@ const STILL = 4;
 const TRACED_COLOURS = ["--link-c", "--link-d", "--velocity", "--crank", "--accent"];
 
 export class TracedPoints {
-  // `notes`: a list in which the points are told; `onChange` is called when there is another one.
+  // `notes`: the list that shows the points; `onChange` is called when there is another one.
   constructor(frame, notes, onChange) {
     Object.assign(this, { frame, notes, onChange, name: "points", words: "traced", silent: true, root: svg("g", { class: "traced" }), points: [], lines: [] });
     frame.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; }, true);

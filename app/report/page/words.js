@@ -18,7 +18,7 @@ const WRITTEN = WORDS[language].words;
 // The unit of the file's lengths; undefined where it gives none.
 export const LENGTH_UNIT = document.documentElement.dataset.lengthUnit;
 
-// What any text may name besides its own values: the unit of lengths, of one and of several, and what
+// What any text may name in addition to its own values: the unit of lengths, of one and of several, and what
 // forces hold for where it is not known.
 const OF_LENGTHS = LENGTH_UNIT ? { length_unit: LENGTH_UNIT, lengths: LENGTH_UNIT, for_metres: "" }
   : { length_unit: WRITTEN["unit.of_problem"], lengths: WRITTEN["unit.of_problem_many"], for_metres: WRITTEN["unit.for_metres"] };

@@ -8,7 +8,7 @@
 
 namespace cognate::problems::reading {
 
-/// Where |y| grows without bound on `domain`, as far as doubles can tell: from each local maximum
+/// Where |y| grows without bound on `domain`, as far as doubles show: from each local maximum
 /// of |y| among samples at `intervals` equal steps, |y| is followed to its greatest value in steps
 /// that halve. At a pole it still grows in the last digits of x; a peak, however steep, levels off
 /// before. Empty where there is none. Logarithmic poles are not seen.

@@ -35,7 +35,7 @@ TurningPoints turning_points(const Lengths<double>& links, double assembly);
 /// The crank's angle, in [0, 2π], whose half has the direction `half`.
 double angle_of_half(const Vec2d& half);
 
-/// What drive, loads and weights have done by the time the crank has come to an angle from that of
+/// What drive, loads and weights have done by the time the crank has reached an angle from that of
 /// the frame, as a function of (LinkagePose<T>, CycleState<T>), up to a constant. The state must
 /// have the links' angles.
 class CycleWork {
@@ -89,7 +89,7 @@ class CycleWork {
   }
 
   /// `all` counted in the stroke alone, from the crank angle 0 on; between strokes it stays. The
-  /// middle of the stroke, or of what is between, tells which end is past.
+  /// middle of the stroke, or of what is between, decides which end is past.
   template <class T>
   static T within_stroke(const Stroke& stroke, const T& all, bool active, const CycleState<T>& at) {
     const T begun = as<T>(stroke.at_from);
@@ -108,7 +108,7 @@ class CycleWork {
 };
 
 /// ½ J ω |ω| − W, times a share that may be negative. The sign of the speed's bound goes on below
-/// standstill, where it asks for less than no energy.
+/// standstill, where its energy would be negative.
 struct EnergyWithin {
   const Operation& operation;
   const CycleWork& work;

@@ -38,7 +38,7 @@ double rms_torque(const FourBar& linkage, const Operation& operation);
 /// `fluctuation`, instead of its own flywheel; 0 where none is needed.
 double flywheel_inertia(const FourBar& linkage, const Operation& operation);
 
-/// What of velocities, accelerations and forces nothing in `constraints` asks for.
+/// Which velocities, accelerations and forces `constraints` does not need.
 std::vector<std::string> skipped_evaluations(const Constraints& constraints);
 
 /// Fills in of `metrics` what `constraints` limit or want to be known.

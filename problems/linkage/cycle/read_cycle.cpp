@@ -28,8 +28,8 @@ void read_clearance(TableReader& clearance, const CycleScope& scope, Constraints
   }
   limit.point = point.value_or(limit.point);
   if (point == MovingPoint::coupler_point && !scope.has_coupler_point) {
-    clearance.fault("point",
-                    "is \"coupler-point\", which nothing asks for here; expected \"B\" or \"C\"");
+    clearance.fault(
+        "point", "is \"coupler-point\", which this problem does not have; expected \"B\" or \"C\"");
   }
   limit.inside = clearance.has("inside");
   if (limit.inside == clearance.has("outside")) {

@@ -137,7 +137,8 @@ std::optional<LinkPlace> read_place(TableReader& load, bool has_coupler_point) {
   }
   if (!has_coupler_point) {
     load.fault(
-        kOn, "is \"coupler-point\", which nothing asks for here; expected \"B\", \"C\" or a link");
+        kOn,
+        "is \"coupler-point\", which this problem does not have; expected \"B\", \"C\" or a link");
   }
   return LinkPlace{.link = MovingLink::coupler, .at_coupler_point = true};
 }

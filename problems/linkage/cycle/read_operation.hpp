@@ -7,14 +7,14 @@
 
 namespace cognate::problems::reading {
 
-/// What of the file asks for them.
+/// Which parts of the file need them.
 struct OperationUse {
   const CycleValues& asked;  ///< quantities that are limited or to be known
   bool has_coupler_point = true;
   bool has_strokes = true;  ///< whether the rocker must turn to and fro
 };
 
-/// What nothing asks for is faulted; so are masses and loads where a limit of the torque has none.
+/// What nothing needs is faulted; so are masses and loads where a limit of the torque has none.
 Operation read_operation(TableReader& document, const OperationUse& use);
 
 }  // namespace cognate::problems::reading

@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t kChords = 65'536, kFewestChords = 16, kMostChords = 4'096;
 /// Ends this near, relative to the extent, meet.
 constexpr double kMeet = 1e-6;
-/// The least extent relative to the coordinates: below it, too few of their digits tell points
-/// apart.
+/// The least extent relative to the coordinates: below it, the points differ in too few digits.
 constexpr double kLeastExtent = 1e-9;
 
 /// Width or height of what holds all of `points`, whichever is greater.

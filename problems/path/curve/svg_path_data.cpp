@@ -115,8 +115,7 @@ class Reader {
   double number() {
     if (fault_) return 0;
     if (!number_begins(next_)) {
-      fail(next_, fmt::format("has no number where one is wanted; {} takes {}", command_,
-                              argument_count()));
+      fail(next_, fmt::format("has no number here; {} takes {}", command_, argument_count()));
       return 0;
     }
     const std::size_t begin = next_;
@@ -137,7 +136,7 @@ class Reader {
     if (next_ < text_.size() && (text_[next_] == '0' || text_[next_] == '1')) {
       return text_[next_++] - '0';
     }
-    fail(next_, "has no flag of an arc where one is wanted; it is 0 or 1");
+    fail(next_, "has no flag of an arc here; expected 0 or 1");
     return 0;
   }
 
@@ -153,7 +152,7 @@ class Reader {
     const auto upper = static_cast<char>(std::toupper(static_cast<unsigned char>(command_)));
     const std::size_t which = kCommands.find(upper);
     if (which == std::string_view::npos) {
-      return fail(next_, fmt::format("has no command where one is wanted; the commands of path "
+      return fail(next_, fmt::format("has no command here; the commands of path "
                                      "data are {} and their lower-case letters",
                                      kCommands));
     }

@@ -18,7 +18,7 @@ struct SignsOfQuartic {
   InPlaceVector<double, 2> touches;  ///< double roots, within rounding, between values of one sign
 };
 
-/// The eigenvalues of the companion matrix tell where to look, bisection finds the changes.
+/// The eigenvalues of the companion matrix show where to look, bisection finds the changes.
 SignsOfQuartic signs_of(const std::array<double, 5>& c);
 
 }  // namespace cognate::synthesis

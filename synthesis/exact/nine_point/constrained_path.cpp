@@ -92,9 +92,9 @@ std::vector<TrackedPath> follow_all(const GenericSet& set, const Data& data,
   return paths;
 }
 
-/// Whether a state is its own conjugate as far as its digits tell: within the tolerance of
+/// Whether a state is its own conjugate as far as its digits show: within the tolerance of
 /// are_same(), and no other state is. (Ill-conditioned roots, as those of short arcs, have few
-/// digits; certificates tell what is true of them.)
+/// digits; certificates decide.)
 std::vector<bool> find_real(const std::vector<State>& states) {
   std::vector<bool> real;
   for (std::size_t i = 0; i < states.size(); ++i) {

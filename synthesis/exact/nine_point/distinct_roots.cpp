@@ -1,4 +1,4 @@
-/// Telling certified roots apart by balls of the invariants of their symmetry.
+/// Distinguishes certified roots by balls of the invariants of their symmetry.
 #include <algorithm>
 #include <tuple>
 #include <vector>

@@ -121,7 +121,7 @@ class Monodromy {
         if (path.end != PathEnd::finite) return;
       }
       ++done;
-      if (thread == 0) tell(double(done) / double(ends.size()));
+      if (thread == 0) report(double(done) / double(ends.size()));
     });
     return ends;
   }
@@ -136,7 +136,7 @@ class Monodromy {
   }
 
   /// How many loops there will be is not known; five to ten are common.
-  void tell(double share_of_loop) const {
+  void report(double share_of_loop) const {
     constexpr double kHalfDone = 5;
     const double loops = loops_ + share_of_loop;
     if (search_.progress) search_.progress(loops / (loops + kHalfDone));

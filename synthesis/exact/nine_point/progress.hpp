@@ -9,24 +9,24 @@ namespace cognate::synthesis::nine_point {
 
 class Progress {
  public:
-  /// `tell` may be empty; it is called with shares of `total`, growing, each one step of a
+  /// `report` may be empty; it is called with shares of `total`, growing, each one step of a
   /// hundredth at least.
-  Progress(const std::function<void(double)>& tell, int total) : tell_(tell), total_(total) {}
+  Progress(const std::function<void(double)>& report, int total) : report_(report), total_(total) {}
 
   void advance() {
     const int done = ++done_;
-    if (!tell_) return;
-    const std::unique_lock lock(telling_, std::try_to_lock);
-    if (!lock || 100 * (done - told_) < total_ || done > total_) return;
-    told_ = done;
-    tell_(static_cast<double>(done) / total_);
+    if (!report_) return;
+    const std::unique_lock lock(reporting_, std::try_to_lock);
+    if (!lock || 100 * (done - reported_) < total_ || done > total_) return;
+    reported_ = done;
+    report_(static_cast<double>(done) / total_);
   }
 
  private:
-  const std::function<void(double)>& tell_;
-  int total_, told_ = 0;
+  const std::function<void(double)>& report_;
+  int total_, reported_ = 0;
   std::atomic<int> done_{0};
-  std::mutex telling_;
+  std::mutex reporting_;
 };
 
 }  // namespace cognate::synthesis::nine_point

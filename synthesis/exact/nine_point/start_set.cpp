@@ -212,7 +212,7 @@ std::optional<StartSet> find_start_set(const PathClass& kind, const TrackingOpti
                                        MonodromyCounts* counts, unsigned seed) {
   RandomNumbers random(seed);
   MonodromyCounts own;
-  MonodromyCounts& told = counts ? *counts : own;
+  MonodromyCounts& counted = counts ? *counts : own;
   StartSet first = random_seed(kind, random);
   const Number scale = 1 / root_mean_square(first.data.d);
   const Number scale_bar = 1 / root_mean_square(first.data.d_bar);
@@ -224,7 +224,7 @@ std::optional<StartSet> find_start_set(const PathClass& kind, const TrackingOpti
   if (path.how[0] != PathEnd::reached) return std::nullopt;
   first = {data, path.ends};
 
-  Monodromy monodromy(std::move(first), means, told);
+  Monodromy monodromy(std::move(first), means, counted);
   constexpr int kMostLoops = 12;
   for (int loops = 0; loops < kMostLoops && monodromy.set().count() < known_count(kind);) {
     monodromy.add_loop(Loop(kind, random));

@@ -128,7 +128,8 @@ bool newton(const Poses& poses, std::mt19937_64& random, Eigen::Vector4d& x) {
   return false;
 }
 
-/// As many starts as find both or all four dyads nine times in ten, each dyad told from the others.
+/// As many starts as find both or all four dyads nine times in ten, each dyad distinguished from
+/// the others.
 void random_starts(benchmark::State& state) {
   std::mt19937_64 random(2);
   std::size_t i = 0, dyads = 0;

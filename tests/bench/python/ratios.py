@@ -1,4 +1,4 @@
-"""How near Python comes to C++: ratios measured side by side in one run.
+"""The cost of Python against C++: ratios measured side by side in one run.
 
 Run as: ratios.py PROGRAM BATCH LIBRARY, the built program, `python_batch_bench` and
 problems/library, with the module on PYTHONPATH. Prints a table.
@@ -65,9 +65,9 @@ def solves(program, library):
         command = [program, "solve", str(file), "--json", "--threads", "1"]
         there = least(lambda: subprocess.run(command, capture_output=True), 15)
         start = least(lambda: subprocess.run([program, "--version"], capture_output=True), 15)
-        print(f"solve {name}: {1e3 * min(over):.2f} ms besides the search of "
+        print(f"solve {name}: {1e3 * min(over):.2f} ms plus the search of "
               f"{1e3 * result.work.seconds:.2f} ms (the program: {1e3 * (there - start):.2f} ms "
-              f"besides its start of {1e3 * start:.2f} ms)")
+              f"plus its start of {1e3 * start:.2f} ms)")
 
 
 if __name__ == "__main__":

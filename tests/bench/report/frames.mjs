@@ -3,7 +3,7 @@
 // For each report its size, the time from the beginning of the navigation until the page has run
 // its scripts and what the page's thread computed for it, the time between frames while it plays for
 // two seconds (median and 95 %), and what the thread computes for a frame. On a busy machine only
-// the thread's own times tell of the page.
+// the thread's own times measure the page.
 import { statSync } from "node:fs";
 import path from "node:path";
 import { launch, open } from "../../browser/browser.mjs";

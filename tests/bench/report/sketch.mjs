@@ -1,7 +1,7 @@
-// How long a hand waits for linkages in the page of `cognate sketch`, and how near they come to what the program
+// How long a hand waits for linkages in the page of `cognate sketch`, and their errors against those that the program
 // finds by default. Usage: node sketch.mjs BUILD [CURVES]
 // BUILD: the folder of the build. Strokes are random sums of three harmonics, half of them open, with the tremor of a
-// hand; each is asked for with 60 starts and with 500, as the page does, and solved by the program on one thread.
+// hand; each is searched with 60 starts and with 500, as the page does, and solved by the program on one thread.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -28,7 +28,7 @@ function stroke(closed) {
   return Array.from({ length: POINTS }, (_, i) => ["x", "y"].map((key) => at((span * i) / count, key) + 100 * TREMOR * (random() - 0.5)));
 }
 
-// What the page asks for where its limits stand as they do at first.
+// The problem of the page with its limits at their defaults.
 function problemOf(points, solve) {
   const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
   const [low, high] = [[Math.min(...xs), Math.min(...ys)], [Math.max(...xs), Math.max(...ys)]];

@@ -1,4 +1,4 @@
-/// Prints how near the straight stretches that studies give come to the longest there are: those
+/// Compares the straight segments that studies give with the longest there are: those
 /// between all pairs of 6144 samples, of random crank-rockers and double-cranks.
 #include <fmt/core.h>
 

@@ -69,7 +69,7 @@ void measure(const char* what, std::int64_t blocks, bool keeps,
 
 int main(int argc, char** argv) {
   const std::int64_t blocks = argc > 1 ? std::atoll(argv[1]) : 256;
-  fmt::print("{} blocks of {} designs; a row has 4 columns besides id and status\n\n", blocks,
+  fmt::print("{} blocks of {} designs; a row has 4 columns apart from id and status\n\n", blocks,
              kBlock);
   fmt::print("{:34} {:>11} {:>11} {:>11} {:>9}\n", "per processor second", "packed", "unpacked",
              "stored", "MiB");

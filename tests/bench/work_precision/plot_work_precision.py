@@ -20,7 +20,7 @@ FLOOR = 1e-12
 COLUMNS = 5
 
 # Solver: label, colour, line width; the palette of Okabe & Ito. Close kin share a colour and are
-# told apart by their marker.
+# distinguished by their marker.
 SOLVERS = {
     "mma": ("MMA", "#cc79a7", "v"),
     "ccsaq": ("CCSAQ", "#cc79a7", "^"),

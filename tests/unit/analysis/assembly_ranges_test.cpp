@@ -125,7 +125,7 @@ TEST(AssemblyRanges, AnAntiparallelogramStaysOne) {
   }
 }
 
-/// A kite whose crank is as long as the frame: B comes to D, where coupler and rocker are free to
+/// A kite whose crank is as long as the frame: B reaches D, where coupler and rocker are free to
 /// turn together. Elsewhere the motion is smooth, and takes two turns of the crank.
 TEST(AssemblyRanges, AKiteWithItsPinOnThePivotIsNotDetermined) {
   const auto mechanism = as_mechanism(four_bar({2, 3, 3, 2}));
@@ -142,7 +142,7 @@ TEST(AssemblyRanges, AKiteWithItsPinOnThePivotIsNotDetermined) {
   EXPECT_TRUE(motion.move_to(1e-3));
 }
 
-/// The other kite, crank = coupler: C comes to A and the four pivots into line, but the drive holds
+/// The other kite, crank = coupler: C reaches A with the four pivots in line, but the drive holds
 /// every body.
 TEST(AssemblyRanges, AKiteWithItsJointOnTheCrankPivotIsFollowed) {
   const auto mechanism = as_mechanism(four_bar({1, 1, 2, 2}));
@@ -211,7 +211,7 @@ TEST(AssemblyRanges, ParallelogramsInARowChangeTogether) {
   EXPECT_NEAR(motion.bodies()[5].turn[0], 1, 1e-8);
 }
 
-/// Rows that do not close are told, and the motion goes on behind the gap as described.
+/// Rows that do not close are reported, and the motion goes on behind the gap as described.
 TEST(AssemblyRanges, ATripleRockerLeavesGaps) {
   const Lengths<double> links{2, 2.5, 3, 4.5};
   const auto range = crank_ranges(links).at(0);

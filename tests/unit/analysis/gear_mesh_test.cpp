@@ -176,7 +176,7 @@ SpurPair pair_of(const SpurGear& pinion, const SpurGear& wheel) {
 }
 
 /// Whether tips dig into fillets is seen of the outlines. Neither undercut, where the flank has
-/// made room, nor a flank that is touched above the form circle alone tells.
+/// made room, nor is a flank that is touched above the form circle alone a sign.
 TEST(GearMesh, InterferenceIsOverlap) {
   const gear::BasicRack flat{16.9 * kPi / 180, 0.8227, 0.1358};
   const std::vector<std::pair<SpurPair, bool>> cases = {

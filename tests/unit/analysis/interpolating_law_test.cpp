@@ -136,7 +136,7 @@ TEST(PolynomialLaw, WhatHasNoSolutionOrManyIsRefused) {
   const auto is_met = [&](std::vector<MotionCondition> conditions) {
     return append_pieces(polynomial_segment(1, 1, std::move(conditions)), 0, 0, 0, pieces);
   };
-  EXPECT_FALSE(is_met({{0.5, 1, 1}}));          // the slope of a chord, whatever the parabola
+  EXPECT_FALSE(is_met({{0.5, 1, 1}}));          // the slope of a chord, for any parabola
   EXPECT_FALSE(is_met({{0.5 + 1e-14, 1, 1}}));  // and nearly so
   EXPECT_FALSE(is_met({{0.3, 3, 0}, {0.6, 3, 0}, {0.2, 3, 0}, {0.4, 3, 1}}));
   EXPECT_FALSE(is_met({{0.5, 1, 1}, {0.5, 1, 1}}));

@@ -21,7 +21,7 @@ using test::ChainMaker;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// A mechanism that moves and bears.
+/// A mechanism with its motion and loads.
 struct Task {
   Mechanism<double> mechanism;
   std::vector<Inertia> inertias;
@@ -187,10 +187,10 @@ TEST(InverseDynamics, FrameBearsLoadsWeightsAndInertia) {
       const auto at = solved.motion.point({int(i), centre});
       const double speed2 = task.rate.speed * task.rate.speed;
       const Vec2d a = speed2 * at[2] + task.rate.acceleration * at[1];
-      const Vec2d bears = mass * (task.gravity - a);
-      force = force + bears;
-      moment +=
-          cross(at[0], bears) - inertia * (speed2 * turn[1] + task.rate.acceleration * turn[0]);
+      const Vec2d inertia_force = mass * (task.gravity - a);
+      force = force + inertia_force;
+      moment += cross(at[0], inertia_force) -
+                inertia * (speed2 * turn[1] + task.rate.acceleration * turn[0]);
     }
     for (const Load& load : task.loads) {
       force = force + load.force;

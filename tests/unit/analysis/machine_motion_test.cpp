@@ -373,7 +373,7 @@ TEST(Flywheel, OfTheEnergyIntegral) {
   EXPECT_NEAR(found.approximate, 60 / (mean * mean * wanted) - 0.5, 1e-7);
 }
 
-/// J = 2 + swing cos φ besides the flywheel.
+/// J = 2 + swing cos φ, without the flywheel.
 Machine with_motor(double flywheel, double swing = 1) {
   return machine_of(
       [=](double phi) {

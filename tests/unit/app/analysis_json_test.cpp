@@ -140,7 +140,8 @@ TEST(AnalysisJson, EveryFactIsInTheCatalogue) {
   for (const auto& problem : {turning, sliding}) {
     for (const auto& quantity : problems::analyse(problem, {}).quantities) {
       const std::string name = without_parts(quantity.name);
-      if (name.ends_with("_at_deg") && name.starts_with("torque")) continue;  // told with its value
+      if (name.ends_with("_at_deg") && name.starts_with("torque"))
+        continue;  // reported with its value
       EXPECT_TRUE(listed.contains(name)) << name;
     }
   }

@@ -197,7 +197,7 @@ TEST(ColumnVectors, AreNeighboursThatDifferInXAndYAlone) {
   EXPECT_EQ(vectors[1].at->body, 0);
 }
 
-// A slider-crank's guide is along x: what it bears is along y.
+// A slider-crank's guide is along x: its force is along y.
 TEST(NormalForces, ActAcrossTheirGuide) {
   const auto mechanism = slider_crank();
   auto normal = column("frame_on_slider_N");

@@ -133,7 +133,7 @@ TEST(CamReport, PutsTheContactOnTheProfile) {
 }
 
 // The example's printed values: 38.71° at 50° and 52.16° at 160° + 61.39°.
-TEST(CamReport, TellsThePressureAngleOfTheWorkedExample) {
+TEST(CamReport, ShowsThePressureAngleOfTheWorkedExample) {
   const auto table = data_of(sample("translating-roller"))["designs"][0]["table"];
   const auto deg = numbers(table["deg"]), angle = numbers(table["pressure_deg"]);
   const auto most = std::ranges::max_element(angle) - angle.begin();
@@ -158,7 +158,7 @@ TEST(CamReport, HasBothSidesOfAJump) {
   EXPECT_NEAR(there.back(), -size, 1e-4);
 }
 
-TEST(CamReport, TellsStrokesSegmentsLimitsAndProof) {
+TEST(CamReport, ShowsStrokesSegmentsLimitsAndProof) {
   const auto data = data_of(sample("translating-roller"));
   const auto& design = data["designs"][0];
   ASSERT_EQ(design["strokes"].size(), 4u);

@@ -36,9 +36,9 @@ Words allowed_by_reader(const std::string& text) {
   return {};
 }
 
-Words keys_of(const KeyedEntry& entry, Words besides) {
-  for (const auto& key : entry.keys) besides.emplace(key.name);
-  return besides;
+Words keys_of(const KeyedEntry& entry, Words names) {
+  for (const auto& key : entry.keys) names.emplace(key.name);
+  return names;
 }
 
 template <class Enum>

@@ -95,7 +95,7 @@ TEST(ProblemJson, EveryFileOfTheLibraryReadsBack) {
   int count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibraryFolder)) {
     if (entry.path().extension() != ".toml") continue;
-    if (entry.path().parent_path().filename() == "study") continue;  // asks for many problems
+    if (entry.path().parent_path().filename() == "study") continue;  // has many problems
     SCOPED_TRACE(entry.path().string());
     const auto task = problems::read_task(entry.path());
     ASSERT_TRUE(task.has_value()) << messages(task.error());

@@ -1,4 +1,4 @@
-/// @file How fast a run comes on and how long it still takes, as the progress line tells it.
+/// @file How fast a run comes on and how long it still takes, as the progress line reports it.
 #include "app/console/progress.hpp"
 
 #include <gtest/gtest.h>

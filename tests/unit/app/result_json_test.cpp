@@ -239,7 +239,7 @@ TEST(ResultJson, WritesRangesWithoutTheirInfiniteSides) {
             R"({"x":[0.0,2.0],"y":{"min":1.0}})");
 }
 
-// What a problem file gives in degrees comes back as it was written, and whatever the angle, the
+// What a problem file gives in degrees comes back as it was written, and for any angle, the
 // double that a reader makes of the degrees differs by no more than rounding.
 TEST(ResultJson, DegreesReadBack) {
   for (int tenths = -7200; tenths <= 7200; ++tenths) {

@@ -1,4 +1,4 @@
-/// @file Running a study: all rows whatever the number of threads, in memory that does not grow,
+/// @file Running a study: all rows with any number of threads, in memory that does not grow,
 /// stopped and gone on with.
 #include <gtest/gtest.h>
 

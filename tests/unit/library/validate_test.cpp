@@ -110,7 +110,7 @@ bool is_finite(const Other&) {
   return true;
 }
 
-/// What would take long whatever the time limit.
+/// Problems that would exceed any time limit.
 bool is_short(const AnalysisProblem& p) {
   return p.drive.steps <= 1000;
 }
@@ -179,11 +179,11 @@ TEST(Validate, SaysWhatTheReaderSays) {
   EXPECT_EQ(result.notes, faults);
 }
 
-TEST(Validate, TellsWhatNoFileCanSay) {
+TEST(Validate, ReportsWhatNoFileCanSay) {
   FunctionProblem function;
   EXPECT_EQ(validate(function),
             std::vector<std::string>{
-                "target has no function y(x); expected one besides its text or table"});
+                "target has no function y(x); expected one in addition to its text or table"});
   PathProblem path;
   path.points = {{0, 0}, {1, 2}, {3, 1}};
   path.timing = Timing::mixed;

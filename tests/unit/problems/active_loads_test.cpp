@@ -1,4 +1,4 @@
-/// When loads act: senses, angle intervals, parts of a stroke; and the travel they are told by.
+/// When loads act: senses, angle intervals, parts of a stroke; and the travel they depend on.
 #include "problems/evaluation/active_loads.hpp"
 
 #include <gtest/gtest.h>

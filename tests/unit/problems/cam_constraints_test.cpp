@@ -295,7 +295,7 @@ TEST(CamConstraints, BoundsOfTheBaseRadiusHold) {
   EXPECT_NEAR(result.designs.at(0).cam.system.follower.dimensions.base_radius, least,
               1e-12 * least);
   EXPECT_TRUE(result.designs[0].proof);
-  // A given cam that is too small is told what it needs.
+  // For a given cam that is too small, the message says what it needs.
   problem = translating_roller(0.8 * least, 0, 2);
   problem.motion = given_roller().motion;
   problem.constraints.pressure_angle_max = 30 * kDegree;

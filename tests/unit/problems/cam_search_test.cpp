@@ -94,7 +94,7 @@ TEST(CamSearch, EndsWhereLimitsContradictBounds) {
   EXPECT_EQ(result.status, problems::Status::infeasible);
 }
 
-// From some starts the solver comes to a lesser pressure angle by a motion of more than a turn.
+// From some starts the solver reaches a smaller pressure angle by a motion of more than a turn.
 TEST(CamSearch, FreeAnglesMakeOneTurn) {
   const auto problem = problems::parse_task<problems::CamProblem>(R"(
     kind = "cam"

@@ -207,7 +207,7 @@ TEST(ClosedPath, ALoopTooManyIsSeen) {
 }
 
 /// Samples of an aerofoil are met best by linkages that leave it between two of them, by eight
-/// times its chord: designs that keep to it are found all the same.
+/// times its chord: designs within it are found all the same.
 TEST(ClosedPath, DesignsWithALoopTooManyDoNotHideTheOthers) {
   std::string rows;
   constexpr int kVertices = 60;
@@ -228,7 +228,7 @@ TEST(ClosedPath, DesignsWithALoopTooManyDoNotHideTheOthers) {
   EXPECT_LT(quantity(best.metrics.quantities, "curve_deviation_max"), 1);
 }
 
-TEST(DeviationBetweenSamples, TellsLoopsAndOtherOrders) {
+TEST(DeviationBetweenSamples, RejectsLoopsAndOtherOrders) {
   const FourBar& planted = kPlanted[0];
   const auto samples = [&](double share) {
     PathProblem problem;

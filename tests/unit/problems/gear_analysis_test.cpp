@@ -104,7 +104,7 @@ TEST(GearAnalysis, WhatCannotBeMeasuredIsLeftOut) {
   EXPECT_FALSE(has(gear_quantities(spur(20, 1, 1.2).gear, ""), "measurement_over_pins"));
   EXPECT_FALSE(pins_can_be_measured(spur(28, 1, 1.5).gear, 1.728));
   EXPECT_TRUE(pins_can_be_measured(spur(20, 1).gear, 1.728));
-  // Where a span is told its anvils touch the involute of the table.
+  // Where a span is reported its anvils touch the involute of the table.
   for (double shift = -1.2; shift < 1.3; shift += 0.01) {
     for (const double teeth : {9.0, 17.0, 26.0, 40.0}) {
       const auto span = span_measurement(spur(teeth, 1, shift).gear);

@@ -167,7 +167,7 @@ void visit_grid(const GearPairProblem& problem, int z1, int z2, double m, const 
     Textbook pair{z1, z2, m, x1, 0, 0};
     if (problem.centre_distance) {
       pair.a = *problem.centre_distance;
-      // Backlash falls by the same for each shift: two values tell the one that is requested.
+      // Backlash falls by the same for each shift: two values determine the one that is requested.
       const double none = pair.backlash();
       pair.x2 = 1;
       pair.x2 = (none - backlash) / (none - pair.backlash());

@@ -1,5 +1,5 @@
 /// Constraints that fight are named with the least change that helps, as a rule known beforehand
-/// tells, and as solving again with the changed limits confirms.
+/// finds, and as solving again with the changed limits confirms.
 #include "problems/search/infeasibility.hpp"
 
 #include <gtest/gtest.h>

@@ -60,7 +60,7 @@ TEST(LinkageConstraints, HalfSpacesAreTheCrankRocker) {
 }
 
 /// A common factor brings all lengths within their ranges, looked for on a grid with all the
-/// factors at which one of them comes to an end of its range.
+/// factors at which one of them reaches an end of its range.
 bool fits_by_some_factor(const std::array<Range, 4>& ranges, const L& links) {
   const std::array<double, 4> lengths{links.crank, links.coupler, links.rocker, links.frame};
   std::vector<double> factors{1};

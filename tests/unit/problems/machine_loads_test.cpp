@@ -130,7 +130,7 @@ TEST(NarrowLoad, IsMetInTime) {
   EXPECT_NEAR(turns.states.back().omega, std::sqrt(1 + 2 * 4 * 1.5), 1e-8);
 }
 
-TEST(SteadyState, IsNotToldWhereOtherStepsSayOtherwise) {
+TEST(SteadyState, IsNotReportedWhereOtherStepsDisagree) {
   // A load that grows with every look at it.
   double looks = 0;
   const Machine machine = machine_of(constant_inertia(5), [&](double, double omega, double) {
@@ -278,7 +278,7 @@ line = {stall_torque = 600, no_load_speed = 20}
   }
   const auto short_of_energy = result_of("0.8", file("inertia = 20"));
   EXPECT_EQ(short_of_energy.status, problems::Status::no_solution);
-  EXPECT_NE(short_of_energy.notes.at(0).find("a greater flywheel helps"), std::string::npos);
+  EXPECT_NE(short_of_energy.notes.at(0).find("a larger flywheel helps"), std::string::npos);
 }
 
 TEST(Flywheel, IsNotLookedForBeyondTheTime) {
@@ -346,7 +346,7 @@ TEST(Run, MayTakeMoreStepsTheFartherItGets) {
                                      {1, 2, 3});
   const Accuracy accuracy{.most_steps = 500};
   EXPECT_EQ(run(machine, {.omega = 3}, {.travel = 500}, accuracy, 0).stop, RunStop::travel);
-  // So far on, φ does not tell on which side of a break the drive is.
+  // So far on, φ does not decide on which side of a break the drive is.
   for (const double from : {1e5, 3e5, 1e6, 2e6}) {
     const MachineRun far = run(machine, {.phi = from, .omega = 3}, {.travel = 20}, {}, 0);
     EXPECT_EQ(far.stop, RunStop::travel);

@@ -108,7 +108,7 @@ value = "50*v"
 }
 
 TEST(RunMachine, BalancesTheWorkOfItsLoads) {
-  // 40 kN over 0.3 of 0.2 m are 2400 J in a turn, whatever the speed; weights do no work in a turn.
+  // 40 kN over 0.3 of 0.2 m are 2400 J in a turn, at any speed; weights do no work in a turn.
   const MachineResult result = result_of(kPress + "[flywheel]\ninertia = 20\n");
   EXPECT_EQ(result.status, Status::solved);
   EXPECT_NEAR(quantity(result, "motor_work_J"), 2400, 1e-5);
@@ -134,7 +134,7 @@ TEST(RunMachine, BalancesTheWorkOfItsLoads) {
   }
 }
 
-TEST(RunMachine, FindsTheFlywheelAndTellsTheTextbooksOne) {
+TEST(RunMachine, FindsTheFlywheelAndReportsTheTextbooksOne) {
   const MachineResult result = result_of(kPress + "[flywheel]\nfluctuation = 0.1\n");
   EXPECT_EQ(result.status, Status::solved);
   EXPECT_NEAR(quantity(result, "fluctuation"), 0.1, 1e-8);

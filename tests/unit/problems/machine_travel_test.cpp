@@ -16,7 +16,7 @@ namespace {
 
 using test::column, test::quantity, test::result_of, test::says;
 
-/// A crank-rocker 0.5, 1, 1.2, 1.6, turned in the plane by `turned`, whose rocker bears a spring.
+/// A crank-rocker 0.5, 1, 1.2, 1.6, turned in the plane by `turned`, whose rocker carries a spring.
 std::string sprung_rocker(double turned) {
   return fmt::format(R"toml(
 mechanism = {{type = "four-bar", fixed_pivots = [[0, 0], [{}, {}]], crank = 0.5, coupler = 1, rocker = 1.2}}
@@ -65,7 +65,7 @@ run = {start_deg = 77}
   EXPECT_NEAR(quantity(result, "motor_work_J"), kTurn * kPi, 1e-7);
 }
 
-TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {
+TEST(VanishingInertia, IsDistinguishedFromWhatIsSmallAndWhatIsUnknown) {
   const auto place = [](auto inertia) {
     return vanishing_inertia({.move_to =
                                   [=](double phi) {
@@ -85,7 +85,7 @@ TEST(VanishingInertia, IsToldFromWhatIsSmallAndWhatIsUnknown) {
               4.321, 1e-9);
 }
 
-TEST(VanishingInertia, IsNotToldWhereTheCrankHasSomeHoweverLargeItIsElsewhere) {
+TEST(VanishingInertia, IsNotReportedWhereTheCrankHasSomeHoweverLargeItIsElsewhere) {
   const MachineResult result = result_of(R"(
 mechanism = {type = "slider-crank", crank = 1e12, coupler = 4e12}
 link = [{name = "crank", inertia = 0.8}, {name = "slider", mass = 1}]

@@ -1,4 +1,4 @@
-/// Path generation as a user meets it: planted linkages are found again, whatever the options.
+/// Path generation as a user meets it: planted linkages are found again, with any options.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -282,7 +282,7 @@ TEST(PathGeneration, ReportsTheLeastViolatingDesignWhereNoneIsFeasible) {
   EXPECT_FALSE(all_satisfied(result.designs[0].constraints));
 }
 
-TEST(PathGeneration, StopsWhenToldTo) {
+TEST(PathGeneration, StopsOnRequest) {
   const std::atomic<bool> interrupted{true};
   EXPECT_EQ(solve(on_curve(angles(8, 0.3, 6.0)), {.interrupted = &interrupted}).status,
             Status::interrupted);

@@ -77,7 +77,7 @@ TEST(PathModel, HasNoResidualAtAPlantedDesign) {
   }
 }
 
-TEST(PathModel, CountsIncrementsClockwiseWhereTold) {
+TEST(PathModel, CountsIncrementsClockwiseOnRequest) {
   PathProblem problem = planted(Timing::prescribed);
   for (double& angle : problem.crank_angles) angle = 5 - angle;
   const PathModel model(problem, linkage.assembly, true);

@@ -185,7 +185,7 @@ TEST(PathRaster, TimedPathsAreTheBestOfAllCombinations) {
   }
 }
 
-/// Branch and bound instead of enumeration comes to the same design.
+/// Branch and bound instead of enumeration finds the same design.
 TEST(PathRaster, PlantedDesignsAreFoundExactly) {
   const Bar planted{2, 5.5, 4.5, {1, -0.5}, {6.5, 0.5}, {3, 1.5}};
   std::string rows;

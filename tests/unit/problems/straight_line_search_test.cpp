@@ -198,8 +198,8 @@ TEST(StraightLineSearch, KeepsToItsConstraints) {
   EXPECT_LT(range, 180 + 1e-4);
 }
 
-/// No linkage of that size is that straight: the nearest is told, with what it violates.
-TEST(StraightLineSearch, TellsWhatCannotBe) {
+/// No linkage of that size is that straight: the nearest is reported, with what it violates.
+TEST(StraightLineSearch, ReportsWhatCannotBe) {
   const Result result = solve_text(
       "[target]\nlength = 1\ndeviation_relative = 1e-6\n[constraints]\nclass = \"crank-rocker\"\n"
       "size_over_length_max = 0.7\n[solve]\nstarts = 10\ndesigns = 1\n");

@@ -362,8 +362,8 @@ std::optional<GuidingDyad> by_newton(const Poses& poses, Random& random) {
   return std::nullopt;
 }
 
-/// Poses on a grid, with equal turns and half turns and translations among them: whatever Newton's
-/// method comes upon is among the dyads, and all dyads are finite and fit.
+/// Poses on a grid, with equal turns and half turns and translations among them: no matter what
+/// Newton's method comes upon is among the dyads, and all dyads are finite and fit.
 TEST(FivePoses, LeaveNothingOutOnAGrid) {
   Random random{std::mt19937_64(4)};
   int checked = 0;

@@ -217,7 +217,7 @@ TEST(FourBarFunction, TheCubicFindsWhatASearchFinds) {
   EXPECT_GT(three, 5);
 }
 
-// Whatever the pairs, what is called a linkage meets all of them by the triangle's formulas.
+// What is called a linkage meets all pairs by the triangle's formulas.
 TEST(FourBarFunction, EveryLinkageMeetsItsPairs) {
   Random random(5);
   int linkages = 0;
@@ -279,7 +279,7 @@ TEST(FourBarFunction, FindsTheGuideBarInTheLimit) {
 }
 
 // Directions that come out reversed are turned and said to be.
-TEST(FourBarFunction, TellsWhichLinksAreTurned) {
+TEST(FourBarFunction, ReportsWhichLinksAreTurned) {
   const PlantedFourBar planted{1.7, 1.9, 2.1, 1, 0.4, 0.9};
   Random random(1);
   const auto points = planted_points(planted, {1, 1, 1}, 0.4, random);

@@ -220,7 +220,7 @@ TEST(FunctionBound, FromTheInnerLimit) {
 
 TEST(FunctionBound, LimitAnglesHoldThoseOfEachLinkage) {
   Random random(4);
-  int checked = 0, told = 0;
+  int checked = 0, narrow = 0;
   for (int i = 0; i < repeats(8000); ++i) {
     const ProportionBox box = random.box(false);
     const bool outer = random.chance(0.5);
@@ -245,9 +245,9 @@ TEST(FunctionBound, LimitAnglesHoldThoseOfEachLinkage) {
     EXPECT_LE(std::abs(wrapped(angle - expected)), range->radius + 1e-10) << i;
     EXPECT_LE(std::abs(wrapped(angle - range->middle)), range->reach + 1e-10) << i;
     ++checked;
-    if (range->radius < 0.1) ++told;
+    if (range->radius < 0.1) ++narrow;
   }
-  EXPECT_GT(told, checked / 4);
+  EXPECT_GT(narrow, checked / 4);
 }
 
 }  // namespace

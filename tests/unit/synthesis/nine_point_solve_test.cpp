@@ -1,5 +1,5 @@
-/// Exact synthesis of paths: planted linkages come back, whatever the units, threads and order; and
-/// every problem without an answer is told so.
+/// Exact synthesis of paths: planted linkages come back, for any units, threads and order; and
+/// every problem without an answer is reported as such.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -250,7 +250,7 @@ TEST(NinePointSolve, StopsWhenAsked) {
   EXPECT_TRUE(found.roots.empty());
 }
 
-TEST(NinePointSolve, TellsItsProgress) {
+TEST(NinePointSolve, ReportsItsProgress) {
   std::mt19937_64 random(11);
   ExactPathOptions options;
   options.threads = 2;

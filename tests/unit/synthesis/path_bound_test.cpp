@@ -116,7 +116,7 @@ std::optional<Direction> directions_at(const Links& links, int assembly, Quad an
 
 TEST(PathBound, DirectionsOfABoxHoldThoseOfEachPoint) {
   Random random(1);
-  int checked = 0, told = 0;
+  int checked = 0, narrow = 0;
   for (int i = 0; i < repeats(4000); ++i) {
     const ProportionBox box = random.box();
     const BoxDirections enclosures(box);
@@ -140,12 +140,12 @@ TEST(PathBound, DirectionsOfABoxHoldThoseOfEachPoint) {
         const Complex expected = Complex(range.middle.x, range.middle.y) * std::polar(1.0, turned);
         EXPECT_LE(std::abs(std::arg(found / expected)), range.radius + 1e-12) << i;
         ++checked;
-        if (range.radius < 0.1) ++told;
+        if (range.radius < 0.1) ++narrow;
       }
     }
   }
   EXPECT_GT(checked, repeats(4000));
-  EXPECT_GT(told, checked / 4);  // else the test would say nothing
+  EXPECT_GT(narrow, checked / 4);  // else the test would say nothing
 }
 
 TimedPath random_path(Random& random) {
@@ -205,7 +205,7 @@ double error_of(const TimedPath& path, const std::vector<Complex>& u, const Fit&
   return sum;
 }
 
-/// A design at a point of the box that keeps to every limit, near the best there; empty if none.
+/// A design at a point of the box within every limit, near the best there; empty if none.
 std::optional<double> error_at(const TimedPath& path, const ProportionBox& box, const Point& at) {
   const auto links = links_at(box, at);
   if (!links) return std::nullopt;

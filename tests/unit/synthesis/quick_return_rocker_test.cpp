@@ -253,7 +253,7 @@ TEST(QuickReturnRocker, FindsTheBestThatKeepsToRatioAndTransmission) {
   EXPECT_GT(possible, 15);
 }
 
-/// Bounds that a planted linkage keeps to, and hardly another of its arc.
+/// Bounds that a planted linkage meets, and hardly another of its arc.
 TEST(QuickReturnRocker, FindsTheNarrowPartThatKeepsToRatioAndTransmission) {
   std::mt19937_64 random(18);
   std::uniform_real_distribution<double> swing(0.3, 1.6), ratio(1.02, 1.8), part(0.02, 0.98);

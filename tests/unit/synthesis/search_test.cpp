@@ -157,7 +157,7 @@ TEST(Search, CountsImagesAsOneMinimum) {
   EXPECT_EQ(result.minima.front().hits, 100);
 }
 
-TEST(Search, TellsDesignsApartAsItIsTold) {
+TEST(Search, DistinguishesDesignsByTheGivenRule) {
   const FunctionModel model(himmelblau());
   SearchOptions options{.rule = {.starts = 60}};
   options.is_same = [](const Minimum& a, const Minimum& b, double) {

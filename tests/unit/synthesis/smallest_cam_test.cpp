@@ -124,7 +124,7 @@ TEST(SmallestTranslating, BoundsOfTheOffsetBind) {
     ASSERT_TRUE(least);
     expect_cam(*least, std::max(best, offset), height(std::max(best, offset)), 1e-13);
   }
-  // So far to the side that the rise asks for no height: the follower starts beside the centre.
+  // So far to the side that the rise needs no height: the follower starts beside the centre.
   const auto beside = smallest_translating(made.programme(), rises, 2 * rise, 3 * rise);
   ASSERT_TRUE(beside);
   expect_cam(*beside, 2 * rise, 0, 1e-14);

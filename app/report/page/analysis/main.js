@@ -140,7 +140,7 @@ function showLegend() {
   byId("marks").replaceChildren(...kinds.map((kind) => legendItem(landmarkColour(kind).slice(2), "dashed", sentence(term(kind)))));
 }
 
-// Buttons that show and hide what the picture can have besides the mechanism.
+// Buttons that switch on what the picture can show with the mechanism.
 function listenToLayers() {
   const kinds = new Set(scene.arrows.map((arrow) => arrow.quantity));
   for (const button of document.querySelectorAll("[data-layer]")) {

@@ -13,7 +13,7 @@ const SHEET_TITLES = {
   "curvature 1/length": say("sheet.path_curvature"), "reactions N": say("sheet.reactions"), "reactions N m": say("sheet.moments"),
   "torque N m": say("sheet.torque"), "torque N": say("sheet.force"),
 };
-// The columns of an instant's geometry have one sheet for each thing that they tell of bodies.
+// The columns of an instant's geometry have one sheet for each quantity of the bodies.
 const INSTANTS = ["pole", "moving_centrode", "inflection_diameter", "inflection_centre", "return_centre", "tangential_diameter", "tangential_centre",
   "acceleration_pole", "ball", "stationary", "inflection_line", "inflection_line_deg"];
 const POINT_COLOURS = ["--curve", "--crank", "--coupler", "--target", "--rocker", "--link-b", "--link-d", "--velocity", "--link-c"];
@@ -31,7 +31,7 @@ export function partColours(table, scene) {
   }));
 }
 
-// Of a column of an instant's geometry, what it tells of its body: "pole" of "coupler_pole_x".
+// The quantity of a body in a column of an instant's geometry: "pole" of "coupler_pole_x".
 const instantKind = ({ name, of }) => name.slice(of.length + 1).replace(/_[xyuvmn]$/, "");
 
 const instantTitle = (column) => (INSTANTS.includes(instantKind(column)) ? say(`instant.${instantKind(column)}`) : undefined);

@@ -13,10 +13,10 @@ export const INSTANT_GEOMETRY = "instant-geometry";
 function columnLabel({ name, of }) {
   const bare = name.replace(UNIT_SUFFIX, "").replace(/_omega$/, "_ω").replace(/_alpha$/, "_α");
   const words = (text) => term(text.replaceAll("_", " "));
-  const tell = (text) => { const [, what, axis] = /^(.*?)(_F?[xyuvmn])?$/.exec(text); return `${words(what)}${(axis ?? "").replace("_", " ")}`; };
+  const partOf = (text) => { const [, what, axis] = /^(.*?)(_F?[xyuvmn])?$/.exec(text); return `${words(what)}${(axis ?? "").replace("_", " ")}`; };
   const [, first, second, what = ""] = /^(.+)_on_(.+?)((?:_F[xy]|_moment)?)$/.exec(bare) ?? [];
   if (first) return say("values.on", { first: words(first), second: words(second), what: words(what.slice(1)) }).trim();
-  return bare.startsWith(`${of}_`) ? say("values.of_part", { of: words(of), what: tell(bare.slice(of.length + 1)) }) : tell(bare);
+  return bare.startsWith(`${of}_`) ? say("values.of_part", { of: words(of), what: partOf(bare.slice(of.length + 1)) }) : partOf(bare);
 }
 
 // A column's name in files, with the unit of lengths: "C_x_mm", "C_vx_mm_per_s", "C_curvature_per_mm".

@@ -12,7 +12,7 @@ const LENGTH_NAMES = ["offset", "roller_radius", "centre_distance", "arm", "face
 
 const CLOSURES = ["groove", "conjugate", "constant-breadth"];
 
-// The lengths that this type of follower has besides the radius of the base or prime circle.
+// The lengths that this type of follower has other than the radius of the base or prime circle.
 function lengthsOf({ flat, knife, oscillating }) {
   return new Set([...(oscillating ? ["centre_distance", ...(flat ? ["face_offset"] : ["arm"])] : flat ? [] : ["offset"]), ...(flat || knife ? [] : ["roller_radius"])]);
 }

@@ -1,4 +1,4 @@
-// What the picture of a cam can show besides: drawn once on the cam, or anew at each position.
+// Extra layers of a cam's picture: drawn once on the cam, or anew at each position.
 
 import { set, svg } from "../dom.js";
 import { quantile, RADIANS } from "../sampling.js";

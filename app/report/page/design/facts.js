@@ -69,11 +69,11 @@ export function flatMetrics(table, above = "") {
     (value !== null && typeof value === "object" && !Array.isArray(value) ? flatMetrics(value, `${above}${key}.`) : [[above + key, value]]));
 }
 
-// Metrics that have a row of their own; all others are told by their names.
-const TOLD_METRICS = /^(tolerance_.*|class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
+// Metrics that have a row of their own; all others are listed by their names.
+const SHOWN_METRICS = /^(tolerance_.*|class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
 
 function otherMetrics(metrics) {
-  const facts = flatMetrics(metrics).filter(([name]) => !TOLD_METRICS.test(name)).map(([name, value]) => ({ name, value }));
+  const facts = flatMetrics(metrics).filter(([name]) => !SHOWN_METRICS.test(name)).map(([name, value]) => ({ name, value }));
   return factPairs(facts);
 }
 
@@ -115,7 +115,7 @@ function qualityRows({ entry, transmissionOfPart }, kind) {
 
 const computed = (key, name, metrics, show) => (metrics[key] === undefined || metrics[key] === null ? [] : [[key, name, show(metrics[key]), metrics[key]]]);
 
-// What the synthesis tells of itself as a whole.
+// Facts of the synthesis as a whole.
 export function showFindings(facts) {
   const all = flatMetrics(facts ?? {}).filter(([name]) => !ofRaster(name)).map(([name, value]) => ({ name, value }));
   const pairs = factPairs(all.filter(({ name }) => !isOfComputation(name)));

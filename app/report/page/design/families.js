@@ -26,7 +26,7 @@ function numbersOf(entry) {
   return numbers;
 }
 
-// The value of a family's parameter that a design has; null where it tells none.
+// The value of a family's parameter that a design has; null where it has none.
 const parameterOf = (family, entry) => numbersOf(entry)[family.columns[0].name] ?? null;
 
 // A plot for each column over the first one. A family that goes to and fro in its parameter is

@@ -13,7 +13,7 @@ import { turnInto } from "./model.js";
 const ERROR_SHARE = 0.32;
 const LENS_STEP = 2;
 
-// Errors and angles, in degrees, below which what was drawn tells nothing of them.
+// Errors and angles, in degrees, below which the drawing cannot show them.
 const NO_ERROR = 1e-11;
 const NO_TURN = 1e-4;
 

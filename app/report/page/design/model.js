@@ -102,7 +102,7 @@ export class Design {
 
   sheets(limits) { return curveSheets(this, limits); }
 
-  // Generated less wanted output at a crank angle, in degrees; null where nothing is wanted.
+  // Generated minus desired output at a crank angle, in degrees; null where none is given.
   errorAt(crank) {
     if (!this.trace) return null;
     if (this.trace.x !== null) return this.between(crank, this.trace.crank_deg, this.trace.error_deg);

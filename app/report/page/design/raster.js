@@ -4,7 +4,7 @@ import { byId, element, fact } from "../dom.js";
 import { degreesShort, number } from "../format.js";
 import { LENGTH_UNIT, say } from "../words.js";
 
-// Facts that this card tells.
+// Facts that this card shows.
 export const ofRaster = (name) => /^(raster|rounded|continuous)_/.test(name);
 
 const share = (part) => say("tolerance.percent", { value: number(100 * part, 3) });

@@ -41,7 +41,7 @@ export class Scene extends Picture {
   bodyOf(part) { return part.classList?.contains("link-body") ? LINKS.findIndex((name) => part.classList.contains(name)) + 1 : undefined; }
   placeOf(body, crank) { return this.design.linkage.placeOf(body, this.design.linkage.pose(crank)); }
   nameOf(body) { return say(`part.${LINKS[body - 1]}`); }
-  // Places that things of the picture come to.
+  // Places that things of the picture reach.
   get crowd() {
     const { linkage } = this.design;
     return [linkage.a, linkage.d, ...linkage.poses.flatMap(({ b, c, p }) => (p ? [b, c, p] : [b, c]))];

@@ -123,9 +123,9 @@ function transmissionSheet(design, limits) {
   const sheet = { ...overCrank(design), title: say("sheet.transmission"), lines: [{ y: values, colour: "--coupler" }], shades: usedShade(design),
     yRange: limits ? [0, 180] : padded(least, greatest), summary: say("curves.range", { least: degrees(least, 1), greatest: degrees(greatest, 1) }) };
   const range = sentence(sheet.summary);
-  const told = limits ? say("sheet.limits", { range, least: number(limits[0]), greatest: number(limits[1]) }) : say("sheet.no_limits", { range });
+  const limitsText = limits ? say("sheet.limits", { range, least: number(limits[0]), greatest: number(limits[1]) }) : say("sheet.no_limits", { range });
   const used = design.transmissionOfPart;
-  sheet.note = used ? say("sheet.of_whole_motion", { note: told, least: degrees(used.min, 1), greatest: degrees(used.max, 1) }) : told;
+  sheet.note = used ? say("sheet.of_whole_motion", { note: limitsText, least: degrees(used.min, 1), greatest: degrees(used.max, 1) }) : limitsText;
   if (limits) sheet.shades.push({ axis: "y", from: 0, to: limits[0], colour: "--shade" }, { axis: "y", from: limits[1], to: 180, colour: "--shade" });
   return sheet;
 }

@@ -71,7 +71,7 @@ export class AnalysisEditor {
     return assembles ? data : null;
   }
 
-  // The handles, where the picture has come to.
+  // The handles, where the picture is.
   place(view) {
     if (this.panel && view) this.overlay.move(view, this.#points(), this.ghost ?? []);
   }

@@ -1,4 +1,4 @@
-// Whether a changed four-bar keeps to the constraints that its design was checked against: what
+// Whether a changed four-bar meets the constraints that its design was checked against: what
 // problems/linkage/constraint_checks.cpp says of them, for those that lengths, angles and defects settle.
 
 import { RADIANS } from "../sampling.js";

@@ -27,6 +27,6 @@ function boundsKept(bounds, m) {
 export function editedFile(problem, title, mechanism, starts) {
   const given = givenMechanism(problem, mechanism, starts);
   if (given) return remark(say("edit.file.given")) + problemToml({ ...problem, title, mechanism: given, ...(problem.bounds ? { bounds: boundsKept(problem.bounds, mechanism) } : {}) });
-  const told = Object.entries(mechanism).map(([key, value]) => `${key} = ${JSON.stringify(value)}`).join("\n");
-  return problemToml({ ...problem, title }) + remark(`${say("edit.file.remark")}\n${told}`);
+  const dimensions = Object.entries(mechanism).map(([key, value]) => `${key} = ${JSON.stringify(value)}`).join("\n");
+  return problemToml({ ...problem, title }) + remark(`${say("edit.file.remark")}\n${dimensions}`);
 }

@@ -136,7 +136,7 @@ export class Editor {
     this.panel.show(state, this.history, editRows(this.before, evaluated), (this.found.entry.constraints ?? []).map((check) => checkRow(check, evaluated)));
   }
 
-  // The handles, where the picture has come to.
+  // The handles, where the picture is.
   place(view, pose) {
     if (!this.open || !view) return;
     const { mechanism } = this.now;

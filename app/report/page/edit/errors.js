@@ -1,4 +1,4 @@
-// How far a changed four-bar is from what its problem asks for. Positions are the kernel's.
+// The errors of a changed four-bar at the targets of its problem. Positions are the kernel's.
 
 import { RADIANS } from "../sampling.js";
 import { placing } from "../design/model.js";
@@ -82,7 +82,7 @@ class TargetMeasure {
 // By how much the coupler is turned from a pose that it is to take.
 const turnedBy = ({ b, c }, { angle }) => wrapped(Math.atan2(c[1] - b[1], c[0] - b[0]) - angle);
 
-// A function generator: the rocker's angle less what is wanted of it.
+// A function generator: the rocker's angle minus the desired one.
 class FunctionMeasure {
   constructor(problem, { samples, range, sweep, x }, { crank_deg: stations, metrics }) {
     Object.assign(this, { samples, range, sweep, x, start: metrics.input_start_deg * RADIANS, stations: stations.map((deg) => deg * RADIANS) });

@@ -92,7 +92,7 @@ function showLegend() {
   byId("legend").replaceChildren(...bodies, ...paths, ...extras.legend());
 }
 
-// Buttons that show and hide what the picture can have besides the mechanism.
+// Buttons that switch on what the picture can show with the mechanism.
 function listenToLayers() {
   for (const button of document.querySelectorAll("[data-layer]")) {
     const { layer } = button.dataset;

@@ -31,7 +31,7 @@ export class Motion {
 
   angle(time) { return this.at(this.angles, time) ?? 0; }
 
-  // When the drive is at `angle`, in whatever turn, next to where it is at `present`.
+  // When the drive is at `angle`, in any turn, next to where it is at `present`.
   timeAt(angle, present) {
     const now = this.angle(present);
     const wanted = now + angle - now - 360 * Math.round((angle - now) / 360);

@@ -49,7 +49,7 @@ function senseOf(cranks) {
   return cranks.reduce((sum, angle, i) => sum + (i ? step(cranks[i - 1], angle) : 0), 0) < 0 ? -1 : 1;
 }
 
-// The best `count` that differ to the eye, best first; `held` is among them whatever its error.
+// The best `count` that differ to the eye, best first; `held` is always among them.
 export function differing(candidates, count, size, held) {
   const chosen = held ? [held] : [];
   for (const one of [...candidates].sort((a, b) => a.entry.rms - b.entry.rms)) {

@@ -10,9 +10,9 @@ import { language, say, term } from "../words.js";
 const ATLAS = { curves: 60, samples: 96, width: 132, height: 104 };
 
 export class Atlas {
-  // `tell.select(row)`; `linkageOf(row)`: its RowLinkage.
-  constructor(study, linkageOf, tell) {
-    Object.assign(this, { study, linkageOf, tell, page: 0, slow: true, holder: byId("curves-of-linkages") });
+  // `actions.select(row)`; `linkageOf(row)`: its RowLinkage.
+  constructor(study, linkageOf, actions) {
+    Object.assign(this, { study, linkageOf, actions, page: 0, slow: true, holder: byId("curves-of-linkages") });
     this.pager = new Pager(byId("atlas"), (page) => { this.page = page; this.draw(); });
   }
 
@@ -64,7 +64,7 @@ export class Atlas {
     const [u, v] = linkage.dimensions.coupler_point.map((x) => number(x, 3));
     const button = element("button", { type: "button", "data-row": row, "aria-label": say("atlas.curve", { n: this.study.ids[row] }), title: say("atlas.curve_title", { n: this.study.ids[row], u, v }) },
       drawing, element("span", {}, this.alone ? this.study.ids[row].toLocaleString(language) : `${u}, ${v}`));
-    button.addEventListener("click", () => this.tell.select(row));
+    button.addEventListener("click", () => this.actions.select(row));
     return button;
   }
 

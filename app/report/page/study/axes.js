@@ -81,7 +81,7 @@ export class Plane {
     new ResizeObserver(() => { if (this.holder.clientWidth !== this.width || this.holder.clientHeight !== this.height) this.later(); }).observe(this.holder);
   }
 
-  // Joins what is asked for within a frame into one drawing.
+  // Joins the requests of a frame into one drawing.
   later() {
     this.pending ??= requestAnimationFrame(() => { this.pending = undefined; this.draw(); });
   }

@@ -13,11 +13,11 @@ import { binSurface, gridSurface, triangleSurface } from "./surface.js";
 const LEVELS = 14;
 
 export class Contour extends Plane {
-  // `tell.select(row)`
-  constructor(holder, study, tell) {
+  // `actions.select(row)`
+  constructor(holder, study, actions) {
     super(holder, say("map.label"));
-    Object.assign(this, { study, tell, held: new Map(), method: null, slow: true });
-    this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) tell.select(row); });
+    Object.assign(this, { study, actions, held: new Map(), method: null, slow: true });
+    this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) actions.select(row); });
     this.root.addEventListener("pointermove", (event) => this.#hover(this.pointer(event)));
     this.root.addEventListener("pointerleave", () => this.showTip([0, 0], null));
   }

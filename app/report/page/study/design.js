@@ -15,9 +15,9 @@ import { filledIn, RowLinkage, TURN } from "./linkage.js";
 import { LinkageScene } from "./scene.js";
 
 export class DesignPanel {
-  // `tell.select(row)`
-  constructor(data, study, tell) {
-    Object.assign(this, { data, study, tell, phase: 0 });
+  // `actions.select(row)`
+  constructor(data, study, actions) {
+    Object.assign(this, { data, study, actions, phase: 0 });
     this.controls = new Controls((seconds) => this.turn((this.phase + (this.controls.player.pace * this.controls.player.speed * seconds * RADIANS))),
       (sense, large) => this.turn(this.phase + sense * (large ? 10 : 1) * RADIANS, true));
     this.scene = data.linkage ? new LinkageScene(byId("picture"), (phase) => this.turn(phase, true)) : null;
@@ -49,7 +49,7 @@ export class DesignPanel {
     const { rows } = this.study.filters;
     if (!rows.length) return;
     const place = rows.indexOf(this.study.selected);
-    this.tell.select(rows[(Math.max(0, place) + by + rows.length) % rows.length]);
+    this.actions.select(rows[(Math.max(0, place) + by + rows.length) % rows.length]);
   }
 
   // The value of a varied key in the row chosen.

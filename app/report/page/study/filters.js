@@ -36,20 +36,20 @@ export const d3Range = (count) => Array.from({ length: count }, (_, i) => i);
 
 // The table of columns: whether each is drawn, and the ends of its filter for the keyboard.
 export class ColumnTable {
-  // `tell.filter(column, range)`, `tell.show(column, shown)`
-  constructor(columns, tell) {
-    this.rows = columns.map((column) => ({ column, ...this.#row(column, tell) }));
+  // `actions.filter(column, range)`, `actions.show(column, shown)`
+  constructor(columns, actions) {
+    this.rows = columns.map((column) => ({ column, ...this.#row(column, actions) }));
     byId("columns-rows").replaceChildren(...this.rows.map(({ row }) => row));
   }
 
-  #row(column, tell) {
+  #row(column, actions) {
     const shown = element("input", { type: "checkbox", "aria-label": say("filters.show", { name: column.name }) });
-    shown.addEventListener("change", () => tell.show(column, shown.checked));
+    shown.addEventListener("change", () => actions.show(column, shown.checked));
     const ends = column.words ? this.#words(column) : this.#numbers(column);
     const range = () => ends.map((end, i) => (end.value === "" ? [-Infinity, Infinity][i] : Number(end.value)));
-    for (const end of ends) end.addEventListener("change", () => tell.filter(column, ends.every((e) => e.value === "") ? null : range()));
+    for (const end of ends) end.addEventListener("change", () => actions.filter(column, ends.every((e) => e.value === "") ? null : range()));
     const clear = element("button", { type: "button", class: "link", "aria-label": say("filters.clear_of", { name: column.name }) }, say("filters.clear"));
-    clear.addEventListener("click", () => tell.filter(column, null));
+    clear.addEventListener("click", () => actions.filter(column, null));
     const wanted = column.wanted ? element("span", { class: "wanted" }, ` ${say(column.wanted === "least" ? "filters.least" : "filters.greatest")}`) : "";
     const cells = [[element("span", { title: column.name }, column.label), wanted], [shown], [ends[0]], [ends[1]], [clear]];
     return { row: element("tr", {}, ...cells.map((parts) => element("td", {}, ...parts))), shown, ends, clear };

@@ -40,7 +40,7 @@ export class RowLinkage {
   }
 
   // Of two ranges, mirror images in the frame line, whether the drive starts in the lower one or, in
-  // none, comes to it first.
+  // none, reaches it first.
   #startsBelow(inner, outer) {
     const start = (this.dimensions.start ?? 0) - this.closure.frameAngle;
     const angle = start - TURN * Math.floor(start / TURN);

@@ -9,7 +9,7 @@ import { shorten, sized } from "./axes.js";
 // `least`: pixels that an axis takes where there is room, `narrow` where there is little, and its name stands upright.
 const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, narrow: 44, phone: 560, bins: 28, most: 14 };
 
-// What is not drawn at first: columns of one value, and of many those that are least asked for.
+// What is not drawn at first: columns of one value, and of many the least useful.
 function firstHidden(columns) {
   const varying = columns.filter((column) => !column.constant);
   const rank = (column) => (column.wanted ? 0 : column.role === "variable" ? 1 : 2);
@@ -18,9 +18,9 @@ function firstHidden(columns) {
 }
 
 export class Parallel {
-  // `tell.filter(column, range)`, `tell.changed()` where axes are hidden.
-  constructor(holder, study, tell) {
-    Object.assign(this, { holder, study, tell, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });
+  // `actions.filter(column, range)`, `actions.changed()` where axes are hidden.
+  constructor(holder, study, actions) {
+    Object.assign(this, { holder, study, actions, order: [...study.columns], hidden: firstHidden(study.columns), turned: new Set() });
     this.frame = element("div", { class: "parallel" });
     [this.back, this.front] = [element("canvas", { "aria-hidden": "true" }), element("canvas", { "aria-hidden": "true" })];
     this.root = svg("svg", { role: "group", "aria-label": say("parallel.axes") });
@@ -34,7 +34,7 @@ export class Parallel {
   show(column, shown) {
     if (shown) this.hidden.delete(column); else this.hidden.add(column);
     this.build();
-    this.tell.changed();
+    this.actions.changed();
   }
 
   move(column, by) {
@@ -125,7 +125,7 @@ export class Parallel {
 
   #brushed({ column, scale }, selection) {
     const ends = selection?.map((y) => scale.invert(y)).sort((a, b) => a - b);
-    this.tell.filter(column, !ends ? null : column.words ? [Math.ceil(ends[0]), Math.floor(ends[1])] : ends);
+    this.actions.filter(column, !ends ? null : column.words ? [Math.ceil(ends[0]), Math.floor(ends[1])] : ends);
   }
 
   // Of each row the height on each axis; what it lacks is below.

@@ -7,9 +7,9 @@ import { Pager } from "./atlas.js";
 const PAGE = 40;
 
 export class RowTable {
-  // `tell.select(row)`
-  constructor(study, tell) {
-    Object.assign(this, { study, tell, sortedBy: null, sense: 1, page: 0 });
+  // `actions.select(row)`
+  constructor(study, actions) {
+    Object.assign(this, { study, actions, sortedBy: null, sense: 1, page: 0 });
     this.pager = new Pager(byId("rows"), (page) => { this.page = page; this.draw(); });
     this.#head();
   }
@@ -59,7 +59,7 @@ export class RowTable {
     const star = best.has(row) ? [element("span", { class: "mark yes", title: say("row.best") }, " ★")] : [];
     const tr = element("tr", { "data-row": row }, element("td", {}, open, ...star),
       ...columns.map((column) => element("td", column.words ? {} : { class: "number" }, column.text(row))));
-    tr.addEventListener("click", () => this.tell.select(row));
+    tr.addEventListener("click", () => this.actions.select(row));
     return tr;
   }
 

@@ -9,14 +9,14 @@ import { Plane, tipLines } from "./axes.js";
 const NEAR = 14;  // pixels
 
 export class Scatter extends Plane {
-  // `tell.select(row)`
-  constructor(holder, study, tell) {
+  // `actions.select(row)`
+  constructor(holder, study, actions) {
     super(holder, say("scatter.label"));
-    Object.assign(this, { study, tell, transform: d3.zoomIdentity });
+    Object.assign(this, { study, actions, transform: d3.zoomIdentity });
     this.zoom = d3.zoom().scaleExtent([1, 400]).on("zoom", (event) => { this.transform = event.transform; this.later(); })
       .filter((event) => !event.button && (event.type !== "wheel" || event.ctrlKey || document.activeElement === this.root) && (!event.touches || event.touches.length > 1));
     d3.select(this.root).call(this.zoom);
-    this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) tell.select(row); });
+    this.root.addEventListener("click", (event) => { const row = this.#near(this.pointer(event)); if (row !== null) actions.select(row); });
     this.root.addEventListener("pointermove", (event) => this.#hover(this.pointer(event)));
     this.root.addEventListener("pointerleave", () => this.showTip([0, 0], null));
     this.root.addEventListener("keydown", (event) => this.#step(event));
@@ -94,7 +94,7 @@ export class Scatter extends Plane {
     const { values } = this.x;
     const order = [...this.rows].sort((a, b) => values[a] - values[b] || a - b);
     const place = order.indexOf(this.study.selected);
-    this.tell.select(order[Math.min(order.length - 1, Math.max(0, place + by))]);
+    this.actions.select(order[Math.min(order.length - 1, Math.max(0, place + by))]);
   }
 }
 

@@ -4,7 +4,7 @@
 
 import { d3Range } from "./filters.js";
 
-// What tells of a number of rows in a cell or at a node: the mean.
+// The value that represents the rows in a cell or at a node: the mean.
 class Means {
   constructor(size) { this.sums = new Float64Array(size); this.counts = new Int32Array(size); }
   add(i, value) { if (!Number.isNaN(value)) { this.sums[i] += value; this.counts[i] += 1; } }
