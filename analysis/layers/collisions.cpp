@@ -145,19 +145,20 @@ class CollisionFinder {
       return;
     }
     const double middle = 0.5 * (low + high);
+    const bool rising = motion_.start <= motion_.end;
     place(run, low, high);
     std::vector<std::size_t> left;
     for (const std::size_t pair : pairs) {
-      if (is_open(pair) && !is_settled(pair, middle, halvings)) left.push_back(pair);
+      if (is_open(pair) && !is_settled(pair, rising ? low : high, halvings)) left.push_back(pair);
     }
     if (left.empty()) return;
-    const bool rising = motion_.start <= motion_.end;
     examine(run, rising ? low : middle, rising ? middle : high, halvings + 1, left);
     examine(run, rising ? middle : low, rising ? high : middle, halvings + 1, left);
   }
 
-  /// Whether the pair needs no halves of the cell in which the bodies are placed.
-  bool is_settled(std::size_t pair, double middle, int halvings) {
+  /// Whether the pair needs no halves of the cell in which the bodies are placed, which begins at
+  /// `begin`.
+  bool is_settled(std::size_t pair, double begin, int halvings) {
     State& state = states_[pair];
     const Separation now =
         separation(placed_[state.first], placed_[state.second], state.required);
@@ -167,7 +168,7 @@ class CollisionFinder {
     const bool decide = now.undecided <= kResolution * size_ || halvings >= kMostHalvings ||
                         state.cells >= kMostCells;
     if (!decide) return false;
-    found_.pairs[pair] = {state.collides ? Passage::collides : Passage::unresolved, middle};
+    found_.pairs[pair] = {state.collides ? Passage::collides : Passage::unresolved, begin};
     return true;
   }
 
