@@ -160,8 +160,7 @@ class CollisionFinder {
   /// `begin`.
   bool is_settled(std::size_t pair, double begin, int halvings) {
     State& state = states_[pair];
-    const Separation now =
-        separation(placed_[state.first], placed_[state.second], state.required);
+    const Separation now = separation(placed_[state.first], placed_[state.second], state.required);
     if (now.free) return true;
     state.collides = state.collides || now.collides;
     ++state.cells;

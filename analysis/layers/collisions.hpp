@@ -43,8 +43,8 @@ struct Collisions {
 /// encloses the positions of all bodies for every position of the drive in the cell, and two plates
 /// are free in it where a line separates the enclosures with the clearance to spare: the one at
 /// right angles to the shortest connection in the middle of the cell. A cell in which that fails is
-/// halved, the earlier half first. A pair is given up as not free where the enclosures leave no more
-/// than 1e-9 of the mechanism's size to decide, after 45 halvings (near a position that is not
+/// halved, the earlier half first. A pair is given up as not free where the enclosures leave no
+/// more than 1e-9 of the mechanism's size to decide, after 45 halvings (near a position that is not
 /// determined), or after 200,000 cells; it collides where the enclosures overlap so far that the
 /// plates do, in one of the cells up to there. Once `stop`, asked at every cell, says so, it ends.
 Collisions find_collisions(const Mechanism<double>& mechanism, const AssemblyRanges& motion,

@@ -96,8 +96,8 @@ class PlatesMaker {
       rests_on_[body] = static_cast<int>(body);
     }
     for (const Slide& slide : slides_) {
-      const bool carries = std::ranges::find(slides_, slide.slider, &Slide::carrier) !=
-                           slides_.end();
+      const bool carries =
+          std::ranges::find(slides_, slide.slider, &Slide::carrier) != slides_.end();
       if (!carries && turns_about_origin(slide.slider)) {
         rests_on_[index(slide.slider)] = slide.carrier;
       }

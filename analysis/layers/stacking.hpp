@@ -30,10 +30,10 @@ struct StackProblem {
 struct Stack {
   std::vector<int> layers;  ///< of each link, from 1 above the base; empty where there is no stack
   int count = 0;
-  int crossings = 0;       ///< layers that pins cross without holding a link there
-  std::size_t tried = 0;   ///< layers tried on top of sets of links
-  LinkSet blocked = 0;     ///< where there is none: links that have none by themselves, and have one
-                           ///< without any of them
+  int crossings = 0;      ///< layers that pins cross without holding a link there
+  std::size_t tried = 0;  ///< layers tried on top of sets of links
+  LinkSet blocked = 0;    ///< where there is none: links that have none by themselves, and have one
+                          ///< without any of them
 };
 
 /// The stack of fewest layers, of these the one whose pins cross fewest.

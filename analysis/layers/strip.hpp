@@ -7,9 +7,9 @@
 
 namespace cognate {
 
-/// A quantity x of t, −1 ≤ t ≤ 1, of which |x(t) − middle − slope·t| ≤ radius is known. A number type
-/// of the mechanisms' kernel: each operation returns a strip that contains its result for all x
-/// from its operands, rounding included, and what they have in common through t cancels to first
+/// A quantity x of t, −1 ≤ t ≤ 1, of which |x(t) − middle − slope·t| ≤ radius is known. A number
+/// type of the mechanisms' kernel: each operation returns a strip that contains its result for all
+/// x from its operands, rounding included, and what they have in common through t cancels to first
 /// order, so that radii shrink with the square of the cell. A radius that is infinite or not a
 /// number says that nothing is known; it stays so in whatever is computed from it. (An affine form
 /// with one symbol: Stolfi and de Figueiredo, Self-Validated Numerical Methods, 1997.)
@@ -20,7 +20,8 @@ struct Strip {
 
   Strip() = default;
   Strip(double x) : middle(x) {}  // NOLINT: a number is a strip
-  Strip(double at_middle, double rise, double half) : middle(at_middle), slope(rise), radius(half) {}
+  Strip(double at_middle, double rise, double half)
+      : middle(at_middle), slope(rise), radius(half) {}
 
   /// No value is less, and none greater.
   double low() const { return middle - spread() - kRounding * magnitude(); }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/numbers/segment.hpp"
 #include "analysis/numbers/convex_hull.hpp"
+#include "analysis/numbers/segment.hpp"
 
 namespace cognate::app {
 namespace {

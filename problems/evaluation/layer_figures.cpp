@@ -70,8 +70,8 @@ void add_layers(const AnalysisProblem& problem, const AssemblyRanges& motion,
     result.notes.emplace_back("the links have no layers: the mechanism can be assembled nowhere");
     return;
   }
-  auto layers = assign_layers(problem.mechanism, motion, *problem.layers,
-                              [&] { return deadline.reached(); });
+  auto layers =
+      assign_layers(problem.mechanism, motion, *problem.layers, [&] { return deadline.reached(); });
   if (!layers) {
     result.notes.push_back(layers.error());
     return;

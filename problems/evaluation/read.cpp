@@ -1,3 +1,5 @@
+#include "problems/layers/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/read_output.hpp"
 #include "problems/evaluation/tolerance_scope.hpp"
-#include "problems/layers/read.hpp"
 #include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_links.hpp"

@@ -38,9 +38,9 @@ class LayerAssigner {
   tl::expected<LayerResult, std::string> assign(const std::function<bool()>& stop) {
     const std::size_t links = plates_.links.size();
     if (links > kMostStackedLinks || plates_.pins.size() > kMostPins) {
-      return tl::unexpected(fmt::format(
-          "the links have no layers: there are {}, and at most {} can be layered", links,
-          kMostStackedLinks));
+      return tl::unexpected(
+          fmt::format("the links have no layers: there are {}, and at most {} can be layered",
+                      links, kMostStackedLinks));
     }
     stack_.apart.assign(links, 0);
     for (const PlatePin& pin : plates_.pins) add_pin(pin);
@@ -86,8 +86,7 @@ class LayerAssigner {
     if (apart & bit(b)) return;
     apart |= bit(b);
     stack_.apart[static_cast<std::size_t>(b)] |= bit(a);
-    result_.conflicts.push_back(
-        {.first = name({a}), .second = name({b}), .kind = kind});
+    result_.conflicts.push_back({.first = name({a}), .second = name({b}), .kind = kind});
   }
 
   /// Everything that could be in one layer.
@@ -121,9 +120,8 @@ class LayerAssigner {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (found.pairs[i].passage == Passage::free) continue;
       const auto& [a, b] = parts[i];
-      const auto kind = found.pairs[i].passage == Passage::collides
-                            ? LayerConflictKind::collision
-                            : LayerConflictKind::unresolved;
+      const auto kind = found.pairs[i].passage == Passage::collides ? LayerConflictKind::collision
+                                                                    : LayerConflictKind::unresolved;
       result_.conflicts.push_back(
           {name(a), name(b), a.is_pin, b.is_pin, kind, found.pairs[i].drive});
       keep_apart(a, b);
@@ -132,7 +130,8 @@ class LayerAssigner {
   }
 
   void keep_apart(const Part& a, const Part& b) {
-    const auto first = static_cast<std::size_t>(a.number), second = static_cast<std::size_t>(b.number);
+    const auto first = static_cast<std::size_t>(a.number),
+               second = static_cast<std::size_t>(b.number);
     if (b.is_pin) {
       stack_.pins[first].pins_hit |= std::uint64_t{1} << second;
       stack_.pins[second].pins_hit |= std::uint64_t{1} << first;
@@ -149,8 +148,8 @@ class LayerAssigner {
     if (!stack.layers.empty()) result_.count = stack.count;
     for (std::size_t i = 0; i < plates_.links.size(); ++i) {
       const Part link{static_cast<int>(i)};
-      result_.links.push_back({name(link), 2 * plates_.links[i].radius,
-                               stack.layers.empty() ? 0 : stack.layers[i]});
+      result_.links.push_back(
+          {name(link), 2 * plates_.links[i].radius, stack.layers.empty() ? 0 : stack.layers[i]});
       if (stack.blocked & bit(link.number)) result_.blocked.push_back(name(link));
     }
     for (std::size_t i = 0; i < plates_.pins.size(); ++i) report_pin(static_cast<int>(i), stack);

@@ -18,9 +18,9 @@ inline constexpr std::array kLayerKeys{
     key<&LayerSizes::link_width>("link_width", "of every link, which has round ends", kLength),
     key<&LayerSizes::pin_diameter>("pin_diameter", "of every pin, no more than a link's width",
                                    kLength),
-    key<&LayerSizes::clearance>(
-        "clearance", "that links and pins of one layer keep from each other (default 0)",
-        kPlayRule),
+    key<&LayerSizes::clearance>("clearance",
+                                "that links and pins of one layer keep from each other (default 0)",
+                                kPlayRule),
     own_key<LayerSizes>(kLinkWidths, "{coupler = 8}: of links that have their own, by name")};
 
 }  // namespace cognate::problems::reading

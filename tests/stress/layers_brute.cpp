@@ -78,7 +78,8 @@ std::vector<BruteLayers::Pose> BruteLayers::poses(double drive) const {
   const auto place = [&](const Attached<double>& point) {
     const Pose& body = at[static_cast<std::size_t>(point.body)];
     const double c = std::cos(body.angle), s = std::sin(body.angle);
-    return Vec2d{body.x + c * point.at.x - s * point.at.y, body.y + s * point.at.x + c * point.at.y};
+    return Vec2d{body.x + c * point.at.x - s * point.at.y,
+                 body.y + s * point.at.x + c * point.at.y};
   };
   const auto& crank = std::get<Crank<double>>(mechanism_.mechanism.drive);
   at.push_back({crank.pivot.x, crank.pivot.y, drive});
@@ -108,8 +109,8 @@ std::vector<BruteLayers::Pose> BruteLayers::poses(double drive) const {
                     rrp.guide.through.y + v.x * rrp.guide.offset};
       const double foot = (a.x - t.x) * v.x + (a.y - t.y) * v.y;
       const double h = std::hypot(t.x + foot * v.x - a.x, t.y + foot * v.y - a.y);
-      const double ahead = (rrp.assembly == Assembly::open ? 1 : -1) *
-                           std::sqrt(rrp.length * rrp.length - h * h);
+      const double ahead =
+          (rrp.assembly == Assembly::open ? 1 : -1) * std::sqrt(rrp.length * rrp.length - h * h);
       const Vec2d pin{t.x + (foot + ahead) * v.x, t.y + (foot + ahead) * v.y};
       at.push_back({a.x, a.y, std::atan2(pin.y - a.y, pin.x - a.x)});
       at.push_back({pin.x, pin.y, std::atan2(v.y, v.x)});
@@ -142,7 +143,8 @@ void BruteLayers::add_parts(const problems::LayerSizes& sizes) {
       owner[static_cast<std::size_t>(n)] = n + 1;
       double near = kInfinite, far = -kInfinite;
       for (const auto& at : samples_) {
-        const Pose &block = at[static_cast<std::size_t>(n)], &bar = at[static_cast<std::size_t>(n) + 1];
+        const Pose &block = at[static_cast<std::size_t>(n)],
+                   &bar = at[static_cast<std::size_t>(n) + 1];
         const double s = std::hypot(block.x - bar.x, block.y - bar.y);
         near = std::min(near, s);
         far = std::max(far, s);
@@ -170,7 +172,8 @@ void BruteLayers::add_parts(const problems::LayerSizes& sizes) {
     for (const auto& own : sizes.widths) {
       if (own.link == mechanism_.bodies[body]) width = own.width;
     }
-    links_.push_back({mechanism_.bodies[body], static_cast<int>(body), corners[body], width / 2, {}});
+    links_.push_back(
+        {mechanism_.bodies[body], static_cast<int>(body), corners[body], width / 2, {}});
   }
   // Joints at one place of the first sample are one pin: cranks that start elsewhere keep others
   // apart.
@@ -181,7 +184,8 @@ void BruteLayers::add_parts(const problems::LayerSizes& sizes) {
     const Vec2d here{pose.x + std::cos(pose.angle) * at.at.x - std::sin(pose.angle) * at.at.y,
                      pose.y + std::sin(pose.angle) * at.at.x + std::cos(pose.angle) * at.at.y};
     std::size_t which = 0;
-    while (which < seen.size() && std::hypot(seen[which].x - here.x, seen[which].y - here.y) > 1e-7) {
+    while (which < seen.size() &&
+           std::hypot(seen[which].x - here.x, seen[which].y - here.y) > 1e-7) {
       ++which;
     }
     if (which == seen.size()) {
@@ -275,7 +279,8 @@ bool BruteLayers::is_allowed(const std::vector<int>& layers) const {
 double BruteLayers::interference(const problems::LayerResult& result) const {
   std::vector<int> layers;
   for (const Part& link : links_) {
-    const auto found = std::ranges::find(result.links, link.name, &problems::LayerResult::Link::name);
+    const auto found =
+        std::ranges::find(result.links, link.name, &problems::LayerResult::Link::name);
     if (found == result.links.end() || found->layer < 1) return kInfinite;
     layers.push_back(found->layer);
   }

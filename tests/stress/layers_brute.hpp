@@ -1,5 +1,5 @@
-/// @file The layers of links by brute force, sharing no code with the search: own closures by angles
-/// and circles, positions sampled, own distances, and every assignment tried.
+/// @file The layers of links by brute force, sharing no code with the search: own closures by
+/// angles and circles, positions sampled, own distances, and every assignment tried.
 #pragma once
 
 #include <optional>

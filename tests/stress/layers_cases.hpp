@@ -15,8 +15,8 @@ struct LayerCase {
   double from = 0, to = 0;  ///< of the one range in which it can be assembled
 };
 
-/// A Watt or Stephenson six-bar with plates of random widths, driven by its crank over the one range
-/// in which it can be assembled.
+/// A Watt or Stephenson six-bar with plates of random widths, driven by its crank over the one
+/// range in which it can be assembled.
 LayerCase random_six_bar(std::mt19937& random);
 
 /// How the layers of cases came out.

@@ -22,9 +22,10 @@ int main(int argc, char** argv) {
     ++faults;
     fmt::print("case {}: {}\n", i, fault);
   }
-  fmt::print("{} six-bars: {} in layers, {} in none; {} pairs undecided; {} against brute force; "
-             "least room {:.3g}\n",
-             cases, counts.assigned, counts.impossible, counts.unresolved, faults,
-             -counts.greatest_interference);
+  fmt::print(
+      "{} six-bars: {} in layers, {} in none; {} pairs undecided; {} against brute force; "
+      "least room {:.3g}\n",
+      cases, counts.assigned, counts.impossible, counts.unresolved, faults,
+      -counts.greatest_interference);
   return faults == 0 ? 0 : 1;
 }

@@ -54,8 +54,7 @@ TEST_P(LibraryLayers, AreTheFewest) {
 INSTANTIATE_TEST_SUITE_P(Library, LibraryLayers,
                          testing::Values("crank-rocker.toml", "watt-six-bar.toml",
                                          "stephenson-six-bar.toml", "shaper.toml",
-                                         "toggle-press.toml", "klann-leg.toml",
-                                         "jansen-leg.toml"));
+                                         "toggle-press.toml", "klann-leg.toml", "jansen-leg.toml"));
 
 }  // namespace
 }  // namespace cognate::test

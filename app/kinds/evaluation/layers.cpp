@@ -61,8 +61,9 @@ std::string listed(const std::vector<T>& all, const Text& text) {
 
 std::string headline(const LayerResult& result) {
   if (!result.count) return "no number of layers suffices";
-  return fmt::format("{} layer{} above the frame: no fewer suffice, all were tried ({} ways to go on)",
-                     *result.count, *result.count == 1 ? "" : "s", result.tried);
+  return fmt::format(
+      "{} layer{} above the frame: no fewer suffice, all were tried ({} ways to go on)",
+      *result.count, *result.count == 1 ? "" : "s", result.tried);
 }
 
 std::string links_text(const LayerResult& result, const Screen& screen) {
@@ -83,7 +84,8 @@ std::string pins_text(const LayerResult& result, const Screen& screen) {
     names.cells.push_back(printable(pin.name));
     joins.cells.push_back(
         listed(pin.joins, [](const std::string& name) { return printable(name); }));
-    crosses.cells.push_back(listed(pin.crosses, [](int layer) { return fmt::format("{}", layer); }));
+    crosses.cells.push_back(
+        listed(pin.crosses, [](int layer) { return fmt::format("{}", layer); }));
   }
   return table_text({names, joins, crosses}, screen);
 }
@@ -94,7 +96,8 @@ std::string part(const std::string& name, bool is_pin) {
 
 std::string conflicts_text(const LayerResult& result, bool drive_slides, const Screen& screen) {
   Column parts{"cannot share a layer", Align::left, {}}, why{"why", Align::left, {}};
-  Column places{drive_slides ? "first at slide [length]" : "first at crank [deg]", Align::right, {}};
+  Column places{
+      drive_slides ? "first at slide [length]" : "first at crank [deg]", Align::right, {}};
   const std::size_t shown = std::min(kShownConflicts, result.conflicts.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const LayerConflict& conflict = result.conflicts[i];
@@ -103,8 +106,9 @@ std::string conflicts_text(const LayerResult& result, bool drive_slides, const S
     why.cells.emplace_back(words_of(conflict.kind).words);
     const double place = conflict.drive.value_or(0);
     places.cells.push_back(
-        conflict.drive ? fmt::format("{:.6g}", (drive_slides ? place : problems::degrees(place)) + 0.0)
-                       : "–");
+        conflict.drive
+            ? fmt::format("{:.6g}", (drive_slides ? place : problems::degrees(place)) + 0.0)
+            : "–");
   }
   if (shown == 0) return {};
   std::string text = table_text({parts, why, places}, screen);
