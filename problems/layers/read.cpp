@@ -26,10 +26,6 @@ void read_widths(TableReader& table, const NamedMechanism& mechanism, LayerSizes
     const std::string& name = mechanism.bodies[body];
     if (const auto width = widths.number(name, kLength)) sizes.widths.push_back({name, *width});
   }
-  if (sizes.widths.empty() && table.has_table(kLinkWidths)) {
-    table.fault(kLinkWidths,
-                fmt::format("names no link; expected {{{} = ...}}", mechanism.bodies.at(1)));
-  }
   widths.finish();
 }
 

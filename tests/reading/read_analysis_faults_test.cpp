@@ -57,9 +57,8 @@ const std::vector<FaultCase> kSimpleCases = {
      four_bar("[layers]\nlink_width = 0.2\npin_diameter = 0.3\n"
               "widths = {couplr = 0.4, frame = 1}\n"),
      {{10, 16, "layers.pin_diameter is 0.3, wider than a link of 0.2"},
-      {11, 1, "layers.widths names no link; expected {crank = ...}"},
-      {11, 11, "did you mean \"coupler\"?"},
-      {11, 25, "layers.widths.frame"}}},
+      {11, 11, "unknown key \"couplr\" in [layers.widths]; did you mean \"coupler\"?"},
+      {11, 25, "unknown key \"frame\" in [layers.widths]; allowed are"}}},
     {"TypeMisspelt",
      "kind = \"analysis\"\n[mechanism]\ntype = \"four bar\"\ncrank = 1\n[[link]]\nmass = 1\n",
      {{3, 8, "perhaps for \"four-bar\""}, {5, 1, "link[1].between is missing"}}},
