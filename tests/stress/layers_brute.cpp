@@ -59,6 +59,32 @@ double hulls(const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
   return holds(a, b.front()) || holds(b, a.front()) ? 0 : least;
 }
 
+/// The worst room of all that shares a layer; by `layers` of the links, from 1.
+double worst_room(const std::vector<int>& layers, const std::vector<std::pair<int, int>>& reach,
+                  const std::vector<std::vector<char>>& member,
+                  const std::vector<std::vector<double>>& link_link,
+                  const std::vector<std::vector<double>>& pin_link,
+                  const std::vector<std::vector<double>>& pin_pin) {
+  double room = kInfinite;
+  for (std::size_t a = 0; a < layers.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (layers[a] == layers[b]) room = std::min(room, link_link[a][b]);
+    }
+  }
+  for (std::size_t p = 0; p < reach.size(); ++p) {
+    for (std::size_t b = 0; b < layers.size(); ++b) {
+      const bool between = reach[p].first < layers[b] && layers[b] < reach[p].second;
+      if (between && !member[p][b]) room = std::min(room, pin_link[p][b]);
+    }
+    for (std::size_t q = 0; q < p; ++q) {
+      const int low = std::max(reach[p].first, reach[q].first);
+      const int high = std::min(reach[p].second, reach[q].second);
+      if (high - low >= 2) room = std::min(room, pin_pin[p][q]);
+    }
+  }
+  return room;
+}
+
 }  // namespace
 
 BruteLayers::BruteLayers(const problems::NamedMechanism& mechanism,
@@ -175,8 +201,7 @@ void BruteLayers::add_parts(const problems::LayerSizes& sizes) {
     links_.push_back(
         {mechanism_.bodies[body], static_cast<int>(body), corners[body], width / 2, {}});
   }
-  // Joints at one place of the first sample are one pin: cranks that start elsewhere keep others
-  // apart.
+  // Joints that coincide at the second sample are one pin.
   std::vector<Vec2d> seen;
   for (const Joint& joint : joints) {
     const Attached<double>& at = joint.places.front();
@@ -239,33 +264,6 @@ void BruteLayers::measure() {
       }
     }
   }
-}
-
-/// The worst room of all that shares a layer; by `layers` of the links, from 1.
-static double worst_room(const std::vector<int>& layers,
-                         const std::vector<std::pair<int, int>>& reach,
-                         const std::vector<std::vector<char>>& member,
-                         const std::vector<std::vector<double>>& link_link,
-                         const std::vector<std::vector<double>>& pin_link,
-                         const std::vector<std::vector<double>>& pin_pin) {
-  double room = kInfinite;
-  for (std::size_t a = 0; a < layers.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      if (layers[a] == layers[b]) room = std::min(room, link_link[a][b]);
-    }
-  }
-  for (std::size_t p = 0; p < reach.size(); ++p) {
-    for (std::size_t b = 0; b < layers.size(); ++b) {
-      const bool between = reach[p].first < layers[b] && layers[b] < reach[p].second;
-      if (between && !member[p][b]) room = std::min(room, pin_link[p][b]);
-    }
-    for (std::size_t q = 0; q < p; ++q) {
-      const int low = std::max(reach[p].first, reach[q].first);
-      const int high = std::min(reach[p].second, reach[q].second);
-      if (high - low >= 2) room = std::min(room, pin_pin[p][q]);
-    }
-  }
-  return room;
 }
 
 bool BruteLayers::is_allowed(const std::vector<int>& layers) const {

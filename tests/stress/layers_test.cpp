@@ -44,7 +44,9 @@ TEST_P(LibraryLayers, AreTheFewest) {
     ASSERT_TRUE(layers);
     const BruteLayers brute(mechanism, sizes, run.from, run.to, 720);
     EXPECT_EQ(layers->count, brute.fewest()) << width;
-    if (layers->count) EXPECT_LT(brute.interference(*layers), 0) << width;
+    if (layers->count) {
+      EXPECT_LT(brute.interference(*layers), 0) << width;
+    }
     for (const auto& conflict : layers->conflicts) {
       EXPECT_TRUE(brute.confirms(conflict, 1e-5 * crank)) << conflict.first << conflict.second;
     }
