@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "analysis/layers/strip.hpp"
 #include "analysis/mechanism/convert.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "problems/basics/degrees.hpp"
 #include "problems/layers/assign.hpp"
