@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/documents/tolerance_catalogue.hpp"
+#include "problems/layers/keys.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
@@ -93,6 +94,8 @@ constexpr Entry kOutputTable[] = {
     {"reactions, torque", "true by default where there are masses or loads"},
     {"points", "names of those to report (default: all that move)"}};
 
+constexpr auto kLayersTable = entries_of(problems::reading::kLayerKeys);
+
 constexpr KeyedEntry kAnalysisTables[] = {
     {"[[pivot]]", "of a chain: a point of the frame", kPivotTable},
     {"[crank]", "of a chain: what drives", kCrankTable},
@@ -103,7 +106,8 @@ constexpr KeyedEntry kAnalysisTables[] = {
     {"gravity", "[gx, gy] in length/s2 (default [0, 0]); a key, not a table", {}},
     {"[drive]", "how the crank, or the driving slider, moves", kDriveTable},
     {"[output]", "what is computed; the rest is skipped", kOutputTable},
-    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries},
+    {"[layers]", "in how many layers the links pass each other", kLayersTable}};
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "analysis/mechanism/joints.hpp"
-#include "app/drawing/convex_hull.hpp"
+#include "analysis/numbers/convex_hull.hpp"
 
 namespace cognate::app {
 namespace {

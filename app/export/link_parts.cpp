@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/numbers/convex_hull.hpp"
 #include "analysis/numbers/segment.hpp"
-#include "app/drawing/convex_hull.hpp"
 
 namespace cognate::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/export/hull_distance.hpp"
+#include "analysis/numbers/hull_distance.hpp"
 #include "app/export/part_sheet.hpp"
 
 namespace cognate::app {

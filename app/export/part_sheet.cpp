@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "app/export/hull_distance.hpp"
+#include "analysis/numbers/hull_distance.hpp"
 #include "app/export/link_parts.hpp"
 
 namespace cognate::app {

@@ -5,7 +5,7 @@
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/drawing/convex_hull.hpp"
+#include "analysis/numbers/convex_hull.hpp"
 #include "app/drawing/design_motion.hpp"
 #include "app/drawing/drive_span.hpp"
 #include "app/drawing/mechanism_poses.hpp"

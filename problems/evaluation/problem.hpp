@@ -11,6 +11,7 @@
 #include "analysis/mechanism/mechanism.hpp"
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/mechanism/load_rule.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/tolerance/tolerances.hpp"
@@ -52,6 +53,7 @@ struct AnalysisProblem {
   std::vector<LoadRule> loads;
   Vec2d gravity{};
   std::optional<Tolerances> tolerances{};
+  std::optional<LayerSizes> layers{};
 };
 
 template <>

@@ -1,3 +1,5 @@
+#include "problems/layers/read.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -144,8 +146,9 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   check_coupler_curve(output, mechanism, problem);
   if (document.faults().size() == 0) {
     problem.tolerances = read_tolerances(document, tolerance_scope(problem.mechanism));
+    problem.layers = read_layers(document, problem.mechanism);
   } else {
-    document.know({"tolerance"});  // its names are those of a sound mechanism
+    document.know({"tolerance", "layers"});  // their names are those of a sound mechanism
   }
   mechanism.finish();
   return problem;

@@ -52,6 +52,7 @@ struct AnalysisResult {
   std::vector<Quantity> quantities;  ///< of the motion as a whole
   std::vector<Cognate> cognates;
   std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
+  std::optional<LayerResult> layers{};         ///< where the file has layers
   Work work;
   std::vector<std::string> notes;
 };

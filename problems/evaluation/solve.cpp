@@ -19,6 +19,7 @@
 #include "problems/evaluation/force_extremes.hpp"
 #include "problems/evaluation/force_units.hpp"
 #include "problems/evaluation/instant_geometry.hpp"
+#include "problems/evaluation/layer_figures.hpp"
 #include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/motion_quantities.hpp"
 #include "problems/evaluation/motion_summary.hpp"
@@ -336,6 +337,9 @@ AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
   add_forces(result, problem, rows, deadline);
   append(result.quantities, check_quantities(rows));
   add_tolerances(problem, rows, run, deadline, result);
+  if (problem.layers && !deadline.reached()) {
+    add_layers(problem, summarised_assembly_ranges(problem, rows, deadline), deadline, result);
+  }
   result.work = work_of(problem, rows, run, deadline);
   result.columns = std::move(rows.plan.columns);
   std::erase_if(result.columns, [](const Column& column) {

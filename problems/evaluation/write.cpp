@@ -5,6 +5,7 @@
 
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/tolerance_scope.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/mechanism/write_mechanism.hpp"
 
@@ -82,6 +83,7 @@ reading::Written KindTraits<AnalysisProblem>::written(const AnalysisProblem& pro
                      .set("output", output_writer(problem, all.faults))
                      .append(body_tables(problem, {}, all.faults))
                      .append(tolerance_table(problem.tolerances, judges_angle(problem)))
+                     .append(layers_table(problem.layers))
                      .take();
   return all;
 }

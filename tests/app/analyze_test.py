@@ -48,6 +48,18 @@ TRIPLE_ROCKER = CRANK_ROCKER.replace("[4, 0]", "[2, 0]").replace("crank = 1", "c
 
 NOWHERE = CRANK_ROCKER.replace("[4, 0]", "[40, 0]")
 
+LAYERS = """
+[layers]
+link_width = 0.3
+pin_diameter = 0.15
+clearance = 0.02
+"""
+
+# Both cranks sweep over the pivot of the other, the driving one first at its bottom right.
+DRAG_LINK = CRANK_ROCKER.replace("[4, 0]", "[1, 0]").replace("crank = 1", "crank = 3").replace(
+    "coupler = 3", "coupler = 2.5").replace("coupler_point = [1.5, 1]", "").replace(
+        "[drive]", "[drive]\nstart_deg = 90") + LAYERS
+
 # Takes seconds: as many rows as a file may ask for, of a long chain.
 LONG = """
 kind = "analysis"
@@ -223,6 +235,32 @@ class Analyze(unittest.TestCase):
             parse(run("analyze", file, "--json", "--threads", n).stdout)["analysis"] for n in (1, 3)
         )
         self.assertEqual(one, three)
+
+    def test_layers_keep_links_apart(self):
+        file = self.write(CRANK_ROCKER.replace("coupler_point = [1.5, 1]", "") + LAYERS)
+        document = self.document_of(run("analyze", file, "--json", cwd=self.folder))
+        layers = document["designs"][0]["layers"]
+        self.assertEqual(layers["count"], 2)
+        self.assertEqual({link["name"]: link["layer"] for link in layers["links"]},
+                         {"crank": 1, "coupler": 2, "rocker": 1})
+        self.assertEqual({pin["name"]: pin["joins"] for pin in layers["pins"]},
+                         {"A": ["frame", "crank"], "B": ["crank", "coupler"],
+                          "C": ["coupler", "rocker"], "D": ["frame", "rocker"]})
+        self.assertEqual(document["designs"][0]["metrics"]["layers"], {"count": 2, "pin_crossings": 0})
+        self.assertEqual(document["problem"]["layers"],
+                         {"link_width": 0.3, "pin_diameter": 0.15, "clearance": 0.02})
+
+    def test_links_that_block_each_other_are_named(self):
+        document = self.document_of(run("analyze", self.write(DRAG_LINK), "--json", cwd=self.folder))
+        layers = document["designs"][0]["layers"]
+        self.assertIsNone(layers["count"])
+        self.assertEqual(layers["blocked"], ["crank", "rocker"])
+        self.assertTrue(all(link["layer"] is None for link in layers["links"]))
+        met = next(conflict for conflict in layers["conflicts"]
+                   if conflict["pins"] == ["D"] and conflict["links"] == ["crank"])
+        # Where D, 1 from A, is half the sum of both widths and the clearance from the crank.
+        self.assertAlmostEqual(met["first_at_deg"], 360 - math.degrees(math.asin(0.245)), places=5)
+        self.assertTrue(any("crank and rocker block each other" in note for note in document["notes"]))
 
     def test_what_cannot_be_assembled_is_empty(self):
         file = self.write(TRIPLE_ROCKER)

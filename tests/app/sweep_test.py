@@ -122,6 +122,20 @@ class SweepTest(Sweeps):
         self.assertEqual(sorted(best), rows)
         self.assertEqual(best, sorted(best, key=lambda row: (-row[4], row[0])))
 
+    def test_numbers_of_layers_are_metrics(self):
+        """Cranks that sweep over each other's pivots have no layers, those of a longer frame two."""
+        (self.folder / "linkage.toml").write_text(
+            'kind = "analysis"\n[mechanism]\ntype = "four-bar"\nfixed_pivots = [[0, 0], [4, 0]]\n'
+            "crank = 3\ncoupler = 2.5\nrocker = 3\n"
+            "[layers]\nlink_width = 0.3\npin_diameter = 0.15\n")
+        (self.folder / "layers.toml").write_text(
+            'base = "linkage.toml"\n[[vary]]\nkey = "mechanism.fixed_pivots[1][0]"\nvalues = [1, 5.2]\n'
+            '[output]\nmetrics = ["layers.count"]\nrows = "all"\n[filter]\n"layers.count" = {max = 2}\n')
+        done = self.run_program("sweep", "layers.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([row[2:] for row in self.rows("layers.study.db")],
+                         [(None, "filtered"), (2, "solved")])
+
     def test_document(self):
         done = self.run_program("sweep", "small.toml", "--json", "--out", "deep/er")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -52,6 +52,7 @@ VALUES = {
                       "multiplier", "energy_residual", "start_time_s", "start_turns",
                       "start_end_speed_rad_s", "stop_time_s", "stop_turns",
                       "stop_end_speed_rad_s"],
+    "layers.": ["joint", "slide", "collision", "unresolved"],
     "loads.": ["load", "weight", "drive"],
     "machine.task.": ["steady", "start", "stop"],
     "map.": ["grid", "triangles", "bins"],

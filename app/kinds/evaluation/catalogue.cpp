@@ -70,6 +70,8 @@ constexpr Metric kAnalysisMetrics[] = {
      "the crank angle there; reaction_max_at: displacement"},
     {"reaction_max_unbounded_at_deg.P_on_LINK", "deg",
      "instead of both: the dead or change point near which it grows without bound"},
+    {"layers.count", "1", "fewest layers above the frame in which links pass each other (layers)"},
+    {"layers.pin_crossings", "1", "layers that pins cross without holding a link there (layers)"},
     {"closure_residual", "1", "maximum gap at a joint over the size of the mechanism"},
     {"power_residual", "1", "torque of the reactions less that of virtual work, over its maximum"},
     {"defects", "", "always empty for an analysis"}};

@@ -5,6 +5,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/tolerance_json.hpp"
 #include "app/kinds/evaluation/kind.hpp"
+#include "app/kinds/evaluation/layers.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
 
@@ -92,6 +93,7 @@ ordered_json Kind<AnalysisProblem>::design_json(const AnalysisProblem& problem,
   table["constraints"] = ordered_json::array();
   table["origin"] = "given";
   if (result.tolerance) table["tolerance"] = tolerance_json(*result.tolerance);
+  if (result.layers) table["layers"] = layers_json(*result.layers, drive_slides(problem));
   return table;
 }
 

@@ -17,6 +17,8 @@ using problems::AnalysisProblem;
 using problems::MetricNames;
 using Names = std::vector<std::string>;
 
+constexpr std::string_view kOfLayers = "layers.";
+
 /// The joint whose force has this column, "B_on_coupler_Fx_N" or "block_on_bar_N"; one column of
 /// each joint has one.
 std::optional<std::string> joint_of_force(std::string_view column) {
@@ -100,7 +102,9 @@ MetricNames Kind<AnalysisProblem>::metric_names(const AnalysisProblem& base) {
     }
   }
   add_reactions(names, base);
-  std::erase_if(names.names, [&](const auto& name) { return !has(base, name.name); });
+  std::erase_if(names.names, [&](const auto& name) {
+    return !has(base, name.name) || (!base.layers && name.name.starts_with(kOfLayers));
+  });
   add_values(names.names, mechanism_json(base.mechanism), "mechanism");
   return names;
 }
@@ -110,6 +114,7 @@ Evaluated Kind<AnalysisProblem>::evaluate(const AnalysisProblem& problem, const 
   AnalysisProblem asked = problem;
   asked.output = needed_output(names);
   if (!any_starts(names, {"tolerance_"})) asked.tolerances.reset();
+  if (!any_starts(names, {kOfLayers})) asked.layers.reset();
   const auto result = problems::analyse(asked, run);
   Evaluated evaluated{result.status, ordered_json::object()};
   if (result.closed_rows == 0) return evaluated;

@@ -13,6 +13,7 @@
 #include "app/documents/csv.hpp"
 #include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/evaluation/kind.hpp"
+#include "app/kinds/evaluation/layers.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "problems/basics/degrees.hpp"
@@ -118,6 +119,7 @@ std::string Kind<AnalysisProblem>::table(const AnalysisProblem& problem,
   text += quantity_table(result.quantities, screen);
   append_landmarks(text, problem, result, screen);
   if (result.tolerance) text += tolerance_table(*result.tolerance, screen);
+  if (result.layers) text += layers_table(*result.layers, drive_slides(problem), screen);
   text += '\n';
   text += notes_text(result.notes);
   text +=

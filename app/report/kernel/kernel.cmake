@@ -133,7 +133,7 @@ cognate_page_kernel(analysis_kernel
   analysis/mechanism/transmission_extremes.cpp
   analysis/mechanism/travel.cpp
   analysis/numbers/chebyshev_series.cpp
-  app/drawing/convex_hull.cpp
+  analysis/numbers/convex_hull.cpp
   app/drawing/mechanism_poses.cpp
   app/drawing/mechanism_shapes.cpp
   app/report/analysis_report_data.cpp

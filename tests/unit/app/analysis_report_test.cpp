@@ -12,7 +12,7 @@
 #include "analysis/linkage/slider_crank.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/drawing/convex_hull.hpp"
+#include "analysis/numbers/convex_hull.hpp"
 #include "app/drawing/mechanism_poses.hpp"
 #include "app/drawing/mechanism_shapes.hpp"
 #include "app/kinds/kinds.hpp"

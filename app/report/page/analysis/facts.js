@@ -15,7 +15,7 @@ export function showFacts(facts, drive, mechanism) {
   const range = say("range.to", { from: `${number(drive.from, 6)}${unit}`, to: `${number(drive.to, 6)}${unit}` });
   const speed = drive.kind === "slider" ? `${number(drive.speed, 5)} ${say("unit.speed")}` : `${number(drive.speed * RADIANS, 5)} rad/s`;
   byId("facts-list").replaceChildren(
-    ...[...factRows(facts.filter(({ name }) => !isOfComputation(name) && !name.startsWith("tolerance_")))].flatMap(([key, { text = "", place, exact }]) =>
+    ...[...factRows(facts.filter(({ name }) => !isOfComputation(name) && !/^(tolerance_|layers\.)/.test(name)))].flatMap(([key, { text = "", place, exact }]) =>
       fact(factName(key), place ? say("fact.at", { value: text, place }).trim() : text, typeof exact === "number" ? String(exact) : undefined)),
     ...fact(say("facts.drive", { name: term(drive.name) }), range), ...fact(say("facts.drive_speed"), speed), ...fact(say("facts.moving_bodies"), String(mechanism.bodies.length - 1)));
   // Residuals are relative: of a size of one.

@@ -24,6 +24,7 @@ import { Vectors } from "../vectors.js";
 import { say, term } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { showFacts, showLandmarks, Values } from "./facts.js";
+import { showLayers } from "./layers.js";
 import { Loci, lociSheets } from "./loci.js";
 import { analysisSheets, landmarkColour, partColours } from "./sheets.js";
 import { partName, Table } from "./table.js";
@@ -185,7 +186,7 @@ function showAnalysis(edited, problem, drive) {
   set(byId("drive"), { min: mechanism.from, max: mechanism.to });
   showProblem(problem, say("kind.analysis"));
   showAll(edited ?? data, (edited ?? result).notes);
-  markOriginal(["work", "tolerances"], Boolean(edited));
+  markOriginal(["work", "tolerances", "layers"], Boolean(edited));
   drawScene();
   choose(new Set(table.parts.filter((part) => state.parts.has(part))));
 }
@@ -222,6 +223,7 @@ showHead(result, say("kind.analysis"), [say("count.moving_bodies", { n: mechanis
 showWork(result.work);
 showAll(data, result.notes);
 showTolerances();
+showLayers(result.designs?.[0]?.layers, driveText, (drive) => goTo(drive, true));
 followTheme(() => { curves.redraw(); tolerances.redraw(); });
 if (!result.analysis?.columns) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));

@@ -14,10 +14,10 @@ export class AnalysisKernel extends Kernel {
   // Everything that the page shows.
   whole(problem) { return this.#ask(problem, 1); }
 
-  // {faults: sentences} of what the program would refuse. The kernel does not know tolerances.
+  // {faults: sentences} of what the program would refuse. The kernel does not know tolerances and layers.
   #ask(problem, whole) {
     const numbers = [];
-    const text = written.encode(encoded({ ...problem, tolerance: null }, numbers));
+    const text = written.encode(encoded({ ...problem, tolerance: null, layers: null }, numbers));
     const at = this.calls.room(text.length);
     this.put(numbers);
     new Uint8Array(this.calls.memory.buffer, at, text.length).set(text);

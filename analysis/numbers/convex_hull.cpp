@@ -1,11 +1,11 @@
-#include "app/drawing/convex_hull.hpp"
+#include "analysis/numbers/convex_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
 
-namespace cognate::app {
+namespace cognate {
 namespace {
 
 bool turns_left(const Vec2d& a, const Vec2d& b, const Vec2d& c, double tolerance) {
@@ -46,4 +46,4 @@ std::vector<Vec2d> convex_hull(std::vector<Vec2d> points, double tolerance) {
   return hull;
 }
 
-}  // namespace cognate::app
+}  // namespace cognate
