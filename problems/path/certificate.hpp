@@ -3,6 +3,7 @@
 
 #include "problems/linkage/certifying.hpp"
 #include "problems/path/problem.hpp"
+#include "synthesis/lanes/path_proof.hpp"
 
 namespace cognate::problems {
 
@@ -10,6 +11,8 @@ namespace cognate::problems {
 struct PathDomain {
   /// One for each sense in which the crank may turn.
   std::vector<synthesis::PathBound> bounds;
+  /// Likewise, where all four proportions are unknown; else empty.
+  std::vector<synthesis::PathProver> provers;
   std::vector<synthesis::ProportionBox> roots;
   double to_file = 1;  ///< sums of squares in the file's unit for one in the path's
   std::string text;

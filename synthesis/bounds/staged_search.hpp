@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ struct StageOptions {
   int threads = 0;                     ///< as in `thread_count`
   std::size_t most_boxes = 4'000'000;  ///< that wait for a stage at once; more ends the search
   std::function<bool()> stop;          ///< whether to end early; asked by all threads
-  /// Called now and then with the share of the stage's volume done and the bound reached.
+  /// Called now and then with the share done, all stages taken for alike, and the bound reached.
   std::function<void(double share, double lower)> progress;
 };
 
@@ -48,13 +49,14 @@ class StagedSearch {
     std::vector<Node> open;
     for (const Box& root : roots) open.push_back({root, -1, 1 / double(roots.size())});
     BranchResult result{0, false, 0};
-    for (std::size_t stage = 0; stage < options_.targets.size(); ++stage) {
-      target_ = options_.targets[stage];
+    for (const double target : options_.targets) {
+      target_ = target;
       lower_ = result.lower;
       open = search(std::move(open));
       result.boxes = boxes_;
       if (stopped_) return result;
       result.lower = target_;
+      ++stage_;
       if (open.size() > options_.most_boxes) break;
     }
     result.complete = open.empty();
@@ -130,7 +132,9 @@ class StagedSearch {
         works[i].waiting = {};
       }
       if (options_.stop && options_.stop()) stopped_ = true;
-      if (options_.progress) options_.progress(done_, lower_);
+      if (options_.progress) {
+        options_.progress((stage_ + done_) / double(options_.targets.size()), lower_);
+      }
     }
   }
 
@@ -175,6 +179,7 @@ class StagedSearch {
   const Judge& judge_;
   const Halves& halves_;
   double target_ = 0, lower_ = 0, done_ = 0;
+  int stage_ = 0;
   std::uint64_t boxes_ = 0;
   std::atomic<bool> stopped_ = false;
 };
