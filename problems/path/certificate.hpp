@@ -21,7 +21,7 @@ struct PathDomain {
 /// Of a problem with prescribed timing. Limits that would make the bound no better or cost it too
 /// much are left out, so that more designs are looked at than the file allows: those of the
 /// rocker's pivot, of a crank pivot that is not given, of the frame's direction unless it is given,
-/// and the three defects.
+/// the three defects, and with four unknowns limits of lengths beyond what their ratios say.
 PathDomain path_domain(const PathProblem& problem);
 
 /// The weighted sum of squares that the search minimises, in the file's unit.

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,7 +34,8 @@ struct StageOptions {
   int threads = 0;                     ///< as in `thread_count`
   std::size_t most_boxes = 4'000'000;  ///< that wait for a stage at once; more ends the search
   std::function<bool()> stop;          ///< whether to end early; asked by all threads
-  /// Called now and then with the share done, all stages taken for alike, and the bound reached.
+  /// Called by the caller's thread now and then, with the share done, all stages taken for alike,
+  /// and the bound reached.
   std::function<void(double share, double lower)> progress;
 };
 
@@ -57,7 +59,6 @@ class StagedSearch {
       if (stopped_) return result;
       result.lower = target_;
       ++stage_;
-      if (open.size() > options_.most_boxes) break;
     }
     result.complete = open.empty();
     return result;
@@ -115,36 +116,41 @@ class StagedSearch {
     }
   }
 
-  /// Runs `work` of each index to the end of `body`, and takes up what they found.
+  /// Runs `body` of all `works` and takes up what they found, in their order.
   template <class Body>
   void share_out(std::vector<Work>& works, std::vector<Node>& waiting, const Body& body) {
-    constexpr int kTogether = 64;  // between reports
-    const int count = static_cast<int>(works.size());
-    for (int first = 0; first < count && !stopped_; first += kTogether) {
-      const int size = std::min(kTogether, count - first);
-      parallel_for(size, options_.threads, [&](int i, int) { body(works[first + i]); });
-      for (int i = first; i < first + size; ++i) {
-        boxes_ += works[i].boxes;
-        done_ += works[i].done;
-        if (works[i].stuck) stopped_ = true;
-        waiting.insert(waiting.end(), std::make_move_iterator(works[i].waiting.begin()),
-                       std::make_move_iterator(works[i].waiting.end()));
-        works[i].waiting = {};
-      }
-      if (options_.stop && options_.stop()) stopped_ = true;
-      if (options_.progress) {
+    std::mutex reporting;
+    parallel_for(static_cast<int>(works.size()), options_.threads, [&](int i, int thread) {
+      if (is_over()) return;
+      body(works[i]);
+      if (works[i].stuck) stopped_ = true;
+      const std::scoped_lock lock(reporting);
+      done_ += works[i].done;
+      waiting_ += works[i].waiting.size();
+      if (waiting_ > options_.most_boxes) stopped_ = true;
+      if (thread == 0 && options_.progress) {
         options_.progress((stage_ + done_) / double(options_.targets.size()), lower_);
       }
+    });
+    for (Work& work : works) {
+      boxes_ += work.boxes;
+      waiting.insert(waiting.end(), std::make_move_iterator(work.waiting.begin()),
+                     std::make_move_iterator(work.waiting.end()));
+      work.waiting = {};
     }
+  }
+
+  bool is_over() {
+    if (!stopped_ && options_.stop && options_.stop()) stopped_ = true;
+    return stopped_;
   }
 
   /// Brings all of `open` to the stage's target. What waits for the next stage.
   std::vector<Node> search(std::vector<Node> open) {
     std::vector<Node> waiting;
-    done_ = 0;
-    double whole = 0;
-    for (const Node& node : open) whole += node.share;
-    done_ = 1 - whole;
+    waiting_ = 0;
+    done_ = 1;
+    for (const Node& node : open) done_ -= node.share;
     while (!open.empty() && open.size() < kSubtrees && !stopped_) {
       std::vector<Work> works = groups(open, kBatch / 2);
       share_out(works, waiting, [&](Work& work) { step(work, kBatch); });
@@ -157,10 +163,7 @@ class StagedSearch {
     std::vector<Work> works = groups(open, kGroup);
     share_out(works, waiting, [&](Work& work) {
       while (!work.stack.empty() && !work.stuck) {
-        if (stopped_ || (options_.stop && options_.stop())) {
-          stopped_ = true;
-          return;
-        }
+        if (is_over()) return;
         step(work, kBatch);
       }
     });
@@ -179,6 +182,7 @@ class StagedSearch {
   const Judge& judge_;
   const Halves& halves_;
   double target_ = 0, lower_ = 0, done_ = 0;
+  std::size_t waiting_ = 0;
   int stage_ = 0;
   std::uint64_t boxes_ = 0;
   std::atomic<bool> stopped_ = false;

@@ -12,70 +12,11 @@
 /// least and greatest β of the box serve.
 #pragma once
 
+#include "synthesis/lanes/coupler_ranges.hpp"
+#include "synthesis/lanes/lanes_complex.hpp"
 #include "synthesis/lanes/taylor_model.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
-
-/// An angle over a box: half its width, sine and cosine of half its middle and of half that width.
-struct HalfAngles {
-  Real half, sine, cosine, half_sine, half_cosine;
-};
-
-struct LanesBox {
-  Real k, half_k;
-  Real side;      ///< m = side·(2k − 1)
-  Real assembly;  ///< ±1
-  HalfAngles first, second, phase;
-};
-
-struct LanesRange {
-  Real low, high, middle;
-
-  Real width() const { return high - low; }
-};
-
-/// 1 − cos and 1 + cos of an angle over a box.
-struct Versines {
-  LanesRange versine, reach;
-};
-
-inline Versines versines_of(const HalfAngles& angle) {
-  constexpr double kSlack = 2e-15;
-  const Real a = angle.sine * angle.half_cosine, b = angle.cosine * angle.half_sine;
-  const Real c = angle.cosine * angle.half_cosine, d = angle.sine * angle.half_sine;
-  const auto range = [&](const Real& first, const Real& last, const Real& other_first,
-                         const Real& other_last, const Real& middle) {
-    const Real one = magnitude(first), two = magnitude(last);
-    const Mask known = angle.half < Real(3.0);
-    const Real least = larger(smaller(one, two) - Real(kSlack), Real(0.0));
-    const Real greatest = smaller(larger(one, two) + Real(kSlack), Real(1.0));
-    LanesRange r;
-    r.low = choose(known && (first * last > Real(0.0)), Real(2.0) * least * least, Real(0.0));
-    r.high = choose(known && (other_first * other_last > Real(0.0)),
-                    Real(2.0) * greatest * greatest, Real(2.0));
-    r.middle = Real(2.0) * middle * middle;
-    return r;
-  };
-  return {range(a - b, a + b, c + d, c - d, angle.sine),
-          range(c + d, c - d, a - b, a + b, angle.cosine)};
-}
-
-/// tan(β/2) = n/m over a box.
-struct TangentRange {
-  LanesRange n, m;
-
-  /// By how much β may differ from that of the middle.
-  Real spread() const {
-    const auto change = [](const Real& n0, const Real& m0, const Real& n1, const Real& m1) {
-      const Real left = n1 * m0, right = n0 * m1;
-      return (left - right + Real(kPad) * (left + right)) / (m1 * m0 + n1 * n0);
-    };
-    const Real up = change(n.middle, m.middle, n.high, m.low);
-    const Real down = change(m.middle, n.middle, m.high, n.low);
-    // The greater of two is a number where one of them is none: their sum is not.
-    return Real(2 + 8 * kPad) * (larger(up, down) + Real(0.0) * (up + down));
-  }
-};
 
 /// An angle as a model without its constant.
 using AngleModel = Model<kAllSides>;
@@ -86,6 +27,12 @@ struct CouplerTurn {
   AngleModel turn;
   Real doubt[4];  ///< what each side adds to the rest, roughly, where the range is used
   Mask counted;   ///< false: nothing is known
+};
+
+/// Of the logarithms of a = 1 ± D/p: a bound of X at the middle, and Σ 1/a with the numerators'
+/// magnitudes, which multiplies rounding.
+struct LogSizes {
+  Real constant, rounding;
 };
 
 /// What all samples share.
@@ -101,19 +48,15 @@ class CouplerModels {
   CouplerTurn at(const Real& half_sine, const Real& half_cosine) const;
 
  private:
-  struct Place;
-  Place place(const Real& half_sine, const Real& half_cosine) const;
-  TangentRange tangent(const Versines& crank) const;
+  using Place = CrankPlace;
   Model<kKP> diagonal_turn(const Place& place) const;
-  Model<kKP> diagonal_change(const Place& place) const;
   AngleModel coupler_change(const Place& place, const TangentRange& tangent, Mask& valid) const;
   Real change_rest(const AngleModel& bar, const AngleModel& to, const AngleModel& x,
-                   const Real& x_constant, const Real& sine, const Real& tanh) const;
+                   const LogSizes& sizes, const Real& sine, const Real& tanh) const;
   void share_doubt(const Place& place, const Real& spread, CouplerTurn& turn) const;
 
   LanesBox box_;
-  Versines first_, second_;
-  LanesRange inner_, product_;  ///< m and κ
+  CouplerRanges ranges_;
   Model<kK> kappa_;
   Model<kSecondSide> inverse_;  ///< s
   Real reference_;              ///< c̄
@@ -129,13 +72,6 @@ class CouplerModels {
   /// Where β is known by its range alone: whether β̄ is then taken as a model, and what is unknown
   /// of it.
   Real keep_bar_, rest_bar_;
-};
-
-struct CouplerModels::Place {
-  HalfAngles crank;
-  Real cosine, sine;
-  Versines versines;
-  Real square, d;  ///< d² and d at the middle
 };
 
 /// sin β and −cos β from tan(β/2) = n/m
@@ -155,23 +91,9 @@ inline TaylorCoefficients angle_by_log(const Real& sine, const Real& tanh, const
 }
 
 inline CouplerModels::CouplerModels(const LanesBox& box, const Real& mean_cosine)
-    : box_(box), first_(versines_of(box.first)), second_(versines_of(box.second)) {
+    : box_(box), ranges_(box) {
   const Real one(1.0), two(2.0);
-  const auto inner_at = [&](const Real& k) {
-    return smaller(one, larger(Real(0.0), box.side * (two * k - one)));
-  };
-  inner_.middle = inner_at(box.k);
-  const Real slack = two * box.half_k + Real(kPad);
-  inner_.low = larger(Real(0.0), inner_.middle - slack);
-  inner_.high = smaller(one, inner_.middle + slack);
-  const auto product_at = [&](const Real& inner) {
-    return Real(0.25) * (one - inner) * (one + inner);
-  };
-  product_.low = product_at(inner_.high) * Real(1 - kPad);
-  product_.high = product_at(inner_.low) * Real(1 + kPad);
-  product_.middle = box.k * (one - box.k);
-
-  kappa_.at[0] = product_.middle;
+  kappa_.at[0] = ranges_.product.middle;
   kappa_.at[1] = (one - two * box.k) * box.half_k;
   kappa_.at[2] = -box.half_k * box.half_k;
   kappa_.at[3] = kappa_.rest = Real(0.0);
@@ -211,7 +133,7 @@ inline CouplerModels::CouplerModels(const LanesBox& box, const Real& mean_cosine
   angle_bar_.pad((one + steepness_) * (one + log_bar_.spread()));
 
   const auto constant = [&](const Real& sum) { return LanesRange{sum, sum, sum}; };
-  spread_bar_ = tangent({constant(one - reference_), constant(one + reference_)}).spread();
+  spread_bar_ = ranges_.tangent({constant(one - reference_), constant(one + reference_)}).spread();
   bar_valid_ = bar_valid_ && (spread_bar_ < Real(4.0)) && (steepness_ < Real(1e8)) &&
                (angle_bar_.rest < Real(4.0));
   // Where β is known by its range alone, β − β̄ is known best with β̄ as a model or by its range.
@@ -221,87 +143,6 @@ inline CouplerModels::CouplerModels(const LanesBox& box, const Real& mean_cosine
   rest_bar_ = choose(bar_valid_, choose(modelled, angle_bar_.rest, spread_bar_), Real(0.0));
   for (Real& coefficient : angle_bar_.at) coefficient = choose(bar_valid_, coefficient, Real(0.0));
   angle_bar_.measure();
-}
-
-inline CouplerModels::Place CouplerModels::place(const Real& half_sine,
-                                                 const Real& half_cosine) const {
-  Place p;
-  const HalfAngles& phase = box_.phase;
-  p.crank = phase;
-  p.crank.sine = half_sine * phase.cosine + half_cosine * phase.sine;
-  p.crank.cosine = half_cosine * phase.cosine - half_sine * phase.sine;
-  p.cosine = (p.crank.cosine - p.crank.sine) * (p.crank.cosine + p.crank.sine);
-  p.sine = Real(2.0) * p.crank.sine * p.crank.cosine;
-  p.versines = versines_of(p.crank);
-  p.square =
-      inner_.middle * inner_.middle + Real(2.0) * product_.middle * p.versines.versine.middle;
-  p.d = root(p.square);
-  return p;
-}
-
-/// In sums without cancellation: d − m = 2κ(1 − cos)/(d + m) and 1 − d = 2κ(1 + cos)/(1 + d). d
-/// grows with m and 1 − cos, d − m falls with m.
-inline TangentRange CouplerModels::tangent(const Versines& crank) const {
-  const Real one(1.0), two(2.0);
-  const auto diagonal = [&](const Real& inner, const Real& product, const Real& versine) {
-    return root(inner * inner + two * product * versine);
-  };
-  const auto beyond = [&](const Real& inner, const Real& product, const Real& versine) {
-    const Real twice = two * product * versine;
-    return twice / (root(inner * inner + twice) + inner + Real(1e-200));
-  };
-  const LanesRange& v = crank.versine;
-  const LanesRange beyond_inner = {beyond(inner_.high, product_.low, v.low),
-                                   beyond(inner_.low, product_.high, v.high),
-                                   beyond(inner_.middle, product_.middle, v.middle)};
-  const Real d_low = diagonal(inner_.low, product_.high, v.low);
-  const Real d_high = diagonal(inner_.high, product_.low, v.high);
-  const Real d = diagonal(inner_.middle, product_.middle, v.middle);
-  const auto side = [&](const LanesRange& versine) {  // d ∓ δ
-    return LanesRange{beyond_inner.low + inner_.low * versine.low,
-                      beyond_inner.high + inner_.high * versine.high,
-                      beyond_inner.middle + inner_.middle * versine.middle};
-  };
-  const auto lacking = [&](const Real& product, const Real& reach, const Real& at,
-                           const Real& versine) {  // 1 − s d
-    return two * product * reach / (one + at) + at * versine;
-  };
-  const LanesRange near = side(first_.versine), far = side(first_.reach);
-  const LanesRange& eta = second_.versine;
-  const LanesRange low_side = {lacking(product_.low, crank.reach.low, d_high, eta.low),
-                               lacking(product_.high, crank.reach.high, d_low, eta.high),
-                               lacking(product_.middle, crank.reach.middle, d, eta.middle)};
-  const auto added = [&](const Real& at, const Real& versine) {
-    return one + (one - versine) * at;
-  };
-  const LanesRange high_side = {added(d_low, eta.high), added(d_high, eta.low),
-                                added(d, eta.middle)};
-  const auto geometric = [](const LanesRange& a, const LanesRange& b) {
-    return LanesRange{root(a.low * b.low) * Real(1 - kPad), root(a.high * b.high) * Real(1 + kPad),
-                      root(a.middle * b.middle)};
-  };
-  return {geometric(near, low_side), geometric(far, high_side)};
-}
-
-struct LanesComplex {
-  Real x, y;
-};
-inline LanesComplex operator*(const LanesComplex& a, const LanesComplex& b) {
-  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
-inline LanesComplex operator*(const Real& a, const LanesComplex& b) {
-  return {a * b.x, a * b.y};
-}
-inline LanesComplex operator+(const LanesComplex& a, const LanesComplex& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-inline LanesComplex operator-(const LanesComplex& a, const LanesComplex& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-/// |a| or up to 8 % more, without a root.
-inline Real about_size(const LanesComplex& a) {
-  const Real x = magnitude(a.x), y = magnitude(a.y);
-  return larger(x, y) + Real(0.41421357) * smaller(x, y);
 }
 
 /// The change of arg z, z = k − (1 − k)e^{iθ} along the diagonal: the imaginary part of
@@ -350,8 +191,8 @@ inline Model<CouplerModels::kKP> CouplerModels::diagonal_turn(const Place& p) co
 /// The bound of what the series of β(L) − β(L̄) = ∫₀¹ S(L̄ + v X) X dv leaves, where S = 1/cosh L:
 /// the product of X with a model of S that holds for all v at once.
 inline Real CouplerModels::change_rest(const AngleModel& bar, const AngleModel& to,
-                                       const AngleModel& x, const Real& x_constant,
-                                       const Real& sine, const Real& tanh) const {
+                                       const AngleModel& x, const LogSizes& sizes, const Real& sine,
+                                       const Real& tanh) const {
   const Real l = larger(bar.linear, to.linear), q = larger(bar.quadratic, to.quadratic);
   const Real c = larger(bar.cubic, to.cubic), r = larger(bar.rest, to.rest);
   const Real e = c + r, g = q + e, whole = l + g, whole2 = whole * whole;
@@ -364,11 +205,13 @@ inline Real CouplerModels::change_rest(const AngleModel& bar, const AngleModel& 
                            Real(kThird / 6) * g * (Real(3.0) * l * (l + g) + g * g) +
                            Real(kFourth / 24) * whole2 * whole2 / (Real(1.0) - whole));
   const Real s_whole = s + s_linear + s_quadratic + s_cubic;
-  const Real x_whole = x_constant + x.spread();
+  const Real x_whole = sizes.constant + x.spread();
   Real rest = s_linear * x.cubic + s_quadratic * (x.quadratic + x.cubic) +
               s_cubic * (x.linear + x.quadratic + x.cubic) + s_whole * x.rest +
               s_rest * (x_whole + x.rest);
-  rest = rest * Real(1 + kPad) + Real(kPad) * (Real(1.0) + steepness_) * (Real(1.0) + whole);
+  // The series are about β and β̄ at the middle, which the logarithms meet up to their rounding.
+  const Real rounded = Real(1.0) + whole + Real(2.0) * s * whole * sizes.rounding;
+  rest = rest * Real(1 + kPad) + Real(kPad) * (Real(1.0) + steepness_) * rounded;
   return choose(whole < Real(0.9), rest, Real(1e3));
 }
 
@@ -383,10 +226,12 @@ inline AngleModel CouplerModels::coupler_change(const Place& p, const TangentRan
   const Model<kKP> change = kappa_ * scaled(Real(-2.0), cosine, Real(2.0) * reference_) *
                             reciprocal(plus(d, one, bar_), valid);
   const auto sided = inverse_ * change;
-  Real constant(0.0);
+  LogSizes sizes{Real(0.0), Real(0.0)};
   const auto log_of = [&](const Real& sign, const auto& x) {
     const auto a = scaled(sign, x, one);
-    constant = constant + magnitude(x.at[0]) / smaller(one, a.at[0]);
+    const Real size = magnitude(x.at[0]);
+    sizes.constant = sizes.constant + Real(0.5) * size / smaller(one, a.at[0]);
+    sizes.rounding = sizes.rounding + (one + size) / a.at[0];
     return logarithm(a, valid);
   };
   const auto near = log_of(one, change * by_p1_), far = log_of(one, change * by_p2_);
@@ -404,54 +249,27 @@ inline AngleModel CouplerModels::coupler_change(const Place& p, const TangentRan
   AngleModel turn = composed(angle_by_log(sine, tanh, Real(0.0)), to);
   const Real rounded = turn.spread() + angle_bar_.spread();
   turn = plus(turn, Real(-1.0), angle_bar_);
-  turn.rest = change_rest(bar, to, x, Real(0.5) * constant, sine, tanh);
+  turn.rest = change_rest(bar, to, x, sizes, sine, tanh);
   turn.pad(rounded);
   return turn;
 }
 
-/// Shares what is unknown of a direction known by its range among the sides by how much each
-/// changes the factors of n and m.
+/// Shares what is unknown of a direction known by its range among the sides.
 inline void CouplerModels::share_doubt(const Place& p, const Real& spread,
                                        CouplerTurn& turn) const {
-  const Real two(2.0), one(1.0), tiny(1e-30);
-  const Versines& v = p.versines;
-  const Real beyond = two * product_.middle * v.versine.middle / (p.d + inner_.middle + tiny);
-  const Real by_k = box_.half_k * inner_.middle / (product_.middle + tiny);
-  const Real d_by_phase = product_.middle * Real(0.5) * v.versine.width() / (p.d + tiny);
-  const Real d_by_k = box_.half_k * inner_.middle * v.reach.middle / (p.d + tiny);
-  const Real s = one - second_.versine.middle;
-  Real doubt[4] = {Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
-  const auto add = [&](const LanesRange& versine) {  // d ∓ δ
-    const Real k = beyond * by_k + two * box_.half_k * versine.middle;
-    const Real first = inner_.middle * Real(0.5) * versine.width();
-    const Real most = beyond + inner_.middle * versine.middle + k + first + d_by_phase + tiny;
-    doubt[0] = doubt[0] + k / most;
-    doubt[1] = doubt[1] + first / most;
-    doubt[3] = doubt[3] + d_by_phase / most;
-  };
-  add(first_.versine);
-  add(first_.reach);
-  for (const double sign : {-1.0, 1.0}) {  // 1 ∓ s d
-    const Real second = p.d * Real(0.5) * second_.versine.width();
-    const Real k = s * d_by_k, phase = s * d_by_phase;
-    const Real most = larger(one + Real(sign) * s * p.d, Real(0.0)) + second + k + phase + tiny;
-    doubt[0] = doubt[0] + k / most;
-    doubt[2] = doubt[2] + second / most;
-    doubt[3] = doubt[3] + phase / most;
-  }
-  const Real whole = doubt[0] + doubt[1] + doubt[2] + doubt[3] + tiny;
-  for (int i = 0; i < 4; ++i) turn.doubt[i] = spread * doubt[i] / whole;
+  ranges_.share(p, turn.doubt);
+  for (Real& doubt : turn.doubt) doubt = spread * doubt;
   // Of β̄ where that is known by its range.
   const Real of_bar =
-      choose(keep_bar_ > Real(0.0), Real(0.0), rest_bar_) / (angle_bar_.linear + tiny);
+      choose(keep_bar_ > Real(0.0), Real(0.0), rest_bar_) / (angle_bar_.linear + Real(1e-30));
   for (int i = 0; i < 3; ++i) {
     turn.doubt[i] = turn.doubt[i] + of_bar * magnitude(angle_bar_.at[1 + i]);
   }
 }
 
 inline CouplerTurn CouplerModels::at(const Real& half_sine, const Real& half_cosine) const {
-  const Place p = place(half_sine, half_cosine);
-  const TangentRange range = tangent(p.versines);
+  const Place p = ranges_.place(half_sine, half_cosine);
+  const TangentRange range = ranges_.tangent(p.versines);
   Mask valid = bar_valid_;
   AngleModel change = coupler_change(p, range, valid);
   const Real own = change.quadratic + change.cubic + change.rest;
@@ -468,8 +286,8 @@ inline CouplerTurn CouplerModels::at(const Real& half_sine, const Real& half_cos
   result.turn = plus(plus(psi, box_.assembly, change),
                      choose(ranged, -box_.assembly * keep_bar_, zero), angle_bar_);
   result.turn.rest = psi.rest + rest;
-  const Real square_low =
-      inner_.low * inner_.low + Real(2.0) * product_.high * p.versines.versine.low;
+  const Real square_low = ranges_.inner.low * ranges_.inner.low +
+                          Real(2.0) * ranges_.product.high * p.versines.versine.low;
   result.turn.pad(Real(4.0) + result.turn.spread() + psi.spread() + change_size +
                   Real(4.0) / square_low);
   result.counted = (square_low > Real(1e-8)) && (result.turn.rest < Real(1.0)) &&

@@ -56,6 +56,7 @@ inline Real least_over_box(const LanesQuadratic& q, const Real& wanted, int most
   }
   const Real lost = shifts + Real(1e-13) * (size + shifts);
   Real best(-1e300);
+  Mask open = best < Real(0.0);  // lanes that are decided stay as they are, whatever the others do
   for (int sweep = 0; sweep < most_sweeps;) {
     for (int inner = 0; inner < 4; ++inner, ++sweep) {
       for (int i = 0; i < 4; ++i) {
@@ -76,8 +77,8 @@ inline Real least_over_box(const LanesQuadratic& q, const Real& wanted, int most
       value = value + (q.slope[i] + half_slope) * t[i];
       below = below + half_slope * t[i] + magnitude(half_slope);
     }
-    best = larger(best, value - Real(2.0) * below - lost);
-    const Mask open = best < wanted && (value - lost) >= wanted;
+    best = choose(open, larger(best, value - Real(2.0) * below - lost), best);
+    open = open && best < wanted && (value - lost) >= wanted;
     if (!any(open)) break;
   }
   return best;

@@ -1,22 +1,19 @@
-/// @file Whether the error of a timed path surely exceeds a target over boxes of proportions, one
-/// in each lane. Include in kernels alone.
+/// @file The samples of a timed path over boxes of proportions, one box in each lane, and the forms
+/// of their coupler's directions. Include in kernels alone.
 ///
-/// As in path_bound.hpp the error is at least F where H(u) = κ(U(u) + λ) − |b(u)|² ≥ 0, a form in
-/// the directions u of the coupler. Over a box, with τ the turn of a direction,
+/// Over a box, with τ the turn of a direction u,
 ///
 ///     u = u₀(1 + i g·t + [i tᵀQt/2 − (g·t)²/2]) + rest,
 ///
-/// and H is taken apart by degree: up to the second exactly, the third by its coefficients, the
-/// fourth and the rest by norms.
+/// and the forms are those of u₀, the four u₀ i g and the ten coefficients of the bracket.
 #pragma once
 
 #include "synthesis/lanes/coupler_models.hpp"
-#include "synthesis/lanes/least_over_lanes.hpp"
+#include "synthesis/lanes/lanes_complex.hpp"
 #include "synthesis/lanes/path_proof_kernel.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
 
-inline constexpr int kPathSweeps = 24;
 inline constexpr int kPairs = 10;  // monomials of degree 2 in the four sides
 
 /// One sample over a box, relative to the others.
@@ -46,65 +43,35 @@ struct PathForms {
   LanesComplex point[kForms];  ///< b
 };
 
-/// The place of the monomial t_i t_j.
-constexpr int pair_of(int i, int j) {
-  return i <= j ? i * 4 - i * (i - 1) / 2 + (j - i) : pair_of(j, i);
-}
-
 /// What the sums of one pass over the samples give besides those of the forms.
 struct PathTotals {
   LanesComplex e{Real(0.0), Real(0.0)}, z{Real(0.0), Real(0.0)}, pulled{Real(0.0), Real(0.0)};
   Real rest{0.0}, reach{0.0};
 };
 
-/// What is left of H's least value over the box, κ and Σ ‖∇H‖, where q's limit has the multiplier
-/// `on_point`.
-struct PathExcess {
-  Real least, kappa, gradients;
-};
-
-class PathProof {
+/// The samples of a path over kLanes boxes.
+class PathSamples {
  public:
-  explicit PathProof(const PathProofTask& task)
+  explicit PathSamples(const PathProofTask& task)
       : task_(task), sample_(reinterpret_cast<PathSample*>(task.workspace)) {}
 
-  /// Judges the boxes [first, first + kLanes).
-  void judge(int first);
-
- private:
-  LanesBox load_box(int first) const;
+  /// The directions of the coupler, without what they have in common.
   void enclose(const LanesBox& box);
-  void take_common_out();
   void weigh_by_rest();
   PathForms sums() const;
+
+ private:
+  void take_common_out();
   void add_sample(int j, PathForms& forms, LanesComplex* mean, LanesComplex* crank) const;
   void add_totals(int j, PathForms& forms, PathTotals& totals) const;
-  void eliminate(PathForms& forms, const PathTotals& totals, const LanesComplex* mean,
-                 LanesComplex* crank, const Real& per_weight, const Real& per_form) const;
-  PathExcess excess(const PathForms& forms, double target) const;
-  PathExcess excess_with(const PathForms& forms, double target, const Real& on_point) const;
-  Real best_side(const LanesBox& box, const PathForms& forms, const PathExcess& excess) const;
+  static void eliminate(PathForms& forms, const PathTotals& totals, const LanesComplex* mean,
+                        LanesComplex* crank, const Real& per_weight, const Real& per_form);
 
   const PathProofTask& task_;
   PathSample* sample_;
 };
 
-inline LanesBox PathProof::load_box(int first) const {
-  const auto number = [&](int which) { return load(task_.box + which * kProofBoxes + first); };
-  const auto angle = [&](int which) {
-    const int at = proof_angles + 5 * which;
-    return HalfAngles{number(at), number(at + 1), number(at + 2), number(at + 3), number(at + 4)};
-  };
-  return {number(proof_k),
-          number(proof_half_k),
-          number(proof_side),
-          number(proof_assembly),
-          angle(0),
-          angle(1),
-          angle(2)};
-}
-
-inline void PathProof::enclose(const LanesBox& box) {
+inline void PathSamples::enclose(const LanesBox& box) {
   const HalfAngles& phase = box.phase;
   const Real sine = Real(2.0) * phase.sine * phase.cosine;
   const Real cosine = (phase.cosine - phase.sine) * (phase.cosine + phase.sine);
@@ -121,11 +88,12 @@ inline void PathProof::enclose(const LanesBox& box) {
     s.rest = turn.turn.rest;
     s.weight = choose(turn.counted, Real(task_.weight[j]), Real(0.0));
   }
+  take_common_out();
 }
 
 /// Any polynomial may be taken out of all angles alike: the mean of those known best. Then the
 /// samples' rests are those of u.
-inline void PathProof::take_common_out() {
+inline void PathSamples::take_common_out() {
   Real slope[4], curve[kPairs], cubic[20], weight(1e-300);
   const auto clear = [](auto& values) {
     for (Real& value : values) value = Real(0.0);
@@ -172,7 +140,7 @@ inline void PathProof::take_common_out() {
 
 /// Less weight to samples of which little is known: any weights up to the true ones bound the
 /// error.
-inline void PathProof::weigh_by_rest() {
+inline void PathSamples::weigh_by_rest() {
   Real inverse(0.0), count(0.0);
   for (int j = 0; j < task_.samples; ++j) {
     const Mask counted = sample_[j].weight > Real(0.0);
@@ -187,27 +155,8 @@ inline void PathProof::weigh_by_rest() {
   }
 }
 
-/// conj(a) b
-inline LanesComplex conjugate_product(const LanesComplex& a, const LanesComplex& b) {
-  return {a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x};
-}
-inline Real dot(const LanesComplex& a, const LanesComplex& b) {
-  return a.x * b.x + a.y * b.y;
-}
-inline Real squared(const LanesComplex& a) {
-  return a.x * a.x + a.y * a.y;
-}
-inline void add_to(LanesComplex& sum, const LanesComplex& part) {
-  sum.x = sum.x + part.x;
-  sum.y = sum.y + part.y;
-}
-/// (re + i im) a
-inline LanesComplex turned(const Real& re, const Real& im, const LanesComplex& a) {
-  return {re * a.x - im * a.y, re * a.y + im * a.x};
-}
-
-inline void PathProof::add_sample(int j, PathForms& f, LanesComplex* mean,
-                                  LanesComplex* crank) const {
+inline void PathSamples::add_sample(int j, PathForms& f, LanesComplex* mean,
+                                    LanesComplex* crank) const {
   const PathSample& s = sample_[j];
   const Real w = s.weight;
   const LanesComplex u{w * s.x, w * s.y};
@@ -239,7 +188,7 @@ inline void PathProof::add_sample(int j, PathForms& f, LanesComplex* mean,
   }
 }
 
-inline void PathProof::add_totals(int j, PathForms& f, PathTotals& sum) const {
+inline void PathSamples::add_totals(int j, PathForms& f, PathTotals& sum) const {
   const Real zero(0.0), one(1.0);
   const PathSample& s = sample_[j];
   const Real w = s.weight;
@@ -262,7 +211,7 @@ inline void PathProof::add_totals(int j, PathForms& f, PathTotals& sum) const {
   sum.reach = larger(sum.reach, choose(counted, whole, zero));
 }
 
-inline PathForms PathProof::sums() const {
+inline PathForms PathSamples::sums() const {
   PathForms f;
   LanesComplex mean[kForms], crank[kForms];
   const Real zero(0.0), one(1.0);
@@ -291,9 +240,9 @@ inline PathForms PathProof::sums() const {
 }
 
 /// Eliminates t, the pivot where it is free, and s, the crank.
-inline void PathProof::eliminate(PathForms& f, const PathTotals& totals, const LanesComplex* mean,
-                                 LanesComplex* crank, const Real& per_weight,
-                                 const Real& per_form) const {
+inline void PathSamples::eliminate(PathForms& f, const PathTotals& totals, const LanesComplex* mean,
+                                   LanesComplex* crank, const Real& per_weight,
+                                   const Real& per_form) {
   const LanesComplex pulled = totals.pulled - per_weight * conjugate_product(totals.e, totals.z);
   f.residual = f.squares - per_weight * squared(totals.z) - per_form * squared(pulled);
   for (int i = 0; i < kForms; ++i) {
@@ -313,143 +262,6 @@ inline void PathProof::eliminate(PathForms& f, const PathTotals& totals, const L
       f.size_pair[b][a] = less(f.size_pair[b][a], 1 + a, 1 + b);
     }
     for (int n = 0; n < kPairs; ++n) f.size_aw[a][n] = less(f.size_aw[a][n], 1 + a, 5 + n);
-  }
-}
-
-/// The sum of the absolute coefficients of H's terms of third degree.
-inline Real third_degree(const PathForms& f, const Real& kappa) {
-  using All = Monomials<kAllSides>;
-  Real cubic[20];
-  for (Real& sum : cubic) sum = Real(0.0);
-  unrolled<4>([&](auto side) {
-    unrolled<kPairs>([&](auto pair) {
-      constexpr int a = decltype(side)::value, m = decltype(pair)::value;
-      constexpr int to =
-          All::place(All::kPowers[1 + a] + All::kPowers[All::kQuadratic + m]) - All::kCubic;
-      cubic[to] = cubic[to] + kappa * f.size_aw[a][m] - dot(f.point[1 + a], f.point[5 + m]);
-    });
-  });
-  Real sum(0.0);
-  for (const Real& coefficient : cubic) sum = sum + magnitude(coefficient);
-  return Real(2.0) * sum;
-}
-
-inline PathExcess PathProof::excess_with(const PathForms& f, double target,
-                                         const Real& on_point) const {
-  const double far = task_.farthest_point;
-  const Real far_square(std::isfinite(far) ? far * far : 0.0), zero(0.0);
-  PathExcess result;
-  const Real kappa = f.residual - on_point * far_square - Real(target) -
-                     f.rounding * (f.squares + on_point * far_square);
-  result.kappa = kappa;
-  const Real unsure = f.rounding * (kappa * (f.weight + on_point) + f.weight * f.squares);
-  const Real unsure_gradient =
-      f.rounding * f.weight * (kappa * kappa + (f.residual + Real(2.0) * kappa) * f.squares);
-  const auto gradient = [&](const Real& size, const Real& squared_point) {
-    const Real square = kappa * kappa * size + (f.residual - Real(2.0) * kappa) * squared_point;
-    return root(larger(zero, square) + unsure_gradient);
-  };
-  LanesQuadratic h;
-  h.constant = kappa * (f.size_00 + on_point) - squared(f.point[0]);
-  result.gradients = gradient(f.size_00, squared(f.point[0]));
-  Real fourth(0.0);
-  for (int a = 0, m = 0; a < 4; ++a) {
-    h.slope[a] = kappa * f.size_0[a] - dot(f.point[0], f.point[1 + a]);
-    result.gradients = result.gradients + gradient(f.size_pair[a][a], squared(f.point[1 + a]));
-    for (int b = a; b < 4; ++b, ++m) {
-      const Real curved = kappa * f.size_0w[m] - dot(f.point[0], f.point[5 + m]);
-      h.a[b][a] = kappa * f.size_pair[b][a] - dot(f.point[1 + a], f.point[1 + b]) +
-                  (a == b ? Real(2.0) * curved : curved);
-      result.gradients = result.gradients + gradient(f.size_w[m], squared(f.point[5 + m]));
-      fourth = fourth + about_size(f.point[5 + m]);
-    }
-  }
-  const Real lost = third_degree(f, kappa) + fourth * fourth +
-                    f.rest * (Real(2.0) * result.gradients + f.residual * f.rest) + unsure;
-  const Real wanted = lost * Real(1 + 1e-12);
-  const Real least = least_over_box(h, wanted, kPathSweeps) - wanted;
-  result.least = choose(f.valid && kappa > zero, least, Real(-1e300));
-  return result;
-}
-
-inline PathExcess PathProof::excess(const PathForms& f, double target) const {
-  const double far = task_.farthest_point;
-  const Real zero(0.0);
-  const Real start = larger(zero, root(squared(f.point[0])) * Real(1 / far) - f.size_00);
-  PathExcess result = excess_with(f, target, start);
-  if (!std::isfinite(far)) return result;
-  // Where u is nearly t + s·e, H is too small for its rounding and rest. What q's multiplier adds
-  // to it counts more there than what it takes from Z.
-  const Real added = Real(-2.0) * result.least / result.kappa;
-  const Mask again = result.least < zero && result.kappa > zero &&
-                     added * Real(far * far) < Real(0.3) * result.kappa;
-  if (!any(again)) return result;
-  const PathExcess second = excess_with(f, target, choose(again, start + added, start));
-  result.least = larger(result.least, choose(again, second.least, Real(-1e300)));
-  return result;
-}
-
-/// The side whose halving promises most: by what it has in the terms that are bounded by norms, or,
-/// where little is known, the widest.
-inline Real PathProof::best_side(const LanesBox& box, const PathForms& f,
-                                 const PathExcess& excess) const {
-  const Real zero(0.0);
-  const auto norm = [&](const Real& square) { return root(larger(zero, square)); };
-  Real of_side[4], of_pairs[4], all(0.0), pairs(0.0);
-  for (int i = 0; i < 4; ++i) {
-    of_side[i] = norm(f.size_pair[i][i]);
-    all = all + of_side[i];
-    of_pairs[i] = zero;
-  }
-  for (int a = 0, m = 0; a < 4; ++a) {
-    for (int b = a; b < 4; ++b, ++m) {
-      const Real size = norm(f.size_w[m]);
-      pairs = pairs + size;
-      of_pairs[a] = of_pairs[a] + Real(0.5) * size;
-      of_pairs[b] = of_pairs[b] + Real(0.5) * size;
-    }
-  }
-  const Mask known = f.valid && excess.kappa > zero && f.count >= Real(0.5 * task_.samples);
-  const Real per_rest = Real(2.0) * excess.gradients / excess.kappa;
-  const Real half[4] = {Real(2.0) * box.half_k / smaller(box.k, Real(1.0) - box.k), box.first.half,
-                        box.second.half, box.phase.half};
-  Real side(-1.0), most(0.0);
-  for (int i = 0; i < 4; ++i) {
-    const Real loss =
-        of_side[i] * (pairs + f.rest) + all * of_pairs[i] + per_rest * norm(f.doubt[i]);
-    const Real score = choose(known, loss, half[i]);
-    const Mask better = score > most;
-    side = choose(better, Real(double(i)), side);
-    most = choose(better, score, most);
-  }
-  return side;
-}
-
-inline void PathProof::judge(int first) {
-  const LanesBox box = load_box(first);
-  enclose(box);
-  take_common_out();
-  const Real zero(0.0), one(1.0), two(2.0);
-  PathForms forms = sums();
-  PathExcess found = excess(forms, task_.target);
-  Real reached = choose(found.least >= zero, two, zero), side = zero;
-  if (any(reached < two)) {
-    side = best_side(box, forms, found);
-    weigh_by_rest();
-    forms = sums();
-    found = excess(forms, task_.target);
-    reached = choose(found.least >= zero, two, reached);
-    if (task_.first_target < task_.target && any(reached < two)) {
-      found = excess(forms, task_.first_target);
-      reached = choose(found.least >= zero && reached < two, one, reached);
-    }
-  }
-  double values[2][kLanes];
-  store(reached, values[0]);
-  store(side, values[1]);
-  for (int lane = 0; lane < kLanes; ++lane) {
-    task_.reached[first + lane] = static_cast<int>(values[0][lane]);
-    task_.side[first + lane] = static_cast<int>(values[1][lane]);
   }
 }
 

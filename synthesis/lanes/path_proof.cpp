@@ -68,6 +68,7 @@ void write_box(const ProportionBox& box, double* at) {
   }
 }
 
+constexpr double kNearestPoint = 1e-6;
 constexpr double kNarrowestSide = 1e-13;  // no side is divided further
 
 /// `side`, or where that is as narrow as it may be the widest.
@@ -148,7 +149,8 @@ void PathProver::judge_block(std::span<const ProportionBox> boxes, double target
   task.mean_sine = mean_sine_;
   task.mean_cosine = mean_cosine_;
   task.pivot_fixed = path_.pivot_fixed;
-  task.farthest_point = path_.farthest_point;
+  // A limit of zero has no multiplier; a wider one holds as well.
+  task.farthest_point = std::max(path_.farthest_point, kNearestPoint);
   task.target = target;
   task.first_target = first_target;
   task.boxes = lanes;

@@ -2,7 +2,7 @@
 // COGNATE_ISA names it, see lane_numbers.hpp.
 #include "synthesis/lanes/path_proof_kernel.hpp"
 
-#include "synthesis/lanes/path_forms.hpp"
+#include "synthesis/lanes/path_proof_lanes.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
 
