@@ -39,9 +39,14 @@ inline void convex_shifts(const LanesQuadratic& q, const Real& size, Real* shift
   }
 }
 
-/// No more than the least value over the box. Ends early where that is surely above or not above
-/// `wanted` in all lanes.
-inline Real least_over_box(const LanesQuadratic& q, const Real& wanted, int most_sweeps) {
+/// The least value over the box: no more than it, and about what it is.
+struct LanesLeast {
+  Real bound, about;
+};
+
+/// Ends early where the least value is surely above or not above `wanted` in all lanes. What is
+/// found in one lane does not depend on the others.
+inline LanesLeast least_over_box(const LanesQuadratic& q, const Real& wanted, int most_sweeps) {
   Real size = magnitude(q.constant), shift[4], shifts(0.0), diagonal[4], inverse[4], t[4];
   for (int i = 0; i < 4; ++i) {
     size = size + Real(2.0) * magnitude(q.slope[i]) + magnitude(q.a[i][i]);
@@ -55,8 +60,8 @@ inline Real least_over_box(const LanesQuadratic& q, const Real& wanted, int most
     t[i] = Real(0.0);
   }
   const Real lost = shifts + Real(1e-13) * (size + shifts);
-  Real best(-1e300);
-  Mask open = best < Real(0.0);  // lanes that are decided stay as they are, whatever the others do
+  LanesLeast least{Real(-1e300), Real(0.0)};
+  Mask open = least.bound < least.about;  // in all lanes
   for (int sweep = 0; sweep < most_sweeps;) {
     for (int inner = 0; inner < 4; ++inner, ++sweep) {
       for (int i = 0; i < 4; ++i) {
@@ -77,11 +82,14 @@ inline Real least_over_box(const LanesQuadratic& q, const Real& wanted, int most
       value = value + (q.slope[i] + half_slope) * t[i];
       below = below + half_slope * t[i] + magnitude(half_slope);
     }
-    best = choose(open, larger(best, value - Real(2.0) * below - lost), best);
-    open = open && best < wanted && (value - lost) >= wanted;
+    least.bound = choose(open, larger(least.bound, value - Real(2.0) * below - lost), least.bound);
+    least.about = choose(open, value - lost, least.about);
+    open = open && least.bound < wanted;
+    constexpr int kFewSweeps = 12;
+    if (sweep >= kFewSweeps) open = open && least.about >= wanted;
     if (!any(open)) break;
   }
-  return best;
+  return least;
 }
 
 }  // namespace cognate::synthesis::COGNATE_ISA

@@ -46,7 +46,7 @@ struct PathForms {
 /// What the sums of one pass over the samples give besides those of the forms.
 struct PathTotals {
   LanesComplex e{Real(0.0), Real(0.0)}, z{Real(0.0), Real(0.0)}, pulled{Real(0.0), Real(0.0)};
-  Real rest{0.0}, reach{0.0};
+  Real rest = Real(0.0), reach = Real(0.0);
 };
 
 /// The samples of a path over kLanes boxes.

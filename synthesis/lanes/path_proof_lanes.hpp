@@ -13,10 +13,10 @@ namespace cognate::synthesis::COGNATE_ISA {
 
 inline constexpr int kPathSweeps = 24;
 
-/// What is left of H's least value over the box, κ and Σ ‖∇H‖, where q's limit has the multiplier
-/// `on_point`.
+/// What is left of H's least value over the box, at least and about, κ and Σ ‖∇H‖, where q's limit
+/// has the multiplier `on_point`.
 struct PathExcess {
-  Real least, kappa, gradients;
+  Real least, about, kappa, gradients;
 };
 
 class PathProof {
@@ -102,8 +102,9 @@ inline PathExcess PathProof::excess_with(const PathForms& f, double target,
   const Real lost = third_degree(f, kappa) + fourth * fourth +
                     f.rest * (Real(2.0) * result.gradients + f.residual * f.rest) + unsure;
   const Real wanted = lost * Real(1 + 1e-12);
-  const Real least = least_over_box(h, wanted, kPathSweeps) - wanted;
-  result.least = choose(f.valid && kappa > zero, least, Real(-1e300));
+  const LanesLeast least = least_over_box(h, wanted, kPathSweeps);
+  result.least = choose(f.valid && kappa > zero, least.bound - wanted, Real(-1e300));
+  result.about = least.about - wanted;
   return result;
 }
 
@@ -115,8 +116,8 @@ inline PathExcess PathProof::excess(const PathForms& f, double target) const {
   if (!std::isfinite(far)) return result;
   // Where u is nearly t + s·e, H is too small for its rounding and rest. What q's multiplier adds
   // to it counts more there than what it takes from Z.
-  const Real added = Real(-2.0) * result.least / result.kappa;
-  const Mask again = result.least < zero && result.kappa > zero &&
+  const Real added = Real(-2.0) * result.about / result.kappa;
+  const Mask again = result.least < zero && added > zero && result.kappa > zero &&
                      added * Real(far * far) < Real(0.3) * result.kappa;
   if (!any(again)) return result;
   const PathExcess second = excess_with(f, target, choose(again, start + added, start));

@@ -137,7 +137,9 @@ TEST(StagedSearch, ProvesNothingAboveAKnownError) {
     EXPECT_LT(result.lower, planted->error) << i;
     staged += result.lower > 0;
   }
-  if (repeats(12) == 12) EXPECT_GT(staged, 0);
+  if (repeats(12) == 12) {
+    EXPECT_GT(staged, 0);
+  }
 }
 
 TEST(StagedSearch, DoesNotDependOnThreads) {
@@ -153,7 +155,9 @@ TEST(StagedSearch, DoesNotDependOnThreads) {
     EXPECT_EQ(one.lower, many.lower) << i;
     complete += one.complete;
   }
-  if (repeats(8) == 8) EXPECT_GT(complete, 0);
+  if (repeats(8) == 8) {
+    EXPECT_GT(complete, 0);
+  }
 }
 
 // The stages examine the boxes of the last target and no more.
@@ -165,7 +169,8 @@ TEST(StagedSearch, StagesCostNoBoxes) {
   const BranchResult whole = search(*planted, 0.02, {last}, 1);
   const BranchResult staged = search(*planted, 0.02, {0.1 * last, 0.5 * last, last}, 1);
   EXPECT_EQ(whole.complete, staged.complete);
-  if (whole.complete) EXPECT_EQ(whole.boxes, staged.boxes);
+  ASSERT_TRUE(whole.complete);
+  EXPECT_EQ(whole.boxes, staged.boxes);
 }
 
 TEST(StagedSearch, EndsWhenStopped) {

@@ -231,7 +231,7 @@ TEST(LeastOverLanes, IsNoMoreThanAnyValue) {
   Random random;
   for (int i = 0; i < 3000; ++i) {
     const LanesQuadratic q = random_quadratic(random, i % 2 == 0);
-    const double least = least_over_box(q, 1e9, 400);
+    const double least = least_over_box(q, 1e9, 400).bound;
     for (int n = 0; n < 100; ++n) EXPECT_LE(least, value(q, random.place()) + 1e-12) << i;
   }
 }
@@ -249,15 +249,13 @@ TEST(LeastOverLanes, IsTheLeastValueOfConvexForms) {
           for (const double to : {before - step, before + step}) {
             const double kept = x;
             x = std::clamp(to, -1.0, 1.0);
-            if (value(q, t) < value_there)
-              value_there = value(q, t);
-            else
-              x = kept;
+            if (value(q, t) >= value_there) x = kept;
+            value_there = std::min(value_there, value(q, t));
           }
         }
       }
     }
-    EXPECT_NEAR(least_over_box(q, 1e9, 400), value_there, 1e-9) << i;
+    EXPECT_NEAR(least_over_box(q, 1e9, 400).bound, value_there, 1e-9) << i;
   }
 }
 
