@@ -116,15 +116,18 @@ class StagedSearch {
     }
   }
 
-  /// Runs `body` of all `works` and takes up what they found, in their order.
+  /// Runs `body` of all `works` and takes up what they found, in their order. Behind one that is
+  /// stuck none counts: those before it are ended, so that threads make no difference.
   template <class Body>
   void share_out(std::vector<Work>& works, std::vector<Node>& waiting, const Body& body) {
     std::mutex reporting;
+    std::atomic<int> last{static_cast<int>(works.size())};
     parallel_for(static_cast<int>(works.size()), options_.threads, [&](int i, int thread) {
-      if (is_over()) return;
-      body(works[i]);
-      if (works[i].stuck) stopped_ = true;
+      const auto ends = [&] { return i > last || is_over(); };
+      if (ends()) return;
+      body(works[i], ends);
       const std::scoped_lock lock(reporting);
+      if (works[i].stuck) last = std::min(last.load(), i);
       done_ += works[i].done;
       waiting_ += works[i].waiting.size();
       if (waiting_ > options_.most_boxes) stopped_ = true;
@@ -132,12 +135,14 @@ class StagedSearch {
         options_.progress((stage_ + done_) / double(options_.targets.size()), lower_);
       }
     });
-    for (Work& work : works) {
-      boxes_ += work.boxes;
-      waiting.insert(waiting.end(), std::make_move_iterator(work.waiting.begin()),
-                     std::make_move_iterator(work.waiting.end()));
-      work.waiting = {};
+    for (int i = 0; i < static_cast<int>(works.size()); ++i) {
+      if (i > last) break;
+      boxes_ += works[i].boxes;
+      waiting.insert(waiting.end(), std::make_move_iterator(works[i].waiting.begin()),
+                     std::make_move_iterator(works[i].waiting.end()));
+      works[i].waiting = {};
     }
+    if (last < static_cast<int>(works.size())) stopped_ = true;
   }
 
   bool is_over() {
@@ -153,7 +158,7 @@ class StagedSearch {
     for (const Node& node : open) done_ -= node.share;
     while (!open.empty() && open.size() < kSubtrees && !stopped_) {
       std::vector<Work> works = groups(open, kBatch / 2);
-      share_out(works, waiting, [&](Work& work) { step(work, kBatch); });
+      share_out(works, waiting, [&](Work& work, const auto&) { step(work, kBatch); });
       open.clear();
       for (Work& work : works) {
         open.insert(open.end(), std::make_move_iterator(work.stack.begin()),
@@ -161,11 +166,8 @@ class StagedSearch {
       }
     }
     std::vector<Work> works = groups(open, kGroup);
-    share_out(works, waiting, [&](Work& work) {
-      while (!work.stack.empty() && !work.stuck) {
-        if (is_over()) return;
-        step(work, kBatch);
-      }
+    share_out(works, waiting, [&](Work& work, const auto& ends) {
+      while (!work.stack.empty() && !work.stuck && !ends()) step(work, kBatch);
     });
     return waiting;
   }

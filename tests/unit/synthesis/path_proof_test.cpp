@@ -134,6 +134,7 @@ TEST(StagedSearch, ProvesNothingAboveAKnownError) {
     const double error = planted->error * 1.001;
     const BranchResult result = search(*planted, 1e-3, {0.1 * error, 0.9 * error, error}, 2);
     EXPECT_FALSE(result.complete) << i;
+    EXPECT_EQ(search(*planted, 1e-3, {0.1 * error, 0.9 * error, error}, 1).boxes, result.boxes);
     EXPECT_LT(result.lower, planted->error) << i;
     staged += result.lower > 0;
   }
