@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
@@ -83,7 +86,8 @@ TEST(PathProof, IsTheSameInAnyLane) {
     EXPECT_EQ(alone.side, whole[i].side) << i;
     ++kinds[alone.reached];
   }
-  for (const int kind : kinds) EXPECT_GT(kind, 3);
+  EXPECT_GT(kinds[0], 3);
+  EXPECT_GT(kinds[1] + kinds[2], 3);
 }
 
 TEST(PathProof, IsTheSameWithAnyInstructions) {
