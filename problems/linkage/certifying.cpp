@@ -138,6 +138,10 @@ Run before_certificate(const Run& run, const Solve& solve) {
   return search;
 }
 
+bool CertificateRun::over() const {
+  return deadline_.reached() || deadline_.spent() >= end_;
+}
+
 CertificateRun::CertificateRun(double upper, const Solve& solve, const Run& run,
                                const Deadline& deadline)
     : upper_(upper),
@@ -151,13 +155,26 @@ synthesis::BranchOptions CertificateRun::options(double scale) const {
   synthesis::BranchOptions options;
   options.target = target_ / scale;
   options.threads = run_.threads;
-  options.stop = [this] { return deadline_.reached() || deadline_.spent() >= end_; };
+  options.stop = [this] { return over(); };
   if (run_.progress) {
     options.progress = [this](double share, double) {
       run_.progress(kSearchShare + (1 - kSearchShare) * share, upper_);
     };
   }
   return options;
+}
+
+synthesis::StageOptions CertificateRun::stages(double scale) const {
+  synthesis::StageOptions stages;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    if (share * upper_ < target_) stages.targets.push_back(share * upper_ / scale);
+  }
+  const synthesis::BranchOptions last = options(scale);
+  stages.targets.push_back(last.target);
+  stages.threads = last.threads;
+  stages.stop = last.stop;
+  stages.progress = last.progress;
+  return stages;
 }
 
 Certificate CertificateRun::state(const synthesis::BranchResult& result, double scale,

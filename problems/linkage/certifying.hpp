@@ -10,6 +10,7 @@
 #include "problems/linkage/result.hpp"
 #include "synthesis/bounds/branch_and_bound.hpp"
 #include "synthesis/bounds/path_bound.hpp"
+#include "synthesis/bounds/staged_search.hpp"
 
 namespace cognate::problems {
 
@@ -55,11 +56,15 @@ class CertificateRun {
   /// Whether `upper` is no more than `rounding`: then nothing is left to prove.
   bool met_exactly(double rounding) const { return upper_ <= rounding; }
   synthesis::BranchOptions options(double scale) const;
+  /// The same by stages, of which each that ends proves a bound.
+  synthesis::StageOptions stages(double scale) const;
   Certificate state(const synthesis::BranchResult& result, double scale, std::string domain) const;
   /// Of designs that meet the target within rounding.
   Certificate state_exact(std::string domain) const;
 
  private:
+  bool over() const;
+
   double upper_, target_;
   const Run& run_;
   const Deadline& deadline_;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
@@ -92,6 +95,48 @@ struct Part {
   std::size_t sense = 0;
 };
 
+std::vector<Part> parts_of(const PathDomain& domain) {
+  std::vector<Part> parts;
+  for (std::size_t sense = 0; sense < domain.bounds.size(); ++sense) {
+    for (const ProportionBox& box : domain.roots) parts.push_back({box, sense});
+  }
+  return parts;
+}
+
+std::pair<Part, Part> part_halves(const Part& part, int side) {
+  const auto [first, second] = synthesis::halves(part.box, side);
+  return {Part{first, part.sense}, Part{second, part.sense}};
+}
+
+/// Boxes of one sense after the other.
+void judge(const PathDomain& domain, std::span<const Part> parts, double target,
+           double first_target, std::span<synthesis::StageVerdict> verdicts) {
+  std::vector<ProportionBox> boxes;
+  std::vector<std::size_t> place;
+  for (std::size_t sense = 0; sense < domain.provers.size(); ++sense) {
+    boxes.clear();
+    place.clear();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].sense != sense) continue;
+      boxes.push_back(parts[i].box);
+      place.push_back(i);
+    }
+    std::vector<synthesis::StageVerdict> found(boxes.size());
+    domain.provers[sense].judge(boxes, target, first_target, found);
+    for (std::size_t i = 0; i < place.size(); ++i) verdicts[place[i]] = found[i];
+  }
+}
+
+synthesis::BranchResult prove(const PathDomain& domain, const synthesis::StageOptions& options) {
+  return synthesis::staged_search(
+      parts_of(domain), options,
+      [&](std::span<const Part> parts, double target, double first_target,
+          std::span<synthesis::StageVerdict> verdicts) {
+        judge(domain, parts, target, first_target, verdicts);
+      },
+      part_halves);
+}
+
 }  // namespace
 
 PathDomain path_domain(const PathProblem& problem) {
@@ -103,14 +148,17 @@ PathDomain path_domain(const PathProblem& problem) {
   const auto limits = proportion_limits(scaled.constraints, ratio);
   PathDomain domain;
   domain.to_file = scale.size * scale.size;
+  domain.roots = proportion_roots(scaled.constraints, scaled.given, length_limits(scaled), ratio,
+                                  phase_range(scaled));
   const bool either = scaled.crank_reference != CrankReference::first;
   for (const bool clockwise : {false, true}) {
     const CrankSense other = clockwise ? CrankSense::ccw : CrankSense::cw;
     if (either ? clockwise : scaled.crank_sense == other) continue;
-    domain.bounds.emplace_back(timed_path(scaled, clockwise), limits);
+    const TimedPath path = timed_path(scaled, clockwise);
+    const auto has_proof = [&](const ProportionBox& root) { return has_path_proof(path, root); };
+    if (std::ranges::all_of(domain.roots, has_proof)) domain.provers.emplace_back(path, limits);
+    domain.bounds.emplace_back(path, limits);
   }
-  domain.roots = proportion_roots(scaled.constraints, scaled.given, length_limits(scaled), ratio,
-                                  phase_range(scaled));
   domain.text = domain_text(scaled.constraints, scaled.given, ratio, given_ratio.has_value());
   if (!farthest_point(scaled)) {
     domain.text +=
@@ -136,18 +184,15 @@ Certificate certify(const PathProblem& problem, double upper, const Run& run,
   if (certificate.met_exactly(kMetExactly * domain.to_file)) {
     return certificate.state_exact(domain.text);
   }
-  std::vector<Part> roots;
-  for (std::size_t sense = 0; sense < domain.bounds.size(); ++sense) {
-    for (const ProportionBox& box : domain.roots) roots.push_back({box, sense});
+  if (!domain.provers.empty()) {
+    const auto result = prove(domain, certificate.stages(domain.to_file));
+    return certificate.state(result, domain.to_file, domain.text);
   }
   const auto options = certificate.options(domain.to_file);
   const auto result = synthesis::branch_and_bound(
-      roots, options,
+      parts_of(domain), options,
       [&](const Part& part) { return domain.bounds[part.sense](part.box, options.target); },
-      [](const Part& part, int side) {
-        const auto [first, second] = synthesis::halves(part.box, side);
-        return std::pair{Part{first, part.sense}, Part{second, part.sense}};
-      });
+      part_halves);
   return certificate.state(result, domain.to_file, domain.text);
 }
 

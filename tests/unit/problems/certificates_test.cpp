@@ -51,6 +51,40 @@ TEST(Certificates, ProveThePublishedParabola) {
   EXPECT_NEAR(proof.lower_bound, kBest, 1.001e-3 * kBest);
 }
 
+/// Four unknowns, over fewer links than the file allows so that it is quickly done.
+PathProblem short_links() {
+  auto problem = of_library<PathProblem>("path/textbook-eight-points.toml");
+  problem.crank_sense = CrankSense::ccw;
+  problem.constraints.link_ratio_max = 4;
+  problem.solve.certify_gap = 0.3;
+  return problem;
+}
+
+TEST(Certificates, ProvePathsWithFourUnknowns) {
+  constexpr double kUpper = 0.6010945318;
+  const Certificate proof = certified({}, short_links(), kUpper);
+  EXPECT_TRUE(proof.complete);
+  EXPECT_NEAR(proof.lower_bound, 0.7 * kUpper, 1e-9);
+}
+
+// Where time ends, the bound is the last that was proved everywhere.
+TEST(Certificates, StateTheLastStageThatEnded) {
+  problems::Run brief;
+  brief.time_limit = 0.5;
+  const auto problem = of_library<PathProblem>("path/textbook-eight-points.toml");
+  constexpr double kBest = 0.5780747028;
+  for (const double upper : {kBest, 2 * kBest}) {
+    const Certificate proof = certified(brief, problem, upper);
+    EXPECT_FALSE(proof.complete);
+    EXPECT_LE(proof.lower_bound, kBest);
+    double nearest = proof.lower_bound;
+    for (const double share : {0.1, 0.5, 0.9}) {
+      nearest = std::min(nearest, std::abs(proof.lower_bound - share * upper));
+    }
+    EXPECT_LT(nearest, 1e-9);
+  }
+}
+
 // A design twice as good as any cannot be proved to be near the best: a bound that is too high
 // would do so.
 TEST(Certificates, DoNotProveWhatIsNotSo) {

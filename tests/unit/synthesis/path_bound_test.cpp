@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
@@ -16,13 +14,19 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/bounds/box_quadratic.hpp"
+#include "tests/support/box_linkages.hpp"
 
 namespace cognate::synthesis::path_bound_test {
 namespace {
 
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using test::best_fit;
+using test::directions_at;
+using test::error_of;
+using test::Fit;
+using test::links_at;
+using Quad = test::Quad;
 using Complex = std::complex<double>;
-using Point = std::array<double, kBoxSides>;
+using Point = test::BoxPoint;
 
 int repeats(int usual) {
   const char* asked = std::getenv("COGNATE_TEST_SEEDS");
@@ -75,44 +79,6 @@ class Random {
  private:
   std::mt19937_64 source_;
 };
-
-/// Links in units of frame + crank. Empty where coupler and rocker are infinite.
-struct Links {
-  Quad crank, coupler, rocker, frame;
-};
-std::optional<Links> links_at(const ProportionBox& box, const Point& at) {
-  const Quad k = at[0], second = at[2];
-  Quad difference = at[1], inverse = second / (1 - second);
-  if (box.proportions != Proportions::any) {
-    difference = abs(2 * k - 1) * cos(Quad(at[1]));
-    inverse = cos(second);
-  }
-  if (inverse < 1e-6) return std::nullopt;
-  const Quad sum = 1 / inverse;
-  return Links{1 - k, (sum + difference) / 2, (sum - difference) / 2, k};
-}
-
-struct Direction {
-  Complex coupler, rocker;
-};
-/// By intersecting the circles about B and D; empty where they do not meet.
-std::optional<Direction> directions_at(const Links& links, int assembly, Quad angle) {
-  const Quad bx = links.crank * cos(angle), by = links.crank * sin(angle);
-  const Quad dx = links.frame - bx, dy = -by, square = dx * dx + dy * dy;
-  if (square < 1e-24 || links.coupler < 1e-12 || links.rocker < 1e-12) return std::nullopt;
-  const Quad along =
-      (square + links.coupler * links.coupler - links.rocker * links.rocker) / (2 * square);
-  Quad across = links.coupler * links.coupler / square - along * along;
-  if (across < -1e-25) return std::nullopt;
-  across = across > 0 ? Quad(sqrt(across)) : Quad(0);
-  across *= assembly;
-  const Quad cx = along * dx - across * dy, cy = along * dy + across * dx;  // C − B
-  const auto unit = [](Quad x, Quad y) {
-    const Quad length = sqrt(x * x + y * y);
-    return Complex(double(x / length), double(y / length));
-  };
-  return Direction{unit(cx, cy), unit(cx - dx, cy - dy)};
-}
 
 TEST(PathBound, DirectionsOfABoxHoldThoseOfEachPoint) {
   Random random(1);
@@ -168,44 +134,7 @@ TimedPath random_path(Random& random) {
   return path;
 }
 
-/// The best complex t and q for given s, by QR in real numbers; s too where `free`, along the x
-/// axis where the direction is fixed.
-struct Fit {
-  Complex t, s, q;
-};
-Fit best_fit(const TimedPath& path, const std::vector<Complex>& u, std::optional<Complex> s) {
-  const int n = int(u.size());
-  Eigen::MatrixXd a(2 * n, 6);
-  Eigen::VectorXd b(2 * n);
-  for (int j = 0; j < n; ++j) {
-    const double w = std::sqrt(path.weights[j]);
-    const Complex e = std::polar(1.0, path.crank_angles[j]);
-    const Complex point = path.points[j] - (s ? *s * e : Complex());
-    const Complex one = path.pivot_fixed ? 0.0 : 1.0, turn = s ? Complex() : e;
-    const Complex across = path.direction_fixed ? Complex() : turn * Complex(0, 1);
-    const Complex i(0, 1);
-    const Complex columns[6] = {one, one * i, turn, across, u[j], u[j] * i};
-    for (int c = 0; c < 6; ++c) {
-      a(2 * j, c) = w * columns[c].real();
-      a(2 * j + 1, c) = w * columns[c].imag();
-    }
-    b(2 * j) = w * point.real();
-    b(2 * j + 1) = w * point.imag();
-  }
-  const Eigen::VectorXd x = a.completeOrthogonalDecomposition().solve(b);
-  return {{x[0], x[1]}, s ? *s : Complex(x[2], x[3]), {x[4], x[5]}};
-}
-
-double error_of(const TimedPath& path, const std::vector<Complex>& u, const Fit& fit) {
-  double sum = 0;
-  for (std::size_t j = 0; j < u.size(); ++j) {
-    const Complex at = fit.t + fit.s * std::polar(1.0, path.crank_angles[j]) + fit.q * u[j];
-    sum += path.weights[j] * std::norm(at - path.points[j]);
-  }
-  return sum;
-}
-
-/// A design at a point of the box within every limit, near the best there; empty if none.
+/// A design at a point of the box that keeps to every limit, near the best there; empty if none.
 std::optional<double> error_at(const TimedPath& path, const ProportionBox& box, const Point& at) {
   const auto links = links_at(box, at);
   if (!links) return std::nullopt;
