@@ -115,13 +115,16 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
 }
 
 std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance) {
-  const std::vector<OutlinePoint> half = tooth_half(gear, tolerance);
+  return whole_outline(tooth_half(gear, tolerance), gear.teeth);
+}
+
+std::vector<OutlinePoint> whole_outline(const std::vector<OutlinePoint>& half, double whole_teeth) {
   std::vector<OutlinePoint> tooth;
   for (const OutlinePoint& point : half) tooth.push_back({-conj(point.at), point.part});
   // Down again at the left; the root's middle there begins the next tooth.
   for (std::size_t i = half.size(); i-- > 2;) tooth.push_back({half[i - 1].at, half[i].part});
   std::vector<OutlinePoint> outline;
-  const int teeth = half.empty() ? 0 : static_cast<int>(std::lround(gear.teeth));
+  const int teeth = half.empty() ? 0 : static_cast<int>(std::lround(whole_teeth));
   outline.reserve(tooth.size() * static_cast<std::size_t>(teeth));
   for (int k = 0; k < teeth; ++k) {
     const double angle = kTurn * k / teeth;

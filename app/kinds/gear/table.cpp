@@ -26,7 +26,7 @@ using problems::to_string;
 
 /// "teeth, module", what is found.
 std::string free_parts(const GearPairProblem& problem) {
-  if (problem.gearing == Gearing::bevel || problem.gearing == Gearing::worm) return {};
+  if (!is_searched(problem.gearing)) return {};
   std::string text;
   const auto add = [&](const char* name) {
     text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
@@ -35,6 +35,7 @@ std::string free_parts(const GearPairProblem& problem) {
   if (!problem.module) add("module");
   if (!problem.profile_shift[0] || !problem.profile_shift[1]) add("profile shifts");
   if (!problem.centre_distance && !text.empty()) add("centre distance");
+  if (problem.free_helix) add("helix angle");
   return text;
 }
 
@@ -42,6 +43,9 @@ std::string teeth_text(const GearPairProblem& problem) {
   if (problem.gearing == Gearing::worm) {
     return fmt::format(" of {:g} start{} and {:g} teeth", problem.worm.starts,
                        problem.worm.starts == 1 ? "" : "s", problem.worm.wheel_teeth);
+  }
+  if (problem.gearing == Gearing::rack) {
+    return fmt::format(" with a pinion of {} teeth", problem.teeth[0].value_or(0));
   }
   if (!problem.teeth[0] || !problem.teeth[1]) return {};
   return fmt::format(" of {} and {} teeth", *problem.teeth[0], *problem.teeth[1]);
@@ -52,9 +56,12 @@ bool is_shown(const Quantity& quantity) {
   return number == nullptr || std::isfinite(*number);
 }
 
+/// With the symbols of ISO 21771.
 std::string quantities_text(std::vector<Quantity> quantities, const Screen& screen) {
   std::erase_if(quantities, [](const Quantity& quantity) { return !is_shown(quantity); });
-  return quantity_table(quantities, screen);
+  std::vector<Metric> listed(gear_metrics().begin(), gear_metrics().end());
+  listed.insert(listed.end(), gear_pair_metrics().begin(), gear_pair_metrics().end());
+  return quantity_table(quantities, screen, listed);
 }
 
 std::string cell(const GearPairDesign& design, std::string_view name) {
