@@ -3,8 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <tl/expected.hpp>
 
 #include "app/commands/commands.hpp"
@@ -61,7 +63,9 @@ ValuesOrFault range_of(double from, double to, double step, const std::string& t
                     text, kMostRows));
   }
   Values values;
-  for (double i = 0; i <= steps; ++i) values.push_back(std::min(to, from + i * step));
+  for (int i = 0; i <= static_cast<int>(steps); ++i) {
+    values.push_back(std::min(to, from + i * step));
+  }
   return values;
 }
 

@@ -38,6 +38,9 @@ class RackDesign {
       add_member(mesh.gears[1], "rack.");
     }
     add_pinion_checks(pair_.pinion, design_);
+    design_.constraints.push_back(
+        check_of({"tip_thickness_min.rack", tip_thickness() / pair_.pinion.module,
+                  design_.settled.constraints.tip_thickness_min, true, 1}));
     if (meshes) add_mesh_checks(mesh, "rack", design_);
     return std::move(design_);
   }
@@ -56,7 +59,13 @@ class RackDesign {
     add("rack.pitch", pitch);
     add("rack.base_pitch", pitch * std::cos(rack.pressure_angle));
     add("rack.tooth_thickness", 0.5 * pitch);
-    add("rack.tip_thickness", 0.5 * pitch - 2 * addendum * std::tan(rack.pressure_angle));
+    add("rack.tip_thickness", tip_thickness());
+  }
+
+  double tip_thickness() const {
+    const auto& rack = pair_.pinion.rack;
+    const double addendum = (rack.addendum - pair_.tip_reduction) * pair_.pinion.module;
+    return 0.5 * kPi * pair_.pinion.module - 2 * addendum * std::tan(rack.pressure_angle);
   }
 
   void add_member(const gear::GearInMesh& own, const std::string& prefix) {

@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {{5, 1, "unknown key \"modul\""}}},
         FaultCase{"SpanOverTooManyTeeth",
                   gear("teeth = 20\nmodule = 1\n[output]\nspan_teeth = 9"),
-                  {{6, 14, "allowed is a number from 2 to 4"}}},
+                  {{6, 14, "allowed is a number from 1 to 4"}}},
         FaultCase{"Points",
                   gear("teeth = 20\nmodule = 1\n[output]\npoints = 0"),
                   {{6, 10, "from 1 to 10000"}}}),
