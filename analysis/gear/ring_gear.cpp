@@ -1,8 +1,8 @@
 #include "analysis/gear/ring_gear.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "analysis/gear/chords.hpp"
 #include "analysis/gear/involute.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -10,8 +10,6 @@
 
 namespace cognate::gear {
 namespace {
-
-constexpr int kArcChords = 256;
 
 SpurGear tool_of(const RingGear& ring) {
   SpurGear tool{.teeth = ring.cutter_teeth, .module = ring.twin.module, .rack = ring.twin.rack};
@@ -52,26 +50,6 @@ struct CornerPath {
                                    (4 * cutting.centre_distance * cutting.tip_radius)));
   }
 };
-
-/// How many chords keep an arc of `angle` at `radius` within `tolerance`.
-int chords_of(double radius, double angle, double tolerance) {
-  const double most = 2 * std::sqrt(2 * std::min(1.0, 0.9 * tolerance / radius));
-  return std::clamp(static_cast<int>(std::ceil(std::abs(angle) / most)), 1, kArcChords);
-}
-
-/// Appends `curve` over equal steps from after `from` to `to`.
-template <class Curve>
-void trace(std::vector<OutlinePoint>& points, OutlinePart part, const Curve& curve, double from,
-           double to, int chords) {
-  for (int i = 1; i <= chords; ++i) {
-    points.push_back({curve(from + (to - from) * i / chords), part});
-  }
-}
-
-/// Chords of a flank `high`: it is bent no more than a circle of its least radius of curvature.
-int chords_of_flank(double high, double curvature_radius, double tolerance) {
-  return chords_of(curvature_radius, 2 * high / curvature_radius, tolerance);
-}
 
 }  // namespace
 
@@ -138,18 +116,14 @@ std::vector<OutlinePoint> ring_half(const RingGear& ring, double tolerance) {
   const auto arc = [](double radius) {
     return [radius](double angle) { return beside_y_axis(radius, angle); };
   };
-  const double at_root = half_pitch - corner.angle(0), module = ring.twin.module;
+  const double at_root = half_pitch - corner.angle(0);
   const double at_tip = 0.5 * tooth_thickness(ring, tip) / tip;
-  const int fillet_chords =
-      2 * chords_of_flank(root - form + 0.1 * module, 0.1 * module, tolerance);
-  const int flank_chords = 2 * chords_of_flank(form - tip, module, tolerance);
   std::vector<OutlinePoint> points{{beside_y_axis(root, half_pitch), OutlinePart::root}};
-  trace(points, OutlinePart::root, arc(root), half_pitch, at_root,
-        chords_of(root, half_pitch - at_root, tolerance));
-  trace(points, OutlinePart::fillet, fillet, 0, corner.phi_at(form), fillet_chords);
-  trace(points, OutlinePart::involute, flank, tangent_to(form, base), tangent_to(tip, base),
-        flank_chords);
-  trace(points, OutlinePart::tip, arc(tip), at_tip, 0, chords_of(tip, at_tip, tolerance));
+  append_curve(points, OutlinePart::root, arc(root), half_pitch, at_root, tolerance);
+  append_curve(points, OutlinePart::fillet, fillet, 0, corner.phi_at(form), tolerance);
+  append_curve(points, OutlinePart::involute, flank, tangent_to(form, base), tangent_to(tip, base),
+               tolerance);
+  append_curve(points, OutlinePart::tip, arc(tip), at_tip, 0, tolerance);
   points.back().at.x = 0;
   return points;
 }

@@ -44,9 +44,6 @@ std::string teeth_text(const GearPairProblem& problem) {
     return fmt::format(" of {:g} start{} and {:g} teeth", problem.worm.starts,
                        problem.worm.starts == 1 ? "" : "s", problem.worm.wheel_teeth);
   }
-  if (problem.gearing == Gearing::rack) {
-    return fmt::format(" with a pinion of {} teeth", problem.teeth[0].value_or(0));
-  }
   if (!problem.teeth[0] || !problem.teeth[1]) return {};
   return fmt::format(" of {} and {} teeth", *problem.teeth[0], *problem.teeth[1]);
 }
@@ -126,7 +123,10 @@ std::string Kind<GearProblem>::describe(const GearProblem& problem) {
 }
 
 std::string Kind<GearPairProblem>::describe(const GearPairProblem& problem) {
-  std::string what = fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
+  const bool is_rack = problem.gearing == Gearing::rack;
+  std::string what =
+      is_rack ? fmt::format("pinion of {} teeth on a rack", problem.teeth[0].value_or(0))
+              : fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
   if (problem.module) what += fmt::format(", module {:g}", *problem.module);
   const std::string free = free_parts(problem);
   if (!free.empty()) what += ", free: " + free;
