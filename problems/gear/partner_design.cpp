@@ -87,6 +87,12 @@ std::vector<std::string> mesh_notes(const gear::PairGeometry& mesh, const char* 
   const char* const names[] = {"pinion", partner};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& own = mesh.gears[i];
+    if (!std::isfinite(own.sliding_start)) {
+      notes.push_back(
+          fmt::format("The specific sliding of the {} is infinite: the path of contact reaches its "
+                      "base circle.",
+                      names[i]));
+    }
     if (own.interference > 0) {
       const std::string note = fmt::format(
           "The {}'s tips pass the end of the {}'s flank by {:.6g} along the line of action: they "

@@ -135,6 +135,14 @@ class Gears(unittest.TestCase):
         self.assertAlmostEqual(metrics["rack_distance"], 42 + 1.8 + 0.1 / math.tan(math.radians(20)), places=9)
         self.assertAlmostEqual(metrics["rack"]["tooth_depth"], 6 * 2.25, places=9)
 
+    def test_infinite_sliding_meets_no_limit(self):
+        shift = 1 - 5 * math.sin(math.radians(20)) ** 2  # the involute begins on the base circle
+        text = (f'kind = "gear-pair"\nmechanism = {{gearing = "rack", pinion_teeth = 10, module = 1, '
+                f'pinion_shift = {shift!r}}}\nconstraints = {{sliding_max = 100}}\n')
+        document = self.document_of(self.problem(text))
+        self.assertEqual(document["status"], "infeasible")
+        self.assertIn("infinite", document["notes"][0])
+
     def test_rings_and_racks_are_exported(self):
         for name, partner in (("internal", "wheel"), ("rack", "rack")):
             self.run_it("solve", LIBRARY / "gear-pair" / f"{name}.toml")
