@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::gear {
 namespace {
 

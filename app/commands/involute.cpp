@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/console/messages.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_quantities.hpp"

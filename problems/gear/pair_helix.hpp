@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/problem.hpp"
 
 namespace cognate::problems {

@@ -1,6 +1,7 @@
 /// A pinion on a rack, of which all is given.
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/gear/notes.hpp"
 #include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_quantities.hpp"
