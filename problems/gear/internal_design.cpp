@@ -142,10 +142,9 @@ class InternalDesign {
              gear::base_radius(ring.twin) - gear::base_radius(pair_.pinion), module);
     if (!meshes) return;
     add_mesh_checks(all.mesh, "wheel", design_);
-    const bool limits_tips = design_.settled.constraints.no_interference;
-    if (limits_tips && std::isfinite(all.tip_room)) {
-      at_least("no_interference.tips", all.tip_room, 0);
-    }
+    if (!design_.settled.constraints.no_interference) return;
+    const bool overlap = all.tip_room < 0;
+    design_.constraints.push_back({"tips_overlap", overlap ? "yes" : "no", "no", !overlap});
   }
 
   InternalPair pair_;
