@@ -180,6 +180,9 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
   if (name == "sweep") return sweep_command(arguments.file, *options, processes);
   if (name == "export") return run_export(called, arguments, *options);
   if (name == "sketch") return sketch_command(*options);
+  if (name == "involute") {
+    return involute_command(arguments.values, {arguments.inverse, arguments.csv}, *options);
+  }
   if (name == "check") {
     return run_each(arguments.files, *options, false,
                     [&](const std::string& file) { return check_command(file, *options); });

@@ -66,4 +66,15 @@ double involute_angle(double value) {
   return std::copysign(angle, value);
 }
 
+double involute_of_degrees(double degrees) {
+  const double angle = degrees * (kPi / 180);
+  if (std::abs(degrees) <= 45) return involute(angle);
+  const double complement = (90 - std::abs(degrees)) * (kPi / 180);
+  return std::copysign(1 / std::tan(complement), degrees) - angle;
+}
+
+double involute_angle_in_degrees(double value) {
+  return involute_angle(value) * (180 / kPi);
+}
+
 }  // namespace cognate::gear

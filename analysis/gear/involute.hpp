@@ -11,4 +11,11 @@ double involute(double angle);
 /// every finite argument; π/2 as it is rounded where no lesser double has so great an involute.
 double involute_angle(double value);
 
+/// The same of an angle in degrees, |α| < 90°: towards 90° by its complement, which is exact in
+/// degrees, so that no digit is lost to the angle's conversion.
+double involute_of_degrees(double degrees);
+
+/// The angle in degrees whose involute is `value`.
+double involute_angle_in_degrees(double value);
+
 }  // namespace cognate::gear

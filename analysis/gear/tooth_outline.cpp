@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/gear/chords.hpp"
 #include "analysis/gear/fillet.hpp"
 #include "analysis/gear/involute.hpp"
 #include "analysis/numbers/angle.hpp"
@@ -11,45 +12,9 @@
 namespace cognate::gear {
 namespace {
 
-constexpr int kMostChords = 1024;
-
 /// The point at `radius`, `angle` counter-clockwise of the y axis.
 Vec2d polar(double radius, double angle) {
   return {-radius * std::sin(angle), radius * std::cos(angle)};
-}
-
-double distance_from_line(const Vec2d& point, const Vec2d& from, const Vec2d& to) {
-  const double length = norm(to - from);
-  return length > 0 ? std::abs(cross(to - from, point - from)) / length : norm(point - from);
-}
-
-/// How many equal steps of the parameter keep the middle of each from its chord by no more than
-/// `tolerance`; a power of two.
-template <class Curve>
-int chords_for(const Curve& curve, double from, double to, double tolerance) {
-  for (int chords = 1; chords < kMostChords; chords *= 2) {
-    const double step = (to - from) / chords;
-    double worst = 0;
-    for (int i = 0; i < chords; ++i) {
-      const double start = from + i * step;
-      worst = std::max(
-          worst, distance_from_line(curve(start + 0.5 * step), curve(start), curve(start + step)));
-    }
-    // The curve is farthest from the chord near the middle, not quite there.
-    if (worst <= 0.9 * tolerance) return chords;
-  }
-  return kMostChords;
-}
-
-/// Appends the curve from after `from` to `to`.
-template <class Curve>
-void append(std::vector<OutlinePoint>& points, OutlinePart part, const Curve& curve, double from,
-            double to, double tolerance) {
-  const int chords = chords_for(curve, from, to, tolerance);
-  for (int i = 1; i < chords; ++i) {
-    points.push_back({curve(from + (to - from) * i / chords), part});
-  }
-  points.push_back({curve(to), part});
 }
 
 /// The corner of the rack's tip, relative to the middle of its tooth on the pitch line, from the
@@ -66,7 +31,8 @@ std::vector<Vec2d> rack_tooth_half(const SpurGear& gear, double tolerance) {
   const auto corner = [&](double theta) { return corner_point(fillet, gear.profile_shift, theta); };
   std::vector<OutlinePoint> points;
   if (fillet.centre.x > 0) points.push_back({corner(kRightAngle), OutlinePart::root});
-  append(points, OutlinePart::fillet, corner, kRightAngle, gear.rack.pressure_angle, tolerance);
+  append_curve(points, OutlinePart::fillet, corner, kRightAngle, gear.rack.pressure_angle,
+               tolerance);
   const double half_width = kPi / 4 + 0.5 * gear.coarsening / gear.module;
   const double height =
       std::min(gear.rack.addendum + gear.rack.clearance, (kRightAngle - half_width) / slope);
@@ -103,25 +69,28 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance) {
 
   std::vector<OutlinePoint> points{{polar(root, half_pitch), OutlinePart::root}};
   if (root_angle < half_pitch) {
-    append(points, OutlinePart::root, arc_of(root), half_pitch, root_angle, tolerance);
+    append_curve(points, OutlinePart::root, arc_of(root), half_pitch, root_angle, tolerance);
   }
-  append(points, OutlinePart::fillet, fillet_point, kRightAngle, fillet.end, tolerance);
-  append(points, OutlinePart::involute, involute_point, foot_tangent, tip_tangent, tolerance);
+  append_curve(points, OutlinePart::fillet, fillet_point, kRightAngle, fillet.end, tolerance);
+  append_curve(points, OutlinePart::involute, involute_point, foot_tangent, tip_tangent, tolerance);
   if (tip < pointed_radius(gear)) {
-    append(points, OutlinePart::tip, arc_of(tip), tip_angle, 0, tolerance);
+    append_curve(points, OutlinePart::tip, arc_of(tip), tip_angle, 0, tolerance);
   }
   points.back().at.x = 0;
   return points;
 }
 
 std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance) {
-  const std::vector<OutlinePoint> half = tooth_half(gear, tolerance);
+  return whole_outline(tooth_half(gear, tolerance), gear.teeth);
+}
+
+std::vector<OutlinePoint> whole_outline(const std::vector<OutlinePoint>& half, double whole_teeth) {
   std::vector<OutlinePoint> tooth;
   for (const OutlinePoint& point : half) tooth.push_back({-conj(point.at), point.part});
   // Down again at the left; the root's middle there begins the next tooth.
   for (std::size_t i = half.size(); i-- > 2;) tooth.push_back({half[i - 1].at, half[i].part});
   std::vector<OutlinePoint> outline;
-  const int teeth = half.empty() ? 0 : static_cast<int>(std::lround(gear.teeth));
+  const int teeth = half.empty() ? 0 : static_cast<int>(std::lround(whole_teeth));
   outline.reserve(tooth.size() * static_cast<std::size_t>(teeth));
   for (int k = 0; k < teeth; ++k) {
     const double angle = kTurn * k / teeth;

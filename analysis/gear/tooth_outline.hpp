@@ -33,6 +33,9 @@ std::vector<OutlinePoint> tooth_half(const SpurGear& gear, double tolerance);
 /// the y axis; closed by the chord from the last point to the first. `teeth` must be whole.
 std::vector<OutlinePoint> gear_outline(const SpurGear& gear, double tolerance);
 
+/// The outline of so many teeth of which `half` is half of one, likewise.
+std::vector<OutlinePoint> whole_outline(const std::vector<OutlinePoint>& half, double whole_teeth);
+
 /// The rack's outline over `teeth` teeth to either side, from left to right, when the gear whose
 /// centre is the origin has turned counter-clockwise by `angle` (radians) and the rack with it
 /// along −x, its pitch line at y = r + x m. At angle 0 a space of the rack is above the tooth's

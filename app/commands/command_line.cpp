@@ -159,6 +159,11 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_command("sketch", "Write a page that finds linkages for curves.", kSketchFooter)
       .add_option("--out", arguments.out, "the page (default: sketch.html)")
       ->type_name("FILE");
+  auto& involute =
+      add_command("involute", "Tabulate the involute function or its inverse.", kInvoluteFooter);
+  involute.add_option("VALUE", arguments.values, "angles in degrees, or ranges FROM:TO:STEP");
+  involute.add_flag("--inverse", arguments.inverse, "angles of these values of the involute");
+  involute.add_flag("--csv", arguments.csv, "as CSV, every digit");
   add_files_command("check", "Validate a file without solving it.", kCheckFooter,
                     "problems or studies, TOML files", {".toml"});
   auto& list = add_command("list", "Say what can be requested, and by which keys.", kListFooter);

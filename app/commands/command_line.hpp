@@ -14,15 +14,17 @@ namespace cognate::app {
 /// What the command line says, as it was written.
 struct Arguments {
   std::string file;
-  std::vector<std::string> files;  ///< of the commands that take several
-  std::string kind;                ///< of `new` and `list`
-  std::string shell;               ///< of `completion`
+  std::vector<std::string> files;   ///< of the commands that take several
+  std::vector<std::string> values;  ///< of `involute`
+  std::string kind;                 ///< of `new` and `list`
+  std::string shell;                ///< of `completion`
   std::string seed, threads, time_limit, out, steps, length_unit;
   std::string row;  ///< of a study, for `export`
   ExportTexts exporting;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
+  bool inverse = false, csv = false;  ///< of `involute`
 };
 
 /// The commands and options, and where parsing puts what was written. It is not to be moved: the

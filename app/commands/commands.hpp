@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/console/messages.hpp"
 #include "app/console/options.hpp"
@@ -67,6 +68,18 @@ ExitStatus new_command(const std::string& kind, const Options& options);
 /// `--out`, else to sketch.html, and says so (with `--json` as a document `cognate-sketch/1`, with
 /// `--quiet` not at all). A file of that name is left as it is, as by `new_command`.
 ExitStatus sketch_command(const Options& options);
+
+struct InvoluteOptions {
+  bool inverse = false;  ///< the arguments are involutes, not angles
+  bool csv = false;
+};
+
+/// Prints the involutes of the angles, in degrees, that `texts` give, each a number or a range
+/// FROM:TO:STEP, or with `inverse` the angles of the involutes that they give; without any the
+/// table of textbooks, 10° to 45°. As a table, as CSV or with `--json` as a document
+/// `cognate-involute/1`.
+ExitStatus involute_command(const std::vector<std::string>& texts, const InvoluteOptions& wanted,
+                            const Options& options);
 
 /// Prints the kinds of problems, mechanisms, solvers and options, or with `metrics` every metric
 /// and every column with its unit; with `--json` as a document. With a `kind`, which may be empty,

@@ -160,6 +160,18 @@ Examples:
   cognate sketch
   cognate sketch --out pages/curve.html)";
 
+inline constexpr const char* kInvoluteFooter =
+    R"(Output:
+  inv a = tan a - a for each angle a, from 0 to less than 90 degrees, or with
+  --inverse the angle whose involute is each value, right to the last digits
+  also near 0 and 90 degrees; without any VALUE the table of textbooks, from 10
+  to 45 degrees. A STEP of angles that is left out is 1 degree.
+
+Examples:
+  cognate involute 20 22.5
+  cognate involute 10:45:0.5 --csv > involute.csv
+  cognate involute --inverse 0.0149043839)";
+
 inline constexpr const char* kCheckFooter =
     R"(Output:
   A summary of the problem on standard output; or every fault in it on standard

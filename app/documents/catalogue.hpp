@@ -28,6 +28,7 @@ struct Metric {
   std::string_view key;
   std::string_view unit;
   std::string_view meaning;
+  std::string_view symbol{};  ///< of a standard, "d_a"; of several keys one for each
 };
 
 template <class List>

@@ -57,13 +57,19 @@ ListSection list_section(const MetricList& list) {
   Column units{"unit", Align::left, {}};
   Column meanings{"meaning", Align::left, {}};
   ListSection section{list.key, "", ordered_json::array()};
-  for (const auto& [key, unit, meaning] : list.metrics) {
+  Column symbols{"symbol", Align::left, {}};
+  for (const auto& [key, unit, meaning, symbol] : list.metrics) {
     keys.cells.emplace_back(key);
     units.cells.emplace_back(unit);
+    symbols.cells.emplace_back(symbol);
     meanings.cells.emplace_back(meaning);
     section.json.push_back({{"key", key}, {"unit", unit}, {"meaning", meaning}});
+    if (!symbol.empty()) section.json.back()["symbol"] = symbol;
   }
-  for (const auto& line : set_columns({keys, units, meanings})) section.text += line + '\n';
+  std::vector<Column> columns{keys, units, symbols, meanings};
+  const auto has_symbol = [](const Metric& metric) { return !metric.symbol.empty(); };
+  if (std::ranges::none_of(list.metrics, has_symbol)) columns.erase(columns.begin() + 2);
+  for (const auto& line : set_columns(columns)) section.text += line + '\n';
   return section;
 }
 

@@ -49,11 +49,12 @@ constexpr Entry kRpp[] = {{"joins", "a point, of the block"},
                           {"slot_deg", "of the slot from the slide (default 90)"},
                           {"new", "name of the point where slot and slide cross"}};
 
-constexpr KeyedEntry kDyads[] = {{"RRR", "two links and three hinges", kRrr},
-                                 {"RRP", "a link and a slider", kRrp},
-                                 {"RPR", "a block that slides on a turning bar", kRpr},
-                                 {"PRP", "two sliders with a common pin", kPrp},
-                                 {"RPP", "a block in the slot of a slider", kRpp}};
+/// With the names of VDI 2729, D a hinge and S a slide.
+constexpr KeyedEntry kDyads[] = {{"RRR", "two links and three hinges (VDI 2729: DDD)", kRrr},
+                                 {"RRP", "a link and a slider (DDS)", kRrp},
+                                 {"RPR", "a block that slides on a turning bar (DSD)", kRpr},
+                                 {"PRP", "two sliders with a common pin (SDS)", kPrp},
+                                 {"RPP", "a block in the slot of a slider (DSS)", kRpp}};
 
 constexpr Entry kPivotTable[] = {{"name", "of the point"}, {"at", "[x, y]"}};
 constexpr Entry kCrankTable[] = {{"at", "the pivot it turns about"},

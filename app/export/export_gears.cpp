@@ -48,35 +48,52 @@ tl::expected<double, std::string> tolerance_of(const ResultGears& given,
                   tolerance, module, least, greatest));
 }
 
-/// Rows of x, y, radius about the gear's own centre, and the part that the chord to the point
-/// stands for: root, fillet, involute, tip.
+/// Rows of x, y, radius about the gear's own centre, of a rack the height above its reference line,
+/// and the part that the chord to the point stands for: root, fillet, involute, tip.
 std::string outline_csv(const GearOutline& outline, std::string_view length) {
   const std::string unit = length.empty() ? "" : "_" + std::string(length);
-  std::string text = fmt::format("x{0},y{0},radius{0},part\r\n", unit);
+  const auto& rack = outline.gear.rack;
+  std::string text = fmt::format("x{0},y{0},{1}{0},part\r\n", unit, rack ? "height" : "radius");
   for (const auto& [at, part] : outline.points) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\r\n", at.x, at.y,
-                   norm(at - outline.gear.centre), name_of(part));
+    const double third = rack ? at.y - rack->distance : norm(at - outline.gear.centre);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\r\n", at.x, at.y, third, name_of(part));
   }
   return text;
 }
 
-/// A gear's circles, its place and its outline.
-ordered_json gear_entry(const GearOutline& drawn) {
-  const GearPose& gear = drawn.gear;
+ordered_json outline_json(const GearOutline& drawn) {
   ordered_json outline = ordered_json::array();
   for (const auto& [at, part] : drawn.points) outline.push_back({at.x, at.y, name_of(part)});
+  return outline;
+}
+
+/// A rack's lines and its outline.
+ordered_json rack_entry(const GearOutline& drawn) {
+  const GearPose& gear = drawn.gear;
+  return {{"name", gear.name},
+          {"module", gear.section.module},
+          {"reference_line_y", gear.rack->distance},
+          {"pitch_line_y", gear.pitch_radius},
+          {"outline", outline_json(drawn)}};
+}
+
+/// A gear's circles, its place and its outline.
+ordered_json gear_entry(const GearOutline& drawn) {
+  if (drawn.gear.rack) return rack_entry(drawn);
+  const GearPose& gear = drawn.gear;
+  const auto& ring = gear.ring;
   ordered_json entry = ordered_json::object();
   if (!gear.name.empty()) entry["name"] = gear.name;
   entry.update({{"teeth", static_cast<int>(gear.section.teeth)},
                 {"transverse_module", gear.section.module},
                 {"base_radius", gear::base_radius(gear.section)},
                 {"pitch_radius", gear.pitch_radius},
-                {"form_radius", gear::form_radius(gear.section)},
-                {"tip_radius", gear::tip_radius(gear.section)},
-                {"root_radius", gear::root_radius(gear.section)},
+                {"form_radius", ring ? gear::form_radius(*ring) : gear::form_radius(gear.section)},
+                {"tip_radius", ring ? gear::tip_radius(*ring) : gear::tip_radius(gear.section)},
+                {"root_radius", ring ? gear::root_radius(*ring) : gear::root_radius(gear.section)},
                 {"centre", {gear.centre.x, gear.centre.y}},
                 {"turned_deg", problems::degrees(gear.angle)},
-                {"outline", outline}});
+                {"outline", outline_json(drawn)}});
   return entry;
 }
 

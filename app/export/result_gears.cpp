@@ -9,6 +9,7 @@
 #include "app/export/exported.hpp"
 #include "app/export/toml_text.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/gear/pair_design.hpp"
 #include "problems/gear/pair_limits.hpp"
 #include "problems/gear/result.hpp"
 #include "problems/read.hpp"
@@ -52,9 +53,10 @@ const char* fault_of(const gear::SpurGear& gear) {
 }
 
 void note_undercut(ResultGears& gears) {
-  for (const auto& [name, section, centre, angle, pitch] : gears.gears) {
-    if (!gear::is_undercut(section)) continue;
-    gears.notes.push_back(fmt::format("the {} is undercut", name.empty() ? "gear" : name));
+  for (const GearPose& gear : gears.gears) {
+    if (gear.ring || gear.rack || !gear::is_undercut(gear.section)) continue;
+    gears.notes.push_back(
+        fmt::format("the {} is undercut", gear.name.empty() ? "gear" : gear.name));
   }
 }
 
@@ -90,10 +92,18 @@ void note_contact(const gear::PairGeometry& contact, ResultGears& gears) {
     gears.notes.push_back(
         fmt::format("the teeth overlap by {:.6g} on the pitch circles", -contact.backlash));
   }
-  if (contact.contact_ratio < 1 && gears.gearing == "spur") {
+  if (contact.contact_ratio < 1 && gears.gearing != "helical") {
     gears.notes.push_back(fmt::format("the contact ratio is {:.4g}: contact is lost between teeth",
                                       contact.contact_ratio));
   }
+}
+
+ResultGears head_of_gears(const GearPairProblem& problem) {
+  return {problem.title,
+          std::string(problems::to_string(problem.gearing)),
+          problem.length_unit,
+          {},
+          {}};
 }
 
 Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
@@ -103,11 +113,7 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
     return tl::unexpected(std::string(
         "its base circles overlap, so the gears do not mesh; expected a greater centre_distance"));
   }
-  ResultGears made{problem.title,
-                   std::string(problems::to_string(problem.gearing)),
-                   problem.length_unit,
-                   {},
-                   {}};
+  ResultGears made = head_of_gears(problem);
   made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
                 {"wheel", pair.gears[1], mesh.wheel_centre, mesh.wheel_angle,
                  contact.gears[1].working_radius}};
@@ -115,10 +121,60 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
   return made;
 }
 
+Made without_outline(const char* which, const char* fault) {
+  return tl::unexpected(fmt::format(
+      "the {} has no outline, since {}; expected gears that can be made", which, fault));
+}
+
+/// The pinion and the ring about (0, −a′).
+Made internal_of(const GearPairProblem& problem) {
+  const gear::InternalPair pair = problems::internal_pair(problem);
+  if (const char* fault = fault_of(pair.pinion)) return without_outline("pinion", fault);
+  if (gear::ring_fault(pair.ring) != gear::RingFault::none) {
+    return without_outline("ring", "its tool leaves no involute");
+  }
+  const double angle = gear::ring_angle(pair);
+  if (!std::isfinite(angle)) {
+    return tl::unexpected(
+        std::string("there is no line of action; expected another centre_distance"));
+  }
+  ResultGears made = head_of_gears(problem);
+  const auto all = gear::geometry(pair);
+  made.gears = {{"pinion", pair.pinion, {}, 0, all.mesh.gears[0].working_radius},
+                {"wheel",
+                 pair.ring.twin,
+                 {0, -pair.centre_distance},
+                 angle,
+                 all.mesh.gears[1].working_radius,
+                 pair.ring}};
+  note_contact(all.mesh, made);
+  if (all.tip_room < 0) made.notes.emplace_back("the tips of pinion and ring overlap");
+  return made;
+}
+
+/// The pinion and the rack above it.
+Made rack_of(const GearPairProblem& problem) {
+  const gear::RackPair pair = problems::rack_pair(problem);
+  if (const char* fault = fault_of(pair.pinion)) return without_outline("pinion", fault);
+  ResultGears made = head_of_gears(problem);
+  const auto mesh = gear::geometry(pair);
+  const double reference = gear::reference_radius(pair.pinion);
+  made.gears = {{"pinion", pair.pinion, {}, 0, reference},
+                {.name = "rack",
+                 .section = pair.pinion,
+                 .pitch_radius = reference,
+                 .rack = pair,
+                 .offset = 0.5 * mesh.backlash}};
+  note_contact(mesh, made);
+  return made;
+}
+
 Made pair_of(const ResultDesign& given) {
   const auto problem =
       problems::parse_task<problems::GearPairProblem>(problem_text(given, "gear-pair"));
   if (!problem) return tl::unexpected(problem.error().front().message);
+  if (problem->gearing == problems::Gearing::internal) return internal_of(*problem);
+  if (problem->gearing == problems::Gearing::rack) return rack_of(*problem);
   if (const auto what = missing(*problem); !what.empty()) return tl::unexpected(what);
   const problems::GearPairNumbers numbers{{*problem->teeth[0], *problem->teeth[1]},
                                           *problem->module,
@@ -127,9 +183,7 @@ Made pair_of(const ResultDesign& given) {
   const gear::SpurPair pair = section_of(*problem, numbers);
   for (const int i : {0, 1}) {
     if (const char* fault = fault_of(pair.gears[static_cast<std::size_t>(i)])) {
-      return tl::unexpected(
-          fmt::format("the {} has no outline, since {}; expected gears that can be made",
-                      i == 0 ? "pinion" : "wheel", fault));
+      return without_outline(i == 0 ? "pinion" : "wheel", fault);
     }
   }
   return in_mesh(*problem, pair);

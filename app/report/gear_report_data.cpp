@@ -27,27 +27,53 @@ double gear_fineness(std::size_t designs) {
   return designs <= kMany ? kFine : kCoarse;
 }
 
+void add_half(const std::vector<gear::OutlinePoint>& half, ordered_json& gear) {
+  ordered_json x = ordered_json::array(), y = x, part = x;
+  for (const auto& point : half) {
+    x.push_back(drawn(point.at.x));
+    y.push_back(drawn(point.at.y));
+    part.push_back(static_cast<int>(point.part));
+  }
+  gear["half"] = {{"x", x}, {"y", y}, {"part", part}};
+}
+
 /// A gear by its transverse section: `teeth`, `module`, radii (`reference`, `base`, `tip`, `root`,
 /// `form`), `half_angle` (of the tooth at the base circle, rad), `pressure_angle` (rad) and `half`:
 /// half a tooth by `x`, `y` and `part` (root, fillet, involute, tip by number, of the chord that
 /// leads to the point), empty where the gear cannot be made.
 ordered_json gear_json(const gear::SpurGear& gear, double fineness) {
-  ordered_json x = ordered_json::array(), y = x, part = x;
-  for (const auto& point : gear::tooth_half(gear, fineness * gear.module)) {
-    x.push_back(drawn(point.at.x));
-    y.push_back(drawn(point.at.y));
-    part.push_back(static_cast<int>(point.part));
-  }
-  return {{"teeth", drawn(gear.teeth)},
-          {"module", drawn(gear.module)},
-          {"reference", drawn(gear::reference_radius(gear))},
-          {"base", drawn(gear::base_radius(gear))},
-          {"tip", drawn(gear::tip_radius(gear))},
-          {"root", drawn(gear::root_radius(gear))},
-          {"form", x.empty() ? ordered_json(nullptr) : drawn(gear::form_radius(gear))},
-          {"half_angle", drawn(gear::base_half_angle(gear))},
-          {"pressure_angle", drawn(gear.rack.pressure_angle)},
-          {"half", {{"x", x}, {"y", y}, {"part", part}}}};
+  const auto half = gear::tooth_half(gear, fineness * gear.module);
+  ordered_json entry = {
+      {"teeth", drawn(gear.teeth)},
+      {"module", drawn(gear.module)},
+      {"reference", drawn(gear::reference_radius(gear))},
+      {"base", drawn(gear::base_radius(gear))},
+      {"tip", drawn(gear::tip_radius(gear))},
+      {"root", drawn(gear::root_radius(gear))},
+      {"form", half.empty() ? ordered_json(nullptr) : drawn(gear::form_radius(gear))},
+      {"half_angle", drawn(gear::base_half_angle(gear))},
+      {"pressure_angle", drawn(gear.rack.pressure_angle)}};
+  add_half(half, entry);
+  return entry;
+}
+
+/// A ring likewise, with `is_ring`; `half_angle` is from its tooth's middle to where the flank that
+/// a pinion drives would begin on the base circle.
+ordered_json ring_json(const gear::RingGear& ring, double fineness) {
+  const bool is_made = gear::ring_fault(ring) == gear::RingFault::none;
+  ordered_json entry = {
+      {"is_ring", true},
+      {"teeth", drawn(ring.twin.teeth)},
+      {"module", drawn(ring.twin.module)},
+      {"reference", drawn(gear::reference_radius(ring.twin))},
+      {"base", drawn(gear::base_radius(ring.twin))},
+      {"tip", drawn(gear::tip_radius(ring))},
+      {"root", drawn(gear::root_radius(ring))},
+      {"form", is_made ? drawn(gear::form_radius(ring)) : ordered_json(nullptr)},
+      {"half_angle", drawn(gear::base_half_angle(ring.twin) - kPi / ring.twin.teeth)},
+      {"pressure_angle", drawn(ring.twin.rack.pressure_angle)}};
+  add_half(gear::ring_half(ring, fineness * ring.twin.module), entry);
+  return entry;
 }
 
 /// One tooth of the rack that cuts `gear`, from the middle of one tooth to that of the next, as it
@@ -138,14 +164,65 @@ ordered_json worm_json(const gear::WormPair& pair, double fineness) {
   return {{"gears", ordered_json::array({gear_json(wheel, fineness)})}, {"worm", section}};
 }
 
+/// A pinion and a ring, and how they touch where they do.
+ordered_json internal_json(const gear::InternalPair& pair, double fineness) {
+  ordered_json entry = {
+      {"gears", {gear_json(pair.pinion, fineness), ring_json(pair.ring, fineness)}},
+      {"centre_distance", drawn(pair.centre_distance)}};
+  const double apart = gear::base_radius(pair.ring.twin) - gear::base_radius(pair.pinion);
+  const bool touches = gear::tooth_fault(pair.pinion) == gear::ToothFault::none &&
+                       gear::ring_fault(pair.ring) == gear::RingFault::none &&
+                       pair.centre_distance > apart;
+  entry["working_angle"] = touches ? drawn(std::acos(apart / pair.centre_distance)) : nullptr;
+  if (!touches) return entry;
+  const auto all = gear::geometry(pair);
+  entry["path_start"] = drawn(all.path_start);
+  entry["path_end"] = drawn(all.path_end);
+  for (std::size_t i = 0; i < 2; ++i) {
+    entry["gears"][i]["working"] = drawn(all.mesh.gears[i].working_radius);
+  }
+  return entry;
+}
+
+/// The pinion, and the rack above it as the section of a worm on one side of an axis.
+ordered_json rack_pair_json(const gear::RackPair& pair, double fineness) {
+  constexpr double kBody = 2;  // from the roots to the axis, in modules
+  const auto& pinion = pair.pinion;
+  const double module = pinion.module, tip = pinion.rack.addendum - pair.tip_reduction;
+  const double root = pinion.rack.addendum + pinion.rack.clearance, reference = root + kBody;
+  const ordered_json section = {{"is_rack", true},
+                                {"starts", drawn(pinion.teeth)},
+                                {"module", drawn(module)},
+                                {"reference", drawn(reference * module)},
+                                {"tip", drawn((reference + tip) * module)},
+                                {"root", drawn(kBody * module)},
+                                {"offset", drawn(-0.5 * gear::geometry(pair).backlash)},
+                                {"pressure_angle", drawn(pinion.rack.pressure_angle)},
+                                {"centre_distance", drawn(pair.distance + reference * module)}};
+  return {{"gears", ordered_json::array({gear_json(pinion, fineness)})}, {"worm", section}};
+}
+
+ordered_json drawn_design(const GearPairDesign& design, double fineness) {
+  switch (design.settled.gearing) {
+    case Gearing::worm:
+      return worm_json(design.settled.worm, fineness);
+    case Gearing::internal:
+      return internal_json(problems::internal_pair(design.settled), fineness);
+    case Gearing::rack:
+      return rack_pair_json(problems::rack_pair(design.settled), fineness);
+    default:
+      return pair_json(design.pair, fineness);
+  }
+}
+
 ordered_json design_json(const GearPairDesign& design, Gearing gearing, double fineness) {
   const auto& settled = design.settled;
   const bool is_worm = gearing == Gearing::worm;
-  ordered_json entry =
-      is_worm ? worm_json(settled.worm, fineness) : pair_json(design.pair, fineness);
+  ordered_json entry = drawn_design(design, fineness);
   if (gearing == Gearing::bevel) entry["cones"] = cones_json(settled);
   ordered_json teeth = ordered_json::array(), shifts = teeth;
-  for (std::size_t i = 0; i < 2; ++i) {
+  const std::size_t toothed = gearing == Gearing::rack ? 1 : 2;
+  for (std::size_t i = 0; i < toothed; ++i) {
     const double of_worm = i == 0 ? settled.worm.starts : settled.worm.wheel_teeth;
     teeth.push_back(drawn(is_worm ? of_worm : settled.teeth[i].value_or(0)));
     shifts.push_back(drawn(is_worm ? 0 : settled.profile_shift[i].value_or(0)));

@@ -40,7 +40,7 @@ std::string unit_in(std::string_view name) {
 
 /// A metric of a gear of a pair without the gear's name.
 std::string_view of_gear(std::string_view name) {
-  for (const std::string_view gear : {"pinion.", "wheel.", "worm."}) {
+  for (const std::string_view gear : {"pinion.", "wheel.", "worm.", "rack."}) {
     if (name.starts_with(gear)) return name.substr(gear.size());
   }
   return name;

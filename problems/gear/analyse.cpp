@@ -108,7 +108,7 @@ GearResult analyse(const GearProblem& given, const Run& run) {
   const Deadline deadline(run);
   GearResult result;
   const SpurGear section = gear::transverse(problem.gear);
-  result.metrics = gear_quantities(problem.gear, "");
+  result.metrics = gear_quantities(problem.gear, "", problem.span_teeth);
   if (problem.gear.helix != 0 && problem.gear.face_width > 0) {
     result.metrics.push_back({"overlap_ratio", gear::overlap_ratio(problem.gear)});
   }

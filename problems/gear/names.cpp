@@ -3,10 +3,9 @@
 namespace cognate::problems {
 namespace {
 
-constexpr Named<Gearing> kGearings[] = {{"spur", Gearing::spur},
-                                        {"helical", Gearing::helical},
-                                        {"bevel", Gearing::bevel},
-                                        {"worm", Gearing::worm}};
+constexpr Named<Gearing> kGearings[] = {
+    {"spur", Gearing::spur}, {"helical", Gearing::helical}, {"internal", Gearing::internal},
+    {"rack", Gearing::rack}, {"bevel", Gearing::bevel},     {"worm", Gearing::worm}};
 constexpr Named<GearObjective> kObjectives[] = {
     {"balanced-sliding", GearObjective::balanced_sliding},
     {"contact-ratio", GearObjective::contact_ratio},

@@ -31,7 +31,8 @@ ConstraintCheck check_of(const GearLimit& limit) {
   const double slack =
       kCheckTolerance * std::max({std::abs(limit.value), std::abs(limit.bound), limit.scale});
   const double missing = limit.at_least ? limit.bound - limit.value : limit.value - limit.bound;
-  ConstraintCheck check{limit.name, limit.value, limit.bound, missing <= slack};
+  const bool is_met = missing <= slack && missing != HUGE_VAL;  // sliding may be infinite
+  ConstraintCheck check{limit.name, limit.value, limit.bound, is_met};
   check.relation = limit.at_least ? BoundSide::least : BoundSide::most;
   const bool of_teeth = std::string_view(limit.name).starts_with("teeth.");
   if (of_teeth) {

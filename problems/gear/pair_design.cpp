@@ -16,6 +16,7 @@ GearPairProblem settled(GearPairProblem problem, const GearPairNumbers& numbers)
   problem.module = numbers.module;
   problem.centre_distance = numbers.centre_distance;
   problem.backlash.reset();
+  problem.free_helix = false;
   return problem;
 }
 

@@ -18,6 +18,7 @@ class PairQuantities {
     const auto& [pinion, wheel] = design_.pair.gears;
     add("ratio", wheel.teeth / pinion.teeth);
     add("module", *settled_.module);
+    if (settled_.helix != 0) add("helix_deg", degrees(settled_.helix));
     add("centre_distance", design_.pair.centre_distance);
     add("reference_centre_distance",
         gear::reference_radius(pinion) + gear::reference_radius(wheel));

@@ -18,14 +18,22 @@
 namespace cognate::problems {
 
 /// `mechanism.gearing`.
-enum class Gearing { spur, helical, bevel, worm };
+enum class Gearing {
+  spur,
+  helical,
+  internal,  ///< a pinion in a ring, both spur
+  rack,      ///< a pinion on a rack, both spur
+  bevel,
+  worm
+};
 
-/// `kind = "gear"`: one gear as its rack cuts it. Bevel and worm gears are made of pairs alone.
+/// `kind = "gear"`: one gear as its rack cuts it. Other gearings are made of pairs alone.
 struct GearProblem {
   std::string title;
   std::optional<LengthUnit> length_unit{};
   Gearing gearing = Gearing::spur;  ///< or helical
   gear::HelicalGear gear;           ///< of a spur gear without helix
+  std::optional<int> span_teeth{};  ///< over which the span is measured; else the usual number
   int points = 20;                  ///< rows of the table for each part of the flank
 };
 
@@ -77,8 +85,10 @@ struct GearPairProblem {
   std::optional<double> ratio;     ///< z₂/z₁ wanted, with teeth free
   double ratio_tolerance = 0;      ///< relative
   double helix = 0;                ///< of the pinion; the wheel's is opposite
+  bool free_helix = false;         ///< it is that of the centre distance, all else being given
   double face_width = 0;
   double shaft_angle = kRightAngle;  ///< bevel
+  int cutter_teeth = 20;             ///< internal: of the pinion-shaped tool that cuts the ring
   gear::WormPair worm;               ///< worm: all that there is
   std::optional<double> friction;    ///< worm: then efficiency and self-locking are reported
   GearObjective objective = GearObjective::balanced_sliding;

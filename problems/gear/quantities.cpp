@@ -27,6 +27,17 @@ bool is_involute(const SpurGear& section, double tangent) {
          tangent >= gear::form_tangent(section) && radius <= gear::flank_end_radius(section);
 }
 
+/// s_n, the arc on the reference circle across the teeth.
+double normal_thickness(const HelicalGear& gear) {
+  const SpurGear section = gear::transverse(gear);
+  return gear::tooth_thickness(section, gear::reference_radius(section)) * std::cos(gear.helix);
+}
+
+double addendum(const HelicalGear& gear) {
+  const SpurGear section = gear::transverse(gear);
+  return gear::tip_radius(section) - gear::reference_radius(section);
+}
+
 /// Of the circle of the centres of pins of `diameter`; not a number where they fall through.
 double pin_radius(const HelicalGear& gear, double diameter) {
   const SpurGear& normal = gear.normal;
@@ -41,12 +52,16 @@ double pin_radius(const HelicalGear& gear, double diameter) {
 
 class Quantities {
  public:
-  Quantities(const HelicalGear& gear, std::string prefix)
-      : gear_(gear), section_(gear::transverse(gear)), prefix_(std::move(prefix)) {}
+  Quantities(const HelicalGear& gear, std::string prefix, std::optional<int> span_teeth)
+      : gear_(gear),
+        section_(gear::transverse(gear)),
+        prefix_(std::move(prefix)),
+        span_teeth_(span_teeth) {}
 
   std::vector<Quantity> all() && {
     add_diameters();
     add_thicknesses();
+    add_chords();
     add_limits();
     if (gear_.helix != 0) add_helix();
     add_measurements();
@@ -89,6 +104,15 @@ class Quantities {
     add("pointed_diameter", 2 * gear::pointed_radius(section_));
   }
 
+  void add_chords() {
+    const Chord chord = reference_chord(gear_), constant = constant_chord(gear_);
+    if (!(chord.thickness > 0)) return;
+    add("chordal_thickness", chord.thickness);
+    add("chordal_addendum", chord.addendum);
+    add("constant_chord", constant.thickness);
+    add("constant_chord_addendum", constant.addendum);
+  }
+
   void add_limits() {
     const double normal = std::cos(gear_.helix);  // of a transverse module over a normal one
     add("undercut", gear::is_undercut(section_));
@@ -100,6 +124,7 @@ class Quantities {
     add("virtual_teeth", gear::virtual_teeth(gear_));
     add("base_helix_deg", degrees(gear::base_helix(gear_)));
     add("lead", gear::lead(gear_));
+    add("normal_tooth_thickness", normal_thickness(gear_));
     const double tip = gear::tip_radius(section_);
     if (tip < gear::base_radius(section_)) return;
     add("normal_tip_thickness",
@@ -107,7 +132,7 @@ class Quantities {
   }
 
   void add_measurements() {
-    const auto span = span_measurement(gear_);
+    const auto span = span_teeth_ ? span_over(gear_, *span_teeth_) : span_measurement(gear_);
     if (span) {
       add("span_teeth", double(span->teeth));
       add("span_measurement", span->length);
@@ -121,39 +146,75 @@ class Quantities {
   const HelicalGear& gear_;
   SpurGear section_;
   std::string prefix_;
+  std::optional<int> span_teeth_;
   std::vector<Quantity> quantities_;
 };
 
 }  // namespace
 
-std::vector<Quantity> gear_quantities(const HelicalGear& gear, const std::string& prefix) {
-  return Quantities(gear, prefix).all();
+std::vector<Quantity> gear_quantities(const HelicalGear& gear, const std::string& prefix,
+                                      std::optional<int> span_teeth) {
+  return Quantities(gear, prefix, span_teeth).all();
+}
+
+Chord reference_chord(const HelicalGear& gear) {
+  const double cosine = std::cos(gear.helix);
+  const double diameter = 2 * gear::reference_radius(gear::transverse(gear)) / (cosine * cosine);
+  const double half = normal_thickness(gear) / diameter;
+  const double sine = std::sin(0.5 * half);
+  return {diameter * std::sin(half), addendum(gear) + diameter * sine * sine};
+}
+
+Chord constant_chord(const HelicalGear& gear) {
+  const double alpha = gear.normal.rack.pressure_angle, thickness = normal_thickness(gear);
+  const double cosine = std::cos(alpha);
+  return {thickness * cosine * cosine, addendum(gear) - 0.5 * thickness * std::sin(alpha) * cosine};
+}
+
+std::optional<SpanMeasurement> span_over(const HelicalGear& gear, int teeth) {
+  const SpurGear& normal = gear.normal;
+  const SpurGear section = gear::transverse(gear);
+  const double alpha = normal.rack.pressure_angle, z = normal.teeth;
+  if (teeth < 1 || teeth >= z) return std::nullopt;
+  const double inv = gear::involute(section.rack.pressure_angle);
+  const double thicker = 2 * normal.profile_shift * std::tan(alpha);
+  const double base_helix = gear::base_helix(gear);
+  const double length =
+      normal.module * std::cos(alpha) * (kPi * (teeth - 0.5) + z * inv + thicker) -
+      normal.coarsening * std::cos(alpha);
+  const bool has_width =
+      gear.face_width == 0 || gear.face_width > length * std::abs(std::sin(base_helix));
+  if (!has_width || !is_involute(section, 0.5 * length * std::cos(base_helix))) return std::nullopt;
+  return {{teeth, length}};
 }
 
 std::optional<SpanMeasurement> span_measurement(const HelicalGear& gear) {
-  const SpurGear& normal = gear.normal;
   const SpurGear section = gear::transverse(gear);
-  const double alpha = normal.rack.pressure_angle, z = normal.teeth, x = normal.profile_shift;
-  const double thicker = 2 * x * std::tan(alpha);
+  const double z = gear.normal.teeth, x = gear.normal.profile_shift;
+  const double thicker = 2 * x * std::tan(gear.normal.rack.pressure_angle);
   const double base = gear::base_radius(section);
   // The anvils are to touch at the reference radius and the shift above it.
-  const double touched = std::max(gear::reference_radius(section) + x * normal.module, base);
+  const double touched = std::max(gear::reference_radius(section) + x * gear.normal.module, base);
   const double roll = std::sqrt((touched - base) * (touched + base)) / base;
   const double inv = gear::involute(section.rack.pressure_angle);
-  const double base_helix = gear::base_helix(gear);
-  const double cosine = std::cos(base_helix);
+  const double cosine = std::cos(gear::base_helix(gear));
   const double count = (z * (roll / (cosine * cosine) - inv) - thicker) / kPi + 0.5;
   const int middle = static_cast<int>(std::clamp(std::round(count), 1.0, std::max(1.0, z - 1)));
   for (const int teeth : {middle, middle + 1, middle - 1}) {
-    if (teeth < 1 || teeth >= z) continue;
-    const double length =
-        normal.module * std::cos(alpha) * (kPi * (teeth - 0.5) + z * inv + thicker) -
-        normal.coarsening * std::cos(alpha);
-    const bool has_width =
-        gear.face_width == 0 || gear.face_width > length * std::abs(std::sin(base_helix));
-    if (has_width && is_involute(section, 0.5 * length * cosine)) return {{teeth, length}};
+    const auto span = span_over(gear, teeth);
+    if (span) return span;
   }
   return std::nullopt;
+}
+
+std::optional<std::array<int, 2>> span_range(const HelicalGear& gear) {
+  std::optional<std::array<int, 2>> range;
+  for (int teeth = 1; teeth < gear.normal.teeth; ++teeth) {
+    if (!span_over(gear, teeth)) continue;
+    if (!range) range = {teeth, teeth};
+    (*range)[1] = teeth;
+  }
+  return range;
 }
 
 double measurement_over_pins(const HelicalGear& gear, double diameter) {

@@ -6,11 +6,12 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/gear/keys.hpp"
+#include "problems/gear/quantities.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kHelixKey = "helix_deg";
+constexpr std::string_view kHelixKey = "helix_deg", kSpanTeeth = "span_teeth";
 constexpr int kMostPoints = 10000;
 
 // Bevel gears and worms are described by their pair.
@@ -42,6 +43,18 @@ void check_tip(TableReader& mechanism, const GearProblem& problem) {
   mechanism.fault(kReduction, fmt::format("is {:g}, which leaves no tooth above the root circle; "
                                           "expected less",
                                           problem.gear.normal.tip_reduction));
+}
+
+// That the span over the teeth asked for can be taken.
+void check_span(TableReader& output, const GearProblem& problem) {
+  if (!problem.span_teeth || span_over(problem.gear, *problem.span_teeth)) return;
+  const auto range = span_range(problem.gear);
+  const std::string allowed =
+      range ? fmt::format("allowed is a number from {} to {}", (*range)[0], (*range)[1])
+            : "over no number of teeth do they; remove it";
+  output.fault(kSpanTeeth, fmt::format("is {}, over which anvils do not touch the involute on both "
+                                       "sides; {}",
+                                       *problem.span_teeth, allowed));
 }
 
 }  // namespace
@@ -115,6 +128,7 @@ GearProblem KindTraits<GearProblem>::read(reading::TableReader& document,
   problem.gear.face_width = mechanism.number("face_width", kLinkLength).value_or(0);
   gear.rack = read_rack(document);
   problem.points = output.integer("points", 1, kMostPoints).value_or(problem.points);
+  problem.span_teeth = output.integer(kSpanTeeth, 1, kMostTeeth);
   mechanism.finish();
   output.finish();
   if (document.faults().size() > before || !teeth || !module) return problem;
@@ -122,6 +136,7 @@ GearProblem KindTraits<GearProblem>::read(reading::TableReader& document,
   gear.module = *module;
   check_root(mechanism, problem);
   check_tip(mechanism, problem);
+  if (document.faults().size() == before) check_span(output, problem);
   return problem;
 }
 

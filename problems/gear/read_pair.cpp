@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "problems/gear/keys.hpp"
+#include "problems/gear/pair_helix.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
 #include "problems/gear/read_pair_bounds.hpp"
@@ -10,6 +13,9 @@
 namespace cognate::problems::reading {
 namespace {
 
+constexpr std::string_view kHelixAngle = "helix_deg", kPinionTeeth = "pinion_teeth",
+                           kPinionShift = "pinion_shift", kRackDistance = "rack_distance",
+                           kCutterTeeth = "cutter_teeth";
 constexpr std::string_view kBacklashKey = "backlash", kFace = "face_width",
                            kShaft = "shaft_angle_deg", kFree = "free";
 
@@ -41,13 +47,55 @@ void read_reductions(TableReader& mechanism, GearPairProblem& problem) {
 void check_backlash(TableReader& mechanism, const GearPairProblem& problem) {
   const auto& [first, second] = problem.profile_shift;
   if (!problem.backlash || !problem.centre_distance || !first || !second) return;
+  if (problem.free_helix) return;
   mechanism.fault(kBacklashKey,
                   "is given beside centre_distance and both values of profile_shift, from which it "
                   "follows; leave one of them out");
 }
 
+bool asks_for_helix(TableReader& mechanism, Gearing gearing) {
+  return gearing == Gearing::helical && mechanism.has_text(kHelixAngle) &&
+         mechanism.text(kHelixAngle) == kFree;
+}
+
+// The helix that the centre distance asks for, where all else is given.
+void find_helix(TableReader& mechanism, GearPairProblem& problem) {
+  std::string missing;
+  for (const auto key : {kTeethKey, kModule, kShift, kDistance}) {
+    if (mechanism.has(key) && !mechanism.has_word(key, kFree)) continue;
+    missing += fmt::format("{}{}", missing.empty() ? "" : ", ", key);
+  }
+  if (!missing.empty()) {
+    mechanism.fault(kHelixAngle, fmt::format("is \"free\" without {}; expected values of teeth, "
+                                             "module, profile_shift ([0, 0] for none) and "
+                                             "centre_distance, or an angle in degrees",
+                                             missing));
+    return;
+  }
+  const auto helix = helix_of_distance(problem);
+  if (helix) {
+    problem.helix = *helix;
+    return;
+  }
+  const auto distances = distances_of_helices(problem);
+  if (!distances || !problem.centre_distance) return;  // faulted before
+  const auto [least, greatest] = *distances;
+  if (!std::isfinite(least)) {
+    mechanism.fault(kShift,
+                    "makes teeth so thin that they have no centre distance without helix; "
+                    "expected greater shifts");
+    return;
+  }
+  mechanism.fault(kDistance,
+                  fmt::format("is {:g}, which no helix gives; expected more than {:.8g}, "
+                              "that without helix, and at most {:.8g}, that with 80 "
+                              "degrees",
+                              *problem.centre_distance, least, greatest));
+}
+
 void read_cylindrical(TableReader& mechanism, GearPairProblem& problem) {
-  problem.helix = read_helix(mechanism, problem.gearing);
+  problem.free_helix = asks_for_helix(mechanism, problem.gearing);
+  if (!problem.free_helix) problem.helix = read_helix(mechanism, problem.gearing);
   problem.face_width = mechanism.number(kFace, kLinkLength).value_or(0);
   read_teeth(mechanism, problem);
   problem.module = mechanism.number(kModule, kLinkLength);
@@ -56,9 +104,21 @@ void read_cylindrical(TableReader& mechanism, GearPairProblem& problem) {
   problem.backlash = mechanism.number(kBacklashKey, kBacklash);
   read_reductions(mechanism, problem);
   refuse_keys(mechanism,
-              {kShaft, "starts", "wheel_teeth", "diameter_quotient", "wheel_shift", "friction"},
+              {kShaft, "starts", "wheel_teeth", "diameter_quotient", "wheel_shift", "friction",
+               kPinionTeeth, kPinionShift, kRackDistance, kCutterTeeth},
               fmt::format("{} gears have none", to_string(problem.gearing)));
   check_backlash(mechanism, problem);
+  if (problem.free_helix) find_helix(mechanism, problem);
+}
+
+// A distance and the backlash that follows from it.
+void read_place(TableReader& mechanism, std::string_view key, GearPairProblem& problem) {
+  problem.centre_distance = mechanism.number(key, kLinkLength);
+  problem.backlash = mechanism.number(kBacklashKey, kBacklash);
+  if (!mechanism.has(key) || !mechanism.has(kBacklashKey)) return;
+  mechanism.fault(kBacklashKey, fmt::format("is given beside {}, from which it follows; leave one "
+                                            "of them out",
+                                            key));
 }
 
 void want(TableReader& mechanism, std::initializer_list<std::string_view> keys,
@@ -66,6 +126,44 @@ void want(TableReader& mechanism, std::initializer_list<std::string_view> keys,
   for (const auto key : keys) {
     if (!mechanism.has(key)) mechanism.fault(key, fmt::format("is missing; {}", why));
   }
+}
+
+void read_internal(TableReader& mechanism, GearPairProblem& problem) {
+  read_teeth(mechanism, problem);
+  problem.module = mechanism.number(kModule, kLinkLength);
+  const auto shifts = mechanism.two(kShift, kProfileShift, "[x1, x2]");
+  problem.profile_shift = {shifts ? (*shifts)[0] : 0, shifts ? (*shifts)[1] : 0};
+  read_place(mechanism, kDistance, problem);
+  read_reductions(mechanism, problem);
+  problem.cutter_teeth = static_cast<int>(
+      mechanism.number(kCutterTeeth, kTeeth).value_or(GearPairProblem{}.cutter_teeth));
+  want(mechanism, {kTeethKey, kModule}, "internal gears are evaluated, not searched for");
+  refuse_keys(mechanism,
+              {kHelixAngle, kFace, kShaft, "starts", "wheel_teeth", "diameter_quotient",
+               "wheel_shift", "friction", kPinionTeeth, kPinionShift, kRackDistance},
+              "internal gears have none");
+  const auto& [pinion, ring] = problem.teeth;
+  if (!pinion || !ring || *pinion < *ring) return;
+  mechanism.fault(kTeethKey, fmt::format("gives the ring {} teeth and the pinion {}; expected "
+                                         "more of the ring, [z1, z2] with z1 < z2",
+                                         *ring, *pinion));
+}
+
+void read_rack_pair(TableReader& mechanism, GearPairProblem& problem) {
+  const auto teeth = mechanism.number(kPinionTeeth, kTeeth);
+  if (teeth) problem.teeth[0] = static_cast<int>(*teeth);
+  problem.module = mechanism.number(kModule, kLinkLength);
+  problem.profile_shift = {mechanism.number(kPinionShift, kProfileShift).value_or(0), 0};
+  read_place(mechanism, kRackDistance, problem);
+  read_reductions(mechanism, problem);
+  want(mechanism, {kPinionTeeth, kModule}, "a rack and its pinion are evaluated, not searched for");
+  refuse_keys(mechanism, {kTeethKey}, "a rack has no number of them; its pinion has pinion_teeth");
+  refuse_keys(mechanism, {kShift}, "the pinion alone is shifted, by pinion_shift");
+  refuse_keys(mechanism, {kDistance}, "a rack has no centre; expected rack_distance");
+  refuse_keys(mechanism,
+              {kHelixAngle, kFace, kShaft, "starts", "wheel_teeth", "diameter_quotient",
+               "wheel_shift", "friction", kCutterTeeth},
+              "a rack and its pinion have none");
 }
 
 // The cones are those of the teeth: shifts that do not add up to 0 would need others.
@@ -87,7 +185,8 @@ void read_bevel(TableReader& mechanism, GearPairProblem& problem) {
   want(mechanism, {kTeethKey, kModule}, "bevel gears are evaluated, not searched for");
   refuse_keys(mechanism,
               {"helix_deg", kDistance, kBacklashKey, kReduction, "starts", "wheel_teeth",
-               "diameter_quotient", "wheel_shift", "friction"},
+               "diameter_quotient", "wheel_shift", "friction", kPinionTeeth, kPinionShift,
+               kRackDistance, kCutterTeeth},
               "bevel gears have none");
 }
 
@@ -106,7 +205,9 @@ void read_worm(TableReader& mechanism, GearPairProblem& problem) {
   refuse_keys(mechanism, {kShift}, "the wheel alone is shifted, by wheel_shift");
   refuse_keys(mechanism, {kDistance},
               "it follows from module, diameter_quotient, wheel_teeth and wheel_shift");
-  refuse_keys(mechanism, {kBacklashKey, kReduction, kFace, "helix_deg", kShaft},
+  refuse_keys(mechanism,
+              {kBacklashKey, kReduction, kFace, "helix_deg", kShaft, kPinionTeeth, kPinionShift,
+               kRackDistance, kCutterTeeth},
               "a worm and its wheel have none");
 }
 
@@ -181,6 +282,14 @@ GearPairProblem KindTraits<GearPairProblem>::read(reading::TableReader& document
     case Gearing::helical:
       read_cylindrical(mechanism, problem);
       read_search(document, mechanism, problem);
+      break;
+    case Gearing::internal:
+      read_internal(mechanism, problem);
+      refuse_search(document, problem.gearing);
+      break;
+    case Gearing::rack:
+      read_rack_pair(mechanism, problem);
+      refuse_search(document, problem.gearing);
       break;
     case Gearing::bevel:
       read_bevel(mechanism, problem);

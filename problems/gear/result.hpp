@@ -40,6 +40,11 @@ struct GearPairResult {
 
 GearResult analyse(const GearProblem& problem, const Run& run);
 
+/// Whether pairs of this gearing are searched for; others are evaluated, all being given.
+constexpr bool is_searched(Gearing gearing) {
+  return gearing == Gearing::spur || gearing == Gearing::helical;
+}
+
 /// Whether nothing is left to find.
 bool is_whole(const GearPairProblem& problem);
 

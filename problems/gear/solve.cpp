@@ -150,6 +150,11 @@ class Solver {
 std::optional<GearPairDesign> given_design(const GearPairProblem& problem) {
   if (problem.gearing == Gearing::bevel) return bevel_design(problem);
   if (problem.gearing == Gearing::worm) return worm_design(problem);
+  if (problem.gearing == Gearing::internal) {
+    if (!std::isfinite(internal_pair(problem).centre_distance)) return std::nullopt;
+    return internal_design(problem);
+  }
+  if (problem.gearing == Gearing::rack) return rack_design(problem);
   const GearCombination combination{{*problem.teeth[0], *problem.teeth[1]}, *problem.module};
   const auto found = GearPairSearch(problem, combination).best(SearchDepth::fine);
   if (!found) return std::nullopt;
@@ -162,6 +167,10 @@ std::vector<std::string> notes_of(const GearPairDesign& design) {
       return bevel_notes(design);
     case Gearing::worm:
       return worm_notes(design);
+    case Gearing::internal:
+      return internal_notes(design);
+    case Gearing::rack:
+      return rack_notes(design);
     default:
       return gear_pair_notes(design);
   }
@@ -192,6 +201,10 @@ std::vector<std::string> missed_notes(const GearPairDesign& design) {
 
 /// Why there is no pair at all.
 std::string no_pair_note(const GearPairProblem& problem) {
+  if (problem.gearing == Gearing::internal) {
+    return "No centre distance gives these teeth and shifts the backlash requested: the ring's "
+           "spaces are too narrow; expected a greater shift of the ring, or less of the pinion.";
+  }
   return fmt::format(
       "No pair of these teeth and shifts has a centre distance {}: the teeth are too thin to "
       "touch; "
@@ -209,7 +222,7 @@ Status status_of(const GearPairResult& result, const Deadline& deadline, bool wh
 }  // namespace
 
 bool is_whole(const GearPairProblem& problem) {
-  if (problem.gearing == Gearing::bevel || problem.gearing == Gearing::worm) return true;
+  if (!is_searched(problem.gearing)) return true;
   return problem.teeth[0] && problem.teeth[1] && problem.module && problem.profile_shift[0] &&
          problem.profile_shift[1];
 }

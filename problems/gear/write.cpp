@@ -5,6 +5,7 @@
 #include "problems/gear/keys.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/gear/read.hpp"
+#include "problems/gear/result.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
 namespace cognate::problems {
@@ -36,7 +37,11 @@ void write_shifts(const GearPairProblem& problem, TableWriter& table) {
 void write_cylindrical(const GearPairProblem& problem, TableWriter& table) {
   write_shifts(problem, table);
   table.set("centre_distance", problem.centre_distance).set("backlash", problem.backlash);
-  if (problem.gearing == Gearing::helical) table.set_deg("helix_deg", problem.helix);
+  if (problem.free_helix) {
+    table.add("helix_deg", node("free"));
+  } else if (problem.gearing == Gearing::helical) {
+    table.set_deg("helix_deg", problem.helix);
+  }
   set_unless_zero(table, "face_width", problem.face_width);
   table.set("tip_reduction", problem.tip_reduction);
 }
@@ -49,6 +54,22 @@ void write_worm(const GearPairProblem& problem, TableWriter& table) {
       .set("friction", problem.friction);
 }
 
+void write_internal(const GearPairProblem& problem, TableWriter& table) {
+  write_shifts(problem, table);
+  table.set("centre_distance", problem.centre_distance)
+      .set("backlash", problem.backlash)
+      .set("tip_reduction", problem.tip_reduction)
+      .set("cutter_teeth", problem.cutter_teeth);
+}
+
+void write_rack_pair(const GearPairProblem& problem, TableWriter& table) {
+  table.set("pinion_teeth", problem.teeth[0])
+      .set("pinion_shift", problem.profile_shift[0])
+      .set("rack_distance", problem.centre_distance)
+      .set("backlash", problem.backlash)
+      .set("tip_reduction", problem.tip_reduction);
+}
+
 TableWriter pair_writer(const GearPairProblem& problem) {
   TableWriter table;
   table.set_name("gearing", problem.gearing);
@@ -56,12 +77,18 @@ TableWriter pair_writer(const GearPairProblem& problem) {
   for (const auto& count : problem.teeth) {
     if (count) teeth.push_back(node(*count));
   }
-  if (!teeth.empty()) table.set("teeth", teeth);
+  if (!teeth.empty() && problem.gearing != Gearing::rack) table.set("teeth", teeth);
   table.set("module", problem.module);
   switch (problem.gearing) {
     case Gearing::spur:
     case Gearing::helical:
       write_cylindrical(problem, table);
+      break;
+    case Gearing::internal:
+      write_internal(problem, table);
+      break;
+    case Gearing::rack:
+      write_rack_pair(problem, table);
       break;
     case Gearing::bevel:
       write_shifts(problem, table);
@@ -129,10 +156,12 @@ reading::Written KindTraits<GearProblem>::written(const GearProblem& problem) {
   }
   set_unless_zero(mechanism, "face_width", problem.gear.face_width);
   mechanism.set("tip_reduction", gear.tip_reduction);
+  TableWriter output;
+  output.set("points", problem.points).set("span_teeth", problem.span_teeth);
   return {document_writer(kWord, problem.title, problem.length_unit)
               .set("mechanism", mechanism)
               .set("rack", rack_writer(gear.rack))
-              .set("output", TableWriter{}.set("points", problem.points))
+              .set("output", output)
               .take(),
           {}};
 }
@@ -141,8 +170,7 @@ reading::Written KindTraits<GearPairProblem>::written(const GearPairProblem& pro
   using namespace reading;
   TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   document.set("mechanism", pair_writer(problem)).set("rack", rack_writer(problem.rack));
-  const bool searched = problem.gearing == Gearing::spur || problem.gearing == Gearing::helical;
-  if (searched) {
+  if (is_searched(problem.gearing)) {
     document.set("bounds", pair_bounds_writer(problem))
         .set("target", pair_target_writer(problem))
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
@@ -161,7 +189,8 @@ tl::expected<GearPairProblem, std::vector<std::string>> KindTraits<GearPairProbl
   if (!read) return tl::unexpected(read.error());
   GearPairProblem whole = problem;
   whole.modules = read->modules;  // in order, each once
-  if (problem.gearing == Gearing::bevel) whole.profile_shift = read->profile_shift;
+  whole.helix = problem.free_helix ? read->helix : problem.helix;
+  if (!is_searched(problem.gearing)) whole.profile_shift = read->profile_shift;
   if (problem.gearing != Gearing::worm) return whole;
   whole.worm.module = read->worm.module;
   whole.worm.rack = problem.rack;

@@ -169,6 +169,32 @@ speed = 1
         self.assertNotIn("curvature_radius", rows[0])
         self.assertTrue(all(abs(row.get("curvature_radius", 0)) < 1e12 for row in rows))
 
+    def test_laws_have_the_factors_and_names_of_the_guideline(self):
+        """C_v, C_a, C_j of VDI 2143 in closed form."""
+        pi = math.pi
+        closed = {"Gerade": (1, 0, 0), "quadratische Parabel": (2, 4, None),
+                  "einfache Sinuslinie": (pi / 2, pi**2 / 2, pi**3 / 2),
+                  "geneigte Sinuslinie (Bestehorn)": (2, 2 * pi, 4 * pi**2),
+                  "Polynom 5. Grades": (15 / 8, 10 / math.sqrt(3), 60),
+                  "modifizierte Sinuslinie": (4 * pi / (4 + pi), 4 * pi**2 / (4 + pi), 16 * pi**3 / (4 + pi)),
+                  "modifiziertes Beschleunigungstrapez": (2, 8 * pi / (2 + pi), 32 * pi**2 / (2 + pi))}
+        listed = json.loads(subprocess.run([PROGRAM, "list", "cam", "--json"], capture_output=True, check=True).stdout)
+        laws = {law["vdi_2143"]: law["peak_factors"] for law in listed["motion_laws"] if "vdi_2143" in law}
+        self.assertEqual(laws.pop("Rast"), None)
+        self.assertEqual(laws.keys(), closed.keys())
+        for name, wanted in closed.items():
+            for factor, value in zip(("velocity", "acceleration", "jerk"), wanted):
+                with self.subTest(name, factor=factor):
+                    found = laws[name][factor]
+                    if value is None:
+                        self.assertIsNone(found)
+                    else:
+                        self.assertAlmostEqual(found, value, delta=1e-9 * max(1, value))
+        text = subprocess.run([PROGRAM, "list"], capture_output=True, text=True, check=True).stdout
+        for dyad, name in (("RRR", "DDD"), ("RRP", "DDS"), ("RPR", "DSD"), ("PRP", "SDS"), ("RPP", "DSS")):
+            self.assertRegex(text, rf"{dyad}: .*{name}\)")
+        self.assertRegex(text, r"velocity C_v +acceleration C_a +jerk C_j +VDI 2143")
+
     def test_steps_are_for_cams(self):
         text = (LIBRARY / "quick-return" / "guide-bar.toml").read_text()
         self.assertIn("--steps: divides the turn of a cam",

@@ -34,6 +34,27 @@ metrics = {metrics}
 """
 
 
+def is_inside(point, polygon):
+    """Whether a ray to the right crosses the polygon an odd number of times."""
+    x, y = point
+    inside = False
+    for (x0, y0), (x1, y1) in zip(polygon, polygon[1:] + polygon[:1]):
+        if (y0 > y) != (y1 > y) and x < x0 + (y - y0) * (x1 - x0) / (y1 - y0):
+            inside = not inside
+    return inside
+
+
+def distance(point, polygon):
+    """From its edges."""
+    def from_edge(a, b):
+        along = (b[0] - a[0], b[1] - a[1])
+        length = math.hypot(*along)
+        at = (point[0] - a[0], point[1] - a[1])
+        share = min(1, max(0, (at[0] * along[0] + at[1] * along[1]) / length**2)) if length else 0
+        return math.hypot(at[0] - share * along[0], at[1] - share * along[1])
+    return min(from_edge(a, b) for a, b in zip(polygon, polygon[1:] + polygon[:1]))
+
+
 class Gears(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -80,7 +101,7 @@ class Gears(unittest.TestCase):
         self.assertEqual(rows[0]["pressure_angle_deg"], "")
 
     def test_pairs_that_are_whole_are_analysed_as_they_are_solved(self):
-        for name in ("standard", "too-far-apart", "bevel", "worm"):
+        for name in ("standard", "too-far-apart", "bevel", "worm", "internal", "rack"):
             with self.subTest(name):
                 file = LIBRARY / "gear-pair" / f"{name}.toml"
                 analysed, solved = self.document_of(file), self.document_of(file, "solve")
@@ -98,6 +119,68 @@ class Gears(unittest.TestCase):
         self.assertEqual(document["status"], "infeasible")
         self.assertNotIn("centre_distance", document["designs"][0]["mechanism"])
         self.assertIn("greater wheel_shift", document["notes"][0])
+
+    def test_a_ring_and_a_rack(self):
+        ring = self.document_of(LIBRARY / "gear-pair" / "internal.toml")
+        metrics = ring["designs"][0]["metrics"]
+        self.assertEqual((ring["status"], metrics["class"]), ("solved", "internal"))
+        self.assertAlmostEqual(metrics["backlash"], 0.08, places=9)
+        self.assertFalse(metrics["tips_overlap"])
+        bad = self.document_of(LIBRARY / "gear-pair" / "internal-standard.toml")
+        self.assertEqual((bad["status"], bad["designs"][0]["metrics"]["defects"]), ("infeasible", ["interference"]))
+        self.assertIn("The wheel's tips pass the end of the pinion's flank", bad["notes"][0])
+        rack = self.document_of(LIBRARY / "gear-pair" / "rack.toml")
+        metrics = rack["designs"][0]["metrics"]
+        self.assertAlmostEqual(metrics["travel_per_turn"], math.pi * 84, places=9)
+        self.assertAlmostEqual(metrics["rack_distance"], 42 + 1.8 + 0.1 / math.tan(math.radians(20)), places=9)
+        self.assertAlmostEqual(metrics["rack"]["tooth_depth"], 6 * 2.25, places=9)
+
+    def test_infinite_sliding_meets_no_limit(self):
+        shift = 1 - 5 * math.sin(math.radians(20)) ** 2  # the involute begins on the base circle
+        text = (f'kind = "gear-pair"\nmechanism = {{gearing = "rack", pinion_teeth = 10, module = 1, '
+                f'pinion_shift = {shift!r}}}\nconstraints = {{sliding_max = 100}}\n')
+        document = self.document_of(self.problem(text))
+        self.assertEqual(document["status"], "infeasible")
+        self.assertIn("infinite", document["notes"][0])
+
+    def test_rings_and_racks_are_exported(self):
+        for name, partner in (("internal", "wheel"), ("rack", "rack")):
+            self.run_it("solve", LIBRARY / "gear-pair" / f"{name}.toml")
+            for form, files in (("dxf", [f"{name}.dxf"]), ("svg", [f"{name}.svg"]), ("json", [f"{name}.gears.json"]),
+                                ("csv", [f"{name}.pinion.csv", f"{name}.{partner}.csv"])):
+                done = self.run_it("export", f"{name}.result.json", "--format", form)
+                self.assertEqual((done.returncode, done.stderr), (0, ""), form)
+                for file in files:
+                    self.assertTrue((self.folder / file).exists(), file)
+        gears = json.loads((self.folder / "internal.gears.json").read_text())["gears"]
+        radii = [math.hypot(x - gears[1]["centre"][0], y - gears[1]["centre"][1]) for x, y, _ in gears[1]["outline"]]
+        self.assertAlmostEqual(min(radii), gears[1]["tip_radius"], places=9)
+        self.assertAlmostEqual(max(radii), gears[1]["root_radius"], places=9)
+        # No corner of the pinion lies outside the ring's hole, nor in a tooth of the rack.
+        hole = [(x, y) for x, y, _ in gears[1]["outline"]]
+        outside = [(x, y) for x, y, _ in gears[0]["outline"] if not is_inside((x, y), hole)]
+        self.assertLess(len(outside), 0.2 * len(gears[0]["outline"]))  # where teeth touch, by the chords
+        self.assertTrue(all(distance(point, hole) < 4e-3 for point in outside))
+        gears = json.loads((self.folder / "rack.gears.json").read_text())["gears"]
+        body = [(x, y) for x, y, _ in gears[1]["outline"]]
+        within = [(x, y) for x, y, _ in gears[0]["outline"] if is_inside((x, y), body)]
+        self.assertTrue(all(distance(point, body) < 0.012 for point in within))
+
+    def test_rings_and_racks_that_are_refused(self):
+        for lines, part in (('gearing = "internal"\nteeth = [60, 20]', "z1 < z2"),
+                            ('gearing = "internal"\nteeth = [20, 60]\ncentre_distance = 41\nbacklash = 0.1', "leave one"),
+                            ('gearing = "internal"\nteeth = [20, 60]\nhelix_deg = 10', "internal gears have none"),
+                            ('gearing = "rack"\nteeth = [20, 60]', "pinion_teeth"),
+                            ('gearing = "rack"\npinion_teeth = 20\ncentre_distance = 20', "expected rack_distance"),
+                            ('gearing = "rack"\npinion_teeth = 20\n[solve]\ndesigns = 2', "not searched for")):
+            text = f'kind = "gear-pair"\n[mechanism]\n{lines}'.replace("[mechanism]", "[mechanism]\nmodule = 2")
+            done = self.run_it("check", self.problem(text))
+            self.assertEqual(done.returncode, 2, lines)
+            self.assertIn(part, done.stderr)
+        narrow = 'kind = "gear-pair"\nmechanism = {gearing = "internal", teeth = [20, 40], module = 2, profile_shift = [2, -2]}\n'
+        document = self.document_of(self.problem(narrow))
+        self.assertEqual(document["status"], "no-solution")
+        self.assertIn("greater shift of the ring", document["notes"][0])
 
     def test_a_rack_of_the_standard(self):
         rack = "rack = {clearance = 0.4, tip_radius = 0.39}\n"

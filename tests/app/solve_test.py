@@ -195,7 +195,7 @@ class Solve(unittest.TestCase):
                     if design["mechanism"]["type"] == "cam":
                         keys = {key.removesuffix("_at_deg") for key in keys} - of_cams
                     if design["mechanism"]["type"] == "gear-pair":
-                        keys = {re.sub(r"^(pinion|wheel|worm)\.", "", key) for key in keys} - of_gears
+                        keys = {re.sub(r"^(pinion|wheel|worm|rack)\.", "", key) for key in keys} - of_gears
                         keys.discard("transmission_angle_deg")  # null of a worm
                     self.assertLessEqual(keys, metrics)
                     solved += 1

@@ -166,14 +166,15 @@ constexpr Metric kCamMetrics[] = {
 struct MotionLawEntry {
   std::string_view name;
   std::string_view meaning;
+  std::string_view vdi_name;
   std::optional<cam::PeakFactors> factors;
   std::optional<cam::PeakFactors> handbook;
 };
 
 std::vector<MotionLawEntry> motion_laws() {
   std::vector<MotionLawEntry> all;
-  for (const auto& [law, word, meaning, has_parameters] : problems::kMotionLaws) {
-    MotionLawEntry entry{word, meaning, std::nullopt, cam::handbook_factors(law)};
+  for (const auto& [law, word, meaning, has_parameters, vdi_name] : problems::kMotionLaws) {
+    MotionLawEntry entry{word, meaning, vdi_name, std::nullopt, cam::handbook_factors(law)};
     if (law == MotionLaw::dwell) {
       entry.handbook.reset();
     } else if (!has_parameters) {
@@ -197,20 +198,22 @@ std::string factors(const MotionLawEntry& law, double cam::PeakFactors::*of) {
 
 std::string motion_law_text() {
   Column names{"  law", Align::left, {}};
-  Column velocity{"velocity", Align::right, {}}, acceleration{"acceleration", Align::right, {}},
-      jerk{"jerk", Align::right, {}}, meanings{"", Align::left, {}};
+  Column velocity{"velocity C_v", Align::right, {}},
+      acceleration{"acceleration C_a", Align::right, {}}, jerk{"jerk C_j", Align::right, {}},
+      vdi_names{"VDI 2143", Align::left, {}}, meanings{"", Align::left, {}};
   for (const auto& law : motion_laws()) {
     names.cells.push_back("  " + std::string(law.name));
     velocity.cells.push_back(factors(law, &cam::PeakFactors::velocity));
     acceleration.cells.push_back(factors(law, &cam::PeakFactors::acceleration));
     jerk.cells.push_back(factors(law, &cam::PeakFactors::jerk));
+    vdi_names.cells.emplace_back(law.vdi_name);
     meanings.cells.emplace_back(law.meaning);
   }
   std::string text =
       "motion laws of cams (motion.law = ...): greatest values for a rise of 1 over a cam angle of "
       "1,"
       " in brackets\nthose that handbooks print\n";
-  for (const auto& line : set_columns({names, velocity, acceleration, jerk, meanings})) {
+  for (const auto& line : set_columns({names, velocity, acceleration, jerk, vdi_names, meanings})) {
     text += line + '\n';
   }
   return text;
@@ -234,6 +237,7 @@ nlohmann::ordered_json motion_laws_json() {
                     {"meaning", law.meaning},
                     {"peak_factors", peak_factors_json(law.factors)},
                     {"handbook", peak_factors_json(law.handbook)}});
+    if (!law.vdi_name.empty()) rows.back()["vdi_2143"] = law.vdi_name;
   }
   return rows;
 }

@@ -94,8 +94,11 @@ ordered_json mechanism_json(const GearPairDesign& design) {
   const ordered_json tables = problem_json(design.settled);
   ordered_json mechanism = {{"type", "gear-pair"}};
   mechanism.update(tables["mechanism"]);
-  // Bevel gears have none; that of a worm and a wheel that cannot be may lie beyond the axes.
-  const bool has_distance = design.settled.gearing != problems::Gearing::bevel;
+  // Bevel gears and racks have none; that of a worm and a wheel that cannot be may lie beyond the
+  // axes.
+  const auto gearing = design.settled.gearing;
+  const bool has_distance =
+      gearing != problems::Gearing::bevel && gearing != problems::Gearing::rack;
   if (has_distance && design.settled.centre_distance.value_or(0) > 0) {
     mechanism["centre_distance"] = *design.settled.centre_distance;
   }

@@ -34,7 +34,7 @@ MetricNames Kind<problems::GearPairProblem>::metric_names(
     const problems::GearPairProblem& /*base*/) {
   MetricNames names;
   add_metrics(names, gear_pair_metrics());
-  for (const char* within : {"pinion.", "wheel.", "worm."})
+  for (const char* within : {"pinion.", "wheel.", "worm.", "rack."})
     add_metrics(names, gear_metrics(), within);
   add_metrics(names, quantities(), "facts.");
   add_gear_mechanism(names, gear_pair_tables());

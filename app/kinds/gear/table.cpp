@@ -26,7 +26,7 @@ using problems::to_string;
 
 /// "teeth, module", what is found.
 std::string free_parts(const GearPairProblem& problem) {
-  if (problem.gearing == Gearing::bevel || problem.gearing == Gearing::worm) return {};
+  if (!is_searched(problem.gearing)) return {};
   std::string text;
   const auto add = [&](const char* name) {
     text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
@@ -35,6 +35,7 @@ std::string free_parts(const GearPairProblem& problem) {
   if (!problem.module) add("module");
   if (!problem.profile_shift[0] || !problem.profile_shift[1]) add("profile shifts");
   if (!problem.centre_distance && !text.empty()) add("centre distance");
+  if (problem.free_helix) add("helix angle");
   return text;
 }
 
@@ -52,9 +53,12 @@ bool is_shown(const Quantity& quantity) {
   return number == nullptr || std::isfinite(*number);
 }
 
+/// With the symbols of ISO 21771.
 std::string quantities_text(std::vector<Quantity> quantities, const Screen& screen) {
   std::erase_if(quantities, [](const Quantity& quantity) { return !is_shown(quantity); });
-  return quantity_table(quantities, screen);
+  std::vector<Metric> listed(gear_metrics().begin(), gear_metrics().end());
+  listed.insert(listed.end(), gear_pair_metrics().begin(), gear_pair_metrics().end());
+  return quantity_table(quantities, screen, listed);
 }
 
 std::string cell(const GearPairDesign& design, std::string_view name) {
@@ -119,7 +123,10 @@ std::string Kind<GearProblem>::describe(const GearProblem& problem) {
 }
 
 std::string Kind<GearPairProblem>::describe(const GearPairProblem& problem) {
-  std::string what = fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
+  const bool is_rack = problem.gearing == Gearing::rack;
+  std::string what =
+      is_rack ? fmt::format("pinion of {} teeth on a rack", problem.teeth[0].value_or(0))
+              : fmt::format("{} gear pair{}", to_string(problem.gearing), teeth_text(problem));
   if (problem.module) what += fmt::format(", module {:g}", *problem.module);
   const std::string free = free_parts(problem);
   if (!free.empty()) what += ", free: " + free;

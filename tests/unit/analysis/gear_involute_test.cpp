@@ -143,6 +143,29 @@ TEST(GearInvolute, InverseIsRightToTwoUnitsInTheLastPlace) {
   RecordProperty("worst_ulp", std::to_string(worst));
 }
 
+// Of degrees the conversion to radians must not cost digits towards 90°, where inv grows without
+// bound.
+TEST(GearInvolute, OfDegreesIsRightToTheLastDigits) {
+  const Quad radian = boost::math::constants::pi<Quad>() / 180;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < arguments(); ++i) {
+    const double s = share(random);
+    const double degrees = i % 3 == 0   ? 89.99 * s
+                           : i % 3 == 1 ? std::pow(10, -80 * s)
+                                        : 90 - std::pow(10, -12 * s);
+    // Near 90° by the cotangent of the complement, which Quad has exactly.
+    const Quad complement = (90 - Quad(degrees)) * radian;
+    const Quad exact = degrees > 45 ? Quad(1 / tan(complement) - Quad(degrees) * radian)
+                                    : quad_involute()(Quad(degrees) * radian);
+    const Quad error = abs(gear::involute_of_degrees(degrees) / exact - 1);
+    ASSERT_LT(static_cast<double>(error), 1.2e-15) << degrees;
+    ASSERT_EQ(gear::involute_of_degrees(-degrees), -gear::involute_of_degrees(degrees));
+    const double back = gear::involute_angle_in_degrees(gear::involute_of_degrees(degrees));
+    ASSERT_NEAR(back, degrees, 1e-15 * degrees) << degrees;
+  }
+}
+
 TEST(GearInvolute, EndsOfTheRange) {
   EXPECT_EQ(gear::involute(0), 0);
   EXPECT_EQ(gear::involute_angle(0), 0);

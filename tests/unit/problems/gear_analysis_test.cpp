@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "problems/gear/quantities.hpp"
 #include "problems/gear/result.hpp"
 
@@ -79,6 +80,105 @@ TEST(GearAnalysis, SpansAreThoseOfTheHandbook) {
     EXPECT_EQ(span->teeth, wanted.over);
     EXPECT_NEAR(span->length, wanted.length, 1.5e-4);
   }
+}
+
+// Machinery's Handbook, chordal thickness and addendum of full-depth teeth; the constant chord of
+// 20° and of 14.5°.
+TEST(GearAnalysis, ChordsAreThoseOfTheHandbook) {
+  struct Row {
+    double teeth, thickness, addendum;
+  };
+  for (const Row& row : {Row{12, 1.5663, 1.0514}, Row{20, 1.5692, 1.0308}, Row{35, 1.5703, 1.0176},
+                         Row{55, 1.5706, 1.0112}}) {
+    const Chord chord = reference_chord(spur(row.teeth, 1).gear);
+    EXPECT_NEAR(chord.thickness, row.thickness, 1e-4) << row.teeth;
+    EXPECT_NEAR(chord.addendum, row.addendum, 1e-4) << row.teeth;
+  }
+  GearProblem steep = spur(40, 10);
+  EXPECT_NEAR(constant_chord(steep.gear).thickness, 13.8705, 5e-5);
+  EXPECT_NEAR(constant_chord(steep.gear).addendum, 7.4758, 5e-5);
+  steep.gear.normal.rack.pressure_angle = 14.5 * kPi / 180;
+  EXPECT_NEAR(constant_chord(steep.gear).thickness, 14.723, 5e-4);
+}
+
+/// The point of the flank in the table that is nearest to `from`.
+Vec2d nearest_of_flank(const GearResult& result, const Vec2d& from) {
+  const auto &x = column(result, "x"), &y = column(result, "y");
+  Vec2d nearest{HUGE_VAL, HUGE_VAL};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec2d at{x[i], y[i]};
+    if (norm(at - from) < norm(nearest - from)) nearest = at;
+  }
+  return nearest;
+}
+
+// On the flank as it was cut: the chord where it crosses the reference circle, and that of the
+// points whose normals meet in the pitch point.
+TEST(GearAnalysis, ChordsAreThoseOfTheFlank) {
+  for (const double shift : {-0.2, 0.0, 0.35}) {
+    GearProblem problem = spur(29, 3, shift);
+    problem.points = 10000;
+    const auto result = analyse(problem, {});
+    const double reference = 0.5 * 29 * 3, tip = reference + 3 * (1 + shift);
+    const auto &radius = column(result, "radius"), &x = column(result, "x"),
+               &y = column(result, "y");
+    const auto above = std::ranges::lower_bound(radius, reference) - radius.begin();
+    const auto i = static_cast<std::size_t>(above);
+    const Chord chord = reference_chord(problem.gear), constant = constant_chord(problem.gear);
+    EXPECT_NEAR(chord.thickness, -2 * x[i], 1e-3) << shift;
+    EXPECT_NEAR(chord.addendum, tip - y[i], 1e-3) << shift;
+    const Vec2d touched = nearest_of_flank(result, {0, reference});
+    EXPECT_NEAR(constant.thickness, -2 * touched.x, 2e-3) << shift;
+    EXPECT_NEAR(constant.addendum, tip - touched.y, 2e-3) << shift;
+  }
+}
+
+/// The shortest way between the helices in which the flanks cut the reference cylinder: from a
+/// point at height −h on one to that at h on the other, which half a turn about the tooth's middle
+/// exchanges.
+double shortest_chord(double radius, double half_angle, double helix) {
+  double least = HUGE_VAL;
+  for (int i = 0; i <= 200000; ++i) {
+    const double height = radius * (i * 1e-5 - 1);
+    const double angle = half_angle + height * std::tan(helix) / radius;
+    least = std::min(least, 2 * std::hypot(radius * std::sin(angle), height));
+  }
+  return least;
+}
+
+// d_n sin(s_n/d_n) stands for that way, to a part in a thousand.
+TEST(GearAnalysis, TheChordOfAHelicalToothIsTheWayAcrossIt) {
+  for (const double degrees : {8.0, 20.0, 35.0}) {
+    GearProblem problem = spur(19, 2, 0.1);
+    problem.gear.helix = degrees * kPi / 180;
+    const double cosine = std::cos(problem.gear.helix), radius = 19 / cosine;
+    const double thickness = 2 * (kPi / 2 + 0.2 * std::tan(kPi / 9));
+    const double shortest =
+        shortest_chord(radius, 0.5 * thickness / cosine / radius, problem.gear.helix);
+    EXPECT_NEAR(reference_chord(problem.gear).thickness, shortest, 1e-3 * shortest) << degrees;
+  }
+}
+
+TEST(GearAnalysis, SpansOverGivenTeethDifferByTheBasePitch) {
+  const GearProblem problem = spur(50, 4, 0.2);
+  const auto range = span_range(problem.gear);
+  ASSERT_TRUE(range);
+  ASSERT_GT((*range)[1], (*range)[0] + 1);
+  const double usual = span_measurement(problem.gear).value().teeth;
+  EXPECT_TRUE((*range)[0] <= usual && usual <= (*range)[1]);
+  EXPECT_FALSE(span_over(problem.gear, (*range)[0] - 1));
+  EXPECT_FALSE(span_over(problem.gear, (*range)[1] + 1));
+  for (int teeth = (*range)[0]; teeth < (*range)[1]; ++teeth) {
+    const double step = span_over(problem.gear, teeth + 1).value().length -
+                        span_over(problem.gear, teeth).value().length;
+    EXPECT_NEAR(step, 4 * kPi * std::cos(kPi / 9), 1e-12);
+  }
+  GearProblem asked = problem;
+  asked.span_teeth = (*range)[1];
+  const auto metrics = analyse(asked, {}).metrics;
+  const auto found = std::ranges::find(metrics, "span_teeth", &Quantity::name);
+  ASSERT_NE(found, metrics.end());
+  EXPECT_EQ(std::get<double>(found->value), (*range)[1]);
 }
 
 bool has(const std::vector<Quantity>& quantities, const std::string& name) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -204,6 +205,49 @@ TEST(GearPairResults, HelicalTipsAndPlayAreMeasuredAcrossTheTeeth) {
   given.helix = kPi / 6;
   given.profile_shift = {0.471, 0.648};
   EXPECT_NEAR(quantity(solve(given, {}).designs[0].metrics, "normal_backlash"), 0.0095687, 5e-8);
+}
+
+// cos β = m_n (z₁ + z₂)/(2 a): the design of every textbook, 23 and 96 teeth of module 2 at 122.
+TEST(GearPairResults, TheHelixIsThatOfTheCentreDistance) {
+  const auto read = parse_task<GearPairProblem>(
+      "kind = \"gear-pair\"\n[mechanism]\ngearing = \"helical\"\nteeth = [23, 96]\nmodule = 2\n"
+      "profile_shift = [0, 0]\ncentre_distance = 122\nhelix_deg = \"free\"");
+  ASSERT_TRUE(read);
+  const auto result = solve(*read, {});
+  ASSERT_EQ(result.status, Status::solved);
+  const auto& metrics = result.designs[0].metrics;
+  EXPECT_NEAR(quantity(metrics, "helix_deg"), 12.7325, 1e-4);  // 12°43′57″
+  EXPECT_NEAR(std::cos(quantity(metrics, "helix_deg") * kPi / 180), 119.0 / 122, 1e-14);
+  EXPECT_NEAR(quantity(metrics, "backlash"), 0, 1e-12);
+  EXPECT_NEAR(quantity(metrics, "pinion.reference_diameter") +
+                  quantity(metrics, "wheel.reference_diameter"),
+              244, 1e-12);
+  EXPECT_FALSE(result.designs[0].settled.free_helix);
+}
+
+// Planted: the distance of a pair with helix, shifts and backlash leads back to its helix.
+TEST(GearPairResults, AHelixIsFoundAgainFromItsDistance) {
+  std::mt19937_64 random(7);
+  const auto within = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  for (int i = 0; i < 200; ++i) {
+    GearPairProblem planted = given_pair(int(within(12, 60)), int(within(20, 120)), 2.5, 0);
+    planted.gearing = Gearing::helical;
+    planted.helix = within(0.5, 60) * kPi / 180;
+    planted.profile_shift = {within(-0.3, 0.8), within(-0.3, 0.8)};
+    planted.backlash = i % 2 == 0 ? 0 : within(0, 0.3);
+    planted.centre_distance.reset();
+    const auto forward = solve(planted, {});
+    ASSERT_EQ(forward.designs.size(), 1u);
+    GearPairProblem asked = planted;
+    asked.centre_distance = quantity(forward.designs[0].metrics, "centre_distance");
+    asked.free_helix = true;
+    asked.helix = 0;
+    const auto back = solve(asked, {});
+    ASSERT_EQ(back.designs.size(), 1u);
+    EXPECT_NEAR(back.designs[0].settled.helix, planted.helix, 1e-9) << i;
+  }
 }
 
 TEST(GearPairResults, TheTextbooksTableOfATooth) {

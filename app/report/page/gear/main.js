@@ -27,12 +27,14 @@ import { WormScene } from "./worm_scene.js";
 const data = JSON.parse(embedded("data"));
 const { result, kind, gearing } = data;
 const isPair = kind === "pair";
-const isWorm = gearing === "worm";
+const isRack = gearing === "rack";
+// A rack slides past its pinion as the section of a worm past the wheel.
+const isWorm = gearing === "worm" || isRack;
 const designs = data.designs.map((drawn) => (isPair && !isWorm ? new GearMesh(drawn) : { drawn }));
 const generation = isPair || !designs.length ? null : new Generation(designs[0].drawn.gears[0]);
 const state = { index: 0, deg: 0 };
 const onDrag = (deg) => goTo(deg, true);
-const scene = isWorm ? new WormScene(byId("picture"), onDrag) : isPair ? new PairScene(byId("picture"), onDrag) : new RackScene(byId("picture"), onDrag);
+const scene = isWorm ? new WormScene(byId("picture"), onDrag, isRack) : isPair ? new PairScene(byId("picture"), onDrag) : new RackScene(byId("picture"), onDrag);
 const curves = new Curves(byId("plots"), (deg) => { if (deg !== null) goTo(deg, true); }, (deg) => extras.point(deg));
 const extras = new Extras(document.querySelector(".layers"), [new Trace()]);
 extras.redraw = () => drawScene();
@@ -46,7 +48,7 @@ const pitchOf = () => (isWorm ? 360 / current().drawn.worm.starts : 360 / curren
 const step = () => pitchOf() / 20;
 
 // After how many degrees all stands as it was.
-const periodOf = () => (isWorm ? 360 * current().drawn.teeth[1] : pitchOf() * current().pairs * (current().bodies.every((body) => body.isWhole) ? current().pinion.teeth * current().wheel.teeth : 1000));
+const periodOf = () => (isRack ? 360 : isWorm ? 360 * current().drawn.teeth[1] : pitchOf() * current().pairs * (current().bodies.every((body) => body.isWhole) ? current().pinion.teeth * current().wheel.teeth : 1000));
 
 // What a design is called: its teeth, module and shifts.
 function nameOf({ teeth, module: size, shifts }) {
@@ -159,11 +161,11 @@ function listen() {
 
 // What the drive is called, and how fast it goes: from tooth to tooth in two seconds.
 function prepareDrive() {
-  const name = say(isWorm ? "gear.worm_angle" : isPair ? "gear.pinion_angle" : "gear.roll_angle");
+  const name = say(isWorm && !isRack ? "gear.worm_angle" : isPair ? "gear.pinion_angle" : "gear.roll_angle");
   byId("drive-name").textContent = name;
   byId("drive").setAttribute("aria-label", name);
   if (generation) { const { deg } = generation.range; Object.assign(byId("drive"), { min: -deg, max: deg }); state.deg = -deg; }
-  controls.player.pace = isWorm ? 45 : generation ? generation.range.deg / 4 : pitchOf() / 2;
+  controls.player.pace = isRack ? pitchOf() / 2 : isWorm ? 45 : generation ? generation.range.deg / 4 : pitchOf() / 2;
 }
 
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
@@ -173,7 +175,7 @@ showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`ge
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 byId("notes").classList.toggle("warned", result.status !== "solved" && result.status !== "done");
-byId("stage-title").textContent = say(`stage.${isWorm ? "worm" : gearing === "bevel" ? "virtual_gears" : isPair ? "gear_pair" : "gear"}`);
+byId("stage-title").textContent = say(`stage.${isRack ? "rack" : isWorm ? "worm" : gearing === "bevel" ? "virtual_gears" : isPair ? "gear_pair" : "gear"}`);
 byId("curves-title").textContent = say(isPair ? "curves.contact" : "curves.tooth");
 byId("looks").hidden = !isPair;
 byId("holds").hidden = isPair;

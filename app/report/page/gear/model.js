@@ -33,7 +33,7 @@ export class GearBody {
     const side = this.isWhole ? null : Math.floor(Math.min(this.teeth / 2 - 1, Math.max(8, 0.9 / this.pitch)));
     const numbers = this.isWhole ? Array.from({ length: this.teeth }, (_, k) => k) : Array.from({ length: 2 * side + 1 }, (_, k) => k - side);
     const points = numbers.flatMap((k) => this.tooth.map((p) => turned(p, k * this.pitch)));
-    return this.isWhole ? points : [...points, ...[side + 0.5, -side - 0.5].map((k) => polar(0.9 * this.root, UPRIGHT + k * this.pitch))];
+    return this.isWhole ? points : [...points, ...[side + 0.5, -side - 0.5].map((k) => polar((this.is_ring ? 1.1 : 0.9) * this.root, UPRIGHT + k * this.pitch))];
   }
 
   // A sector is moved on by teeth only as far as one.
@@ -48,8 +48,11 @@ export class GearMesh {
     this.sound = this.bodies.every((body) => body.sound) && a > 0;
     this.meshes = this.sound && angle !== null && angle !== undefined;
     this.ratio = wheel.teeth / pinion.teeth;
+    // A ring's centre is on the pinion's side, and it turns with the pinion.
+    this.side = wheel.is_ring ? -1 : 1;
+    this.reach = wheel.is_ring ? wheel.root + 2.5 * wheel.module : wheel.tip;
     this.basePitch = pinion.base * pinion.pitch;
-    this.span = this.meshes ? a * Math.sin(angle) : 0;
+    this.span = this.meshes ? this.side * a * Math.sin(angle) : 0; // from one tangent point to the other
     this.pitchPoint = this.meshes ? pinion.base * Math.tan(angle) : 0;
     this.touches = this.meshes && this.path_end > this.path_start;
     [this.start, this.end] = this.touches ? [this.path_start, this.path_end] : [this.pitchPoint, this.pitchPoint];
@@ -81,12 +84,14 @@ export class GearMesh {
   directions(way) {
     const { pinion, wheel, working_angle: angle } = this;
     if (!this.meshes) return null;
-    return [way / pinion.base - angle - pinion.half_angle, Math.PI - angle + (this.span - way) / wheel.base - wheel.half_angle];
+    const ofWheel = wheel.is_ring ? (way - this.span) / wheel.base - angle - wheel.half_angle : Math.PI - angle + (this.span - way) / wheel.base - wheel.half_angle;
+    return [way / pinion.base - angle - pinion.half_angle, ofWheel];
   }
 
   // Those of one tooth of each, wherever they are; gears that cannot mesh face tooth to space.
   turns(deg) {
-    return this.directions(this.reached(deg)) ?? [deg * RADIANS, Math.PI + this.wheel.pitch / 2 - (deg * RADIANS) / this.ratio];
+    const facing = this.side < 0 ? 0 : Math.PI;
+    return this.directions(this.reached(deg)) ?? [deg * RADIANS, facing + this.wheel.pitch / 2 - this.side * (deg * RADIANS) / this.ratio];
   }
 
   // The point of the line of action that is `way` beyond the pinion's tangent point.
@@ -98,12 +103,12 @@ export class GearMesh {
 
   // Specific sliding of the pinion's flank and of the wheel's: 1 − v of the other / v of its own.
   sliding(way) {
-    const other = this.span - way;
+    const other = this.side * (this.span - way);
     return [1 - other / (this.ratio * way), 1 - (this.ratio * way) / other];
   }
 
   // Sliding speed over that of the pitch line.
-  slidingSpeed(way) { return (Math.abs(way - this.pitchPoint) * (1 + 1 / this.ratio)) / this.pinion.working; }
+  slidingSpeed(way) { return (Math.abs(way - this.pitchPoint) * (1 + this.side / this.ratio)) / this.pinion.working; }
 
   // Where the number of pairs in contact changes, with both ends of the path.
   borders() {

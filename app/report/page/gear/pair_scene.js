@@ -18,14 +18,15 @@ export class PairScene extends Picture {
   }
 
   #box() {
-    const { mesh: { pinion, wheel, centre_distance: a } } = this;
+    const { mesh: { pinion, wheel, reach: outside, centre_distance: a } } = this;
+    if (this.looks === "whole" && wheel.is_ring && wheel.isWhole) return { x0: -a - outside, x1: outside - a, y0: -outside, y1: outside };
     if (this.looks === "whole" && wheel.isWhole && pinion.isWhole) {
       const high = Math.max(pinion.tip, wheel.tip);
       return { x0: -pinion.tip, x1: a + wheel.tip, y0: -high, y1: high };
     }
     const path = Math.max(Math.abs(this.mesh.start - this.mesh.pitchPoint), Math.abs(this.mesh.end - this.mesh.pitchPoint));
     const reach = Math.max(this.looks === "whole" ? 9 * pinion.module : 3.1 * pinion.module, 1.15 * path);
-    const x = a * pinion.teeth / (pinion.teeth + wheel.teeth);
+    const x = a * pinion.teeth / (wheel.is_ring ? wheel.teeth - pinion.teeth : pinion.teeth + wheel.teeth);
     return { x0: x - reach, x1: x + reach, y0: -reach, y1: reach };
   }
 
@@ -40,9 +41,9 @@ export class PairScene extends Picture {
     this.#circles();
     this.#action();
     this.dots = Array.from({ length: mesh.pairs + 1 }, () => svg("circle", { class: "gear-contact", r: 4.2 }));
-    this.handles = mesh.bodies.map((body) => svg("circle", { class: "handle", r: round(scale * body.tip) }));
+    this.handles = mesh.bodies.map((body) => svg("circle", { class: "handle", r: round(body.is_ring ? 0 : scale * body.tip) }));
     this.world.append(...this.groups.map(({ root }) => root), this.parts.tip, this.parts.working, this.parts.base, this.parts.action, ...this.handles, ...this.dots);
-    set(this.handles[1], { cx: round(scale * mesh.centre_distance) });
+    set(this.handles[1], { cx: round(scale * this.centre(1)[0]) });
     this.root.append(this.world, this.scaleBar());
     const [x, y] = this.view.screen([0, 0]).map(round);
     set(this.world, { transform: `translate(${x} ${y})` });
@@ -52,15 +53,22 @@ export class PairScene extends Picture {
 
   local([x, y]) { return [this.view.scale * x, -this.view.scale * y]; }
   closed(points) { return `${pathThrough(points.map((p) => this.local(p)))}Z`; }
-  centre(i) { return i === 0 ? [0, 0] : [this.mesh.centre_distance, 0]; }
+  centre(i) { return i === 0 ? [0, 0] : [this.mesh.side * this.mesh.centre_distance, 0]; }
 
   // What turns together: the gear, its shaft with a key, and the tooth that is followed.
   #gear(body, i) {
     const [x, y] = this.local(this.centre(i)).map(round);
-    const outline = svg("path", { class: `gear ${i ? "wheel" : "pinion"}`, d: this.closed(body.outline()) });
+    const outline = svg("path", { class: `gear ${i ? "wheel" : "pinion"}`, d: this.closed(body.outline()) + this.#rim(body), "fill-rule": "evenodd" });
     const tooth = svg("path", { class: `gear-tooth ${i ? "wheel" : "pinion"}`, d: this.closed(body.tooth) });
-    const turning = svg("g", {}, outline, ...(body.isWhole ? [this.#shaft(body)] : []));
+    const turning = svg("g", {}, outline, ...(body.isWhole && !body.is_ring ? [this.#shaft(body)] : []));
     return { root: svg("g", { transform: `translate(${x} ${y})`, class: "gear-body" }, turning, tooth), turning, tooth };
+  }
+
+  // The outer edge of a ring.
+  #rim(body) {
+    if (!body.is_ring || !body.isWhole) return "";
+    const r = round(this.view.scale * this.mesh.reach);
+    return `M${r} 0A${r} ${r} 0 1 0 ${-r} 0A${r} ${r} 0 1 0 ${r} 0Z`;
   }
 
   #shaft(body) {
@@ -84,8 +92,8 @@ export class PairScene extends Picture {
     const { mesh, view: { scale } } = this;
     if (!mesh.meshes) return;
     const line = (from, to, name) => svg("path", { class: name, d: pathThrough([from, to].map((way) => this.local(mesh.at(way)))) });
-    const beyond = 0.06 * mesh.span;
-    this.parts.action.append(line(-beyond, mesh.span + beyond, "action-line"));
+    const beyond = 0.06 * Math.abs(mesh.span);
+    this.parts.action.append(line(Math.min(0, mesh.span) - beyond, Math.max(0, mesh.span, mesh.end) + beyond, "action-line"));
     const borders = mesh.touches ? mesh.borders() : [];
     for (let i = 0; i + 1 < borders.length; ++i) {
       const [from, to] = [borders[i], borders[i + 1]];
@@ -99,7 +107,7 @@ export class PairScene extends Picture {
       const [x, y] = this.local(mesh.at(way)).map(round);
       this.parts.action.append(svg("circle", { class: `action-mark ${kind}`, cx: x, cy: y, r: kind === "pitch-point" ? 3.2 : 2.4 }));
       const isFree = named.every((other) => scale * Math.abs(other - way) > 15);
-      if (scale * mesh.span < ROOM_FOR_NAMES || !isFree) continue;
+      if (scale * Math.abs(mesh.span) < ROOM_FOR_NAMES || !isFree) continue;
       named.push(way);
       this.parts.action.append(svg("text", { class: "joint-name", x: x + (way > mesh.pitchPoint ? 13 : way < mesh.pitchPoint ? -13 : -14), y: y + (way === mesh.pitchPoint ? -9 : 0) }, name));
     }
@@ -116,7 +124,7 @@ export class PairScene extends Picture {
       grip = angle;
       if (turn === 0) return null;
       const whole = turn - 360 * Math.round(turn / 360);
-      return this.deg + (i ? -this.mesh.ratio : 1) * whole;
+      return this.deg + (i ? -this.mesh.side * this.mesh.ratio : 1) * whole;
     });
   }
 
@@ -140,7 +148,7 @@ export class PairScene extends Picture {
     const rotate = (angle) => `rotate(${((UPRIGHT - angle) / RADIANS).toFixed(4)})`;
     this.groups.forEach(({ turning, tooth }, i) => {
       const body = mesh.bodies[i];
-      const facing = i === 0 ? 0 : Math.PI;
+      const facing = i === 0 || body.is_ring ? 0 : Math.PI;
       set(turning, { transform: rotate(facing + body.shown(turns[i] - facing)) });
       tooth.toggleAttribute("hidden", teeth === null);
       if (teeth) set(tooth, { transform: rotate(teeth[i]) });

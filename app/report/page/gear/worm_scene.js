@@ -10,15 +10,15 @@ import { GearBody } from "./model.js";
 import { contactClass } from "./pair_scene.js";
 
 export class WormScene extends Picture {
-  constructor(frame, onDrag) {
-    super(frame, say("picture.worm"), onDrag);
+  constructor(frame, onDrag, isRack = false) {
+    super(frame, say(isRack ? "picture.gear_pair" : "picture.worm"), onDrag);
     this.shown = { action: true, reference: true, tip: true };
     this.looks = "whole";
   }
 
   #box() {
     const { worm, half, length } = this;
-    const [top, foot] = [worm.centre_distance + worm.tip, worm.centre_distance - worm.tip];
+    const [top, foot] = [worm.centre_distance + (worm.is_rack ? 0 : worm.tip), worm.centre_distance - worm.tip];
     if (this.looks === "mesh") return { x0: -length, x1: length, y0: foot - 1.6 * worm.module, y1: foot + 3.4 * worm.module };
     return { x0: -Math.max(half, this.body.tip), x1: Math.max(half, this.body.tip), y0: -this.body.tip, y1: top };
   }
@@ -40,8 +40,9 @@ export class WormScene extends Picture {
     const clip = svg("clipPath", { id: "worm-ends" }, svg("rect", frame));
     const line = (y, name) => svg("path", { class: `gear-circle ${name}`, d: pathThrough([[-this.half, y], [this.half, y]].map((p) => this.local(p))) });
     const circle = (radius, name) => svg("circle", { class: `gear-circle ${name}`, r: round(scale * radius) });
-    const both = (radius, name) => [1, -1].map((side) => line(worm.centre_distance + side * radius, name));
-    this.parts = { action: svg("g", {}), reference: svg("g", {}, circle(body.reference, "working"), ...both(worm.reference, "working"), line(worm.centre_distance, "axis")),
+    const both = (radius, name) => (worm.is_rack ? [-1] : [1, -1]).map((side) => line(worm.centre_distance + side * radius, name));
+    const axis = worm.is_rack ? [line(body.reference, "working")] : [...both(worm.reference, "working"), line(worm.centre_distance, "axis")];
+    this.parts = { action: svg("g", {}), reference: svg("g", {}, circle(body.reference, "working"), ...axis),
       base: circle(body.base, "base"), tip: svg("g", {}, circle(body.tip, "tip"), circle(body.root, "tip"), ...both(worm.tip, "tip"), ...both(worm.root, "tip")) };
     this.parts.action.append(svg("path", { class: "action-line", d: pathThrough([-this.length, this.length].map((t) => this.local(this.#onLine(t)))) }));
     this.dots = Array.from({ length: 8 }, () => svg("circle", { class: "gear-contact", r: 4.2 }));
@@ -66,17 +67,17 @@ export class WormScene extends Picture {
   #threads() {
     const { worm, pitchLength } = this;
     const slope = Math.tan(worm.pressure_angle);
-    const count = Math.ceil(this.half / pitchLength) + worm.starts + 1;
+    const count = Math.ceil(this.half / pitchLength) + (worm.is_rack ? 1 : worm.starts) + 1;
     const profile = (side, shift) => {
       const points = [];
       for (let k = -count; k <= count; ++k) {
-        const at = (k + 0.5) * pitchLength + shift;
+        const at = (k + 0.5) * pitchLength + shift + (worm.offset ?? 0);
         const width = (radius) => pitchLength / 4 - (radius - worm.reference) * slope;
         for (const [sense, radius] of [[-1, worm.root], [-1, worm.tip], [1, worm.tip], [1, worm.root]]) points.push([at + sense * width(radius), worm.centre_distance + side * radius]);
       }
       return points;
     };
-    const [below, above] = [profile(-1, 0), profile(1, (worm.starts * pitchLength) / 2)];
+    const [below, above] = [profile(-1, 0), worm.is_rack ? [-1, 1].map((sense) => [sense * (count + 1) * pitchLength, worm.centre_distance]) : profile(1, (worm.starts * pitchLength) / 2)];
     return [svg("path", { class: "gear pinion", d: this.closed([...below, ...above.reverse()]) })];
   }
 
@@ -119,7 +120,8 @@ export class WormScene extends Picture {
     const way = (deg / 360) * this.worm.starts * this.pitchLength;
     const angle = way / this.body.reference;
     set(this.turning, { transform: `rotate(${(-angle / RADIANS).toFixed(4)})` });
-    const within = way - this.pitchLength * this.worm.starts * Math.round(way / (this.pitchLength * this.worm.starts));
+    const lead = this.pitchLength * (this.worm.is_rack ? 1 : this.worm.starts);
+    const within = way - lead * Math.round(way / lead);
     set(this.threads, { transform: `translate(${round(-this.view.scale * within)} 0)` });
     const places = this.contacts(angle - this.body.pitch * Math.round(angle / this.body.pitch));
     this.now = places.length;
