@@ -4,22 +4,24 @@ import { byId, element } from "../dom.js";
 import { sentence } from "../format.js";
 import { say, sentenceOf } from "../words.js";
 
-const INDENT = "  ";
-
 export class TextEditor {
   constructor(onChange) {
-    Object.assign(this, { area: byId("text"), faults: [], crlf: false });
+    Object.assign(this, { area: byId("text"), faults: [], original: "", plain: "", crlf: false });
     this.area.addEventListener("input", () => { this.#number(); onChange(); });
     this.area.addEventListener("scroll", () => this.#follow());
     new ResizeObserver(() => this.#follow()).observe(this.area);
   }
 
   // As it stands in the file: a field has lines that end in \n alone.
-  get text() { return this.crlf ? this.area.value.replaceAll("\n", "\r\n") : this.area.value; }
+  get text() {
+    const { value } = this.area;
+    if (value === this.plain) return this.original;
+    return this.crlf ? value.replaceAll("\n", "\r\n") : value;
+  }
 
   set text(text) {
-    this.crlf = text.includes("\r\n");
     this.area.value = text;
+    Object.assign(this, { original: text, plain: this.area.value, crlf: 2 * text.split("\r\n").length > text.split("\n").length + 1 });
     this.area.setSelectionRange(0, 0);
     this.area.scrollTo(0, 0);
     this.show([]);
@@ -55,12 +57,14 @@ export class TextEditor {
   // its letters.
   #number() {
     const lines = this.area.value.split("\n");
-    const byLine = Map.groupBy?.(this.faults, ({ line }) => line) ?? grouped(this.faults);
+    const byLine = new Map();
+    for (const fault of this.faults) byLine.set(fault.line, [...(byLine.get(fault.line) ?? []), fault]);
     byId("lines").replaceChildren(...lines.map((_, i) => element("span", byLine.has(i + 1) ? { class: "faulty" } : {}, `${i + 1}\n`)));
-    byId("marks").replaceChildren(...lines.map((text, i) => {
+    byId("marks").replaceChildren(...lines.flatMap((text, i) => {
       const faults = byLine.get(i + 1);
-      if (!faults) return `${text}\n`;
-      return element("span", { class: "faulty" }, text, element("em", {}, `  ${faults.map(({ message }) => sentenceOf(message)).join("; ")}`), "\n");
+      if (!faults) return [`${text}\n`];
+      const said = faults.map(({ message }) => sentenceOf(message)).join(say("list.semicolon"));
+      return [element("span", { class: "faulty" }, text, element("em", {}, `  ${said}`)), "\n"];
     }));
     this.#follow();
   }
@@ -69,13 +73,4 @@ export class TextEditor {
     byId("lines").style.transform = `translateY(${-this.area.scrollTop}px)`;
     byId("marks").style.transform = `translate(${-this.area.scrollLeft}px, ${-this.area.scrollTop}px)`;
   }
-
-  // Takes the place of the tabulator where a hand types it: Escape and then Tab leaves the field.
-  indent() { this.area.setRangeText(INDENT, this.area.selectionStart, this.area.selectionEnd, "end"); this.area.dispatchEvent(new Event("input")); }
-}
-
-function grouped(faults) {
-  const byLine = new Map();
-  for (const fault of faults) byLine.set(fault.line, [...(byLine.get(fault.line) ?? []), fault]);
-  return byLine;
 }
