@@ -332,11 +332,14 @@ class StudioTest(unittest.TestCase):
                                         Access_Control_Request_Method="POST")
         self.assertEqual(status, 403)
         self.assertNotIn("access-control", str(headers).lower())
-        # Another host by the loopback address.
-        with self.assertRaises(OSError):
-            socket.create_connection((socket.gethostbyname(socket.gethostname()), studio.port), 2) \
-                if not socket.gethostbyname(socket.gethostname()).startswith("127.") else \
-                (_ for _ in ()).throw(OSError())
+        self.ends_well(studio)
+
+    def test_other_addresses_of_this_machine_are_not_listened_at(self):
+        studio = self.serve()
+        addresses = {entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None)}
+        for address in ["::1", "127.0.0.2", *addresses - {"127.0.0.1"}]:
+            with self.subTest(address), self.assertRaises(OSError):
+                socket.create_connection((address, studio.port), 2).close()
         self.ends_well(studio)
 
     def test_every_answer_says_for_whom_it_is(self):
@@ -439,18 +442,7 @@ class StudioTest(unittest.TestCase):
             self.assertEqual(studio.status("/state", timeout=5), 200)
         self.assertLess(time.monotonic() - begun, 5)
         # Each is cut off in a while, also one that sends little by little.
-        slow = silent[0]
-        slow.settimeout(0.5)
-        cut = False
-        while not cut and time.monotonic() - begun < 25:
-            try:
-                slow.sendall(b"x")
-                cut = slow.recv(100) in (b"",) or True
-            except TimeoutError:
-                continue
-            except OSError:
-                cut = True
-        self.assertTrue(cut)
+        self.assertTrue(self.is_cut_off(silent[0], begun + 25))
         # Not even so many that the rest has to wait.
         more = [socket.create_connection(("127.0.0.1", studio.port), 10) for _ in range(100)]
         self.assertEqual(studio.status("/state", timeout=30), 200)
@@ -459,6 +451,20 @@ class StudioTest(unittest.TestCase):
         self.assertLess(time.monotonic() - begun, 5)
         for connection in silent + more:
             connection.close()
+
+    def is_cut_off(self, connection, ends):
+        """Whether the server ends a connection on which a byte comes now and then."""
+        connection.settimeout(0.5)
+        while time.monotonic() < ends:
+            try:
+                connection.sendall(b"x")
+                connection.recv(100)
+                return True
+            except TimeoutError:
+                continue
+            except OSError:
+                return True
+        return False
 
     def test_an_interrupt_ends_it_while_it_solves(self):
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -187,6 +187,7 @@ function listen() {
   byId("stop").addEventListener("click", () => ask("/stop", {}));
   byId("save-text").addEventListener("click", save);
   byId("template").addEventListener("change", begin);
+  byId("report").addEventListener("load", hideChoices);
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const act = { s: save, Enter: solve }[event.key];
@@ -198,7 +199,11 @@ function listen() {
   setInterval(tick, 1000);
 }
 
-// The report has a choice of its own, which follows.
+// The choices of the studio are those of the report.
+function hideChoices() {
+  for (const choice of byId("report").contentDocument.querySelectorAll(".page-tools label")) choice.hidden = true;
+}
+
 function paintReport() {
   const chosen = byId("report").contentDocument?.getElementById("theme");
   if (!chosen) return;
