@@ -50,13 +50,13 @@ ordered_json to_json(const FileVersion& version) {
   return {{"version", version.number}, {"text", version.text}};
 }
 
-HttpAnswer faults_answer(int status, const std::vector<problems::Fault>& faults) {
-  return json_answer(status, faults_document("", faults));
+HttpAnswer faults_answer(const std::vector<problems::Fault>& faults) {
+  return json_answer(200, faults_document("", faults));
 }
 
 HttpAnswer checked(const std::string& text, const std::filesystem::path& folder) {
   const auto sound = check_text(text, folder);
-  if (!sound) return faults_answer(200, sound.error());
+  if (!sound) return faults_answer(sound.error());
   return json_answer(200, {{"format", "cognate-check/1"},
                            {"valid", true},
                            {"problem", *sound},
@@ -200,7 +200,7 @@ HttpAnswer StudioRoutes::state(const HttpRequest& request) {
 
 HttpAnswer StudioRoutes::solve(const std::string& text) {
   const auto run = workbench_.solve(text, folder());
-  return run ? json_answer(200, {{"run", *run}}) : faults_answer(422, run.error());
+  return run ? json_answer(200, {{"run", *run}}) : faults_answer(run.error());
 }
 
 HttpAnswer StudioRoutes::save(const std::string& text, std::uint64_t version) {

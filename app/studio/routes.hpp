@@ -24,7 +24,7 @@ namespace cognate::app {
 ///      /file      the last version of the file: text, version
 ///      /template  ?name=: the text of a template
 /// POST /check     {text}: what it asks for, or its faults
-///      /solve     {text}: begins with it, and ends the run before; 422 with the faults
+///      /solve     {text}: begins with it, and ends the run before; or its faults
 ///      /stop      {}: the run ends with what it has found
 ///      /save      {text, version}: 409 where the file has another version by now
 class StudioRoutes {

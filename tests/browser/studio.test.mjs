@@ -71,7 +71,7 @@ for (const look of LOOKS) {
       await verdict(page, /✓/);
       assert.equal(await page.locator("#faults li").count(), 0);
       await page.locator("#text").press("Control+Enter");
-      await report(page).locator("#picture .path").first().waitFor();
+      await report(page).locator("#picture .link-body").first().waitFor();
       assert.equal(await report(page).locator("h1").textContent(), "Slow out, quick back");
       assert.match(await page.locator("#run-state").textContent(), /^Solved · /);
       await assertFits(page);

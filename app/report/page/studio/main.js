@@ -6,7 +6,7 @@ import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { duration, number, sentence } from "../format.js";
 import { knows, language, say, sentenceOf } from "../words.js";
-import { addressWithToken, ask } from "./server.js";
+import { addressWithToken, ask, TOKEN } from "./server.js";
 import { TextEditor } from "./text_editor.js";
 
 const CHECK_AFTER = 300;   // ms without a key
@@ -14,9 +14,10 @@ const POLL_AFTER = 100;    // ms between two answers of the program while it sol
 const RETRY_AFTER = 2000;  // ms, of a program that does not answer
 
 const DATA = JSON.parse(embedded("data"));
+const KEPT = `cognate-studio ${TOKEN}`;
 const editor = new TextEditor(edited);
-// The version of the file that is edited, its text, and the last versions that were seen and left.
-let version = DATA.version, saved = DATA.text, declined = 0;
+// The version of the file that is edited, and its text.
+let version = DATA.version, saved = DATA.text;
 let checks = 0, timer = 0, shownReport = 0, solving = false, sound = false;
 
 const wait = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
@@ -71,7 +72,7 @@ async function solve() {
   checks += 1;
   clearTimeout(timer);
   const { status, body } = await ask("/solve", { text: editor.text });
-  if (status === 422) showFaults(body);
+  if (body.faults) showFaults(body);
   else if (status !== 200) showRun(status === 0 ? say("studio.gone") : body.error);
 }
 
@@ -96,15 +97,30 @@ function showReport(report) {
   byId("report").src = `${addressWithToken("/report")}&run=${report}#${language}`;
 }
 
+// A page that nobody sees waits for nothing: a browser has few connections for all its pages.
+const seen = () => new Promise((resolve) => {
+  if (document.hidden) document.addEventListener("visibilitychange", () => resolve(seen()), { once: true });
+  else resolve();
+});
+
+// Aborts once the page is hidden.
+function hidden() {
+  const end = new AbortController();
+  document.addEventListener("visibilitychange", () => end.abort(), { once: true });
+  return end;
+}
+
 // Waits for changes of the computation and of the file, as long as the page is open.
 async function follow() {
   let change = null;
   while (true) {
-    const { status, body } = await ask(change === null ? "/state" : `/state?after=${change}`);
+    await seen();
+    const { status, body } = await ask(change === null ? "/state" : `/state?after=${change}`, null, hidden().signal);
+    if (status === 0 && document.hidden) continue;
     if (status === 200) {
       ({ change } = body);
       followRun(body);
-      if (DATA.file && body.file_version !== version && body.file_version !== declined) await fileChanged();
+      if (DATA.file && body.file_version !== version) await fileChanged();
       hideNotice("gone");
     } else {
       if (status !== 503) notice("gone", say("studio.gone"));
@@ -124,13 +140,12 @@ function tick() {
 async function fileChanged() {
   const { status, body } = await ask("/file");
   if (status !== 200 || body.version === version) return;
-  const load = () => { version = body.version; saved = body.text; hideNotice("file"); take(body.text); };
-  if (body.text === editor.text || !isDirty()) {
-    load();
-    return;
-  }
-  const keep = () => { version = body.version; saved = body.text; declined = body.version; hideNotice("file"); showDirty(); };
-  notice("file", say("studio.changed", { file: fileName() }), [["studio.load", load], ["studio.keep", keep]]);
+  const load = () => { keep(); take(body.text); };
+  const isOwn = body.text === editor.text, wasDirty = isDirty();
+  const keep = () => { version = body.version; saved = body.text; hideNotice("file"); showDirty(); };
+  if (isOwn) keep();
+  else if (!wasDirty) load();
+  else notice("file", say("studio.changed", { file: fileName() }), [["studio.load", load], ["studio.keep", keep]]);
 }
 
 async function save() {
@@ -195,7 +210,10 @@ function listen() {
     event.preventDefault();
     act();
   });
-  addEventListener("beforeunload", (event) => { if (isDirty()) event.preventDefault(); });
+  addEventListener("beforeunload", (event) => {
+    if (isDirty()) event.preventDefault();
+    keepText();
+  });
   setInterval(tick, 1000);
 }
 
@@ -211,6 +229,16 @@ function paintReport() {
   chosen.dispatchEvent(new Event("change"));
 }
 
+// What was not saved comes back where the page is loaded anew, as for another language.
+function keepText() { try { sessionStorage.setItem(KEPT, JSON.stringify({ version, text: editor.text })); } catch { /* it is lost */ } }
+
+function keptText() {
+  try {
+    const kept = JSON.parse(sessionStorage.getItem(KEPT));
+    return kept?.version === version ? kept.text : DATA.text;
+  } catch { return DATA.text; }
+}
+
 document.body.classList.add("studio");
 byId("work").remove();
 byId("title").textContent = say("studio.title");
@@ -221,5 +249,5 @@ if (!DATA.file) byId("save-text").textContent = say("studio.download");
 offerTemplates();
 followTheme(paintReport);
 listen();
-take(DATA.text);
+take(keptText());
 follow();

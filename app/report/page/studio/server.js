@@ -1,11 +1,11 @@
 // The program that serves this page.
 
-const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
+export const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
 
 // The address of `path` for what cannot set a header.
 export const addressWithToken = (path) => `${path}${path.includes("?") ? "&" : "?"}token=${TOKEN}`;
 
-// {status, body}; status 0 where the program does not answer.
+// {status, body}; body.faults of a text that has some; status 0 where the program does not answer.
 export async function ask(path, body, signal) {
   const headers = { "X-Cognate-Token": TOKEN, ...(body ? { "Content-Type": "application/json" } : {}) };
   try {
