@@ -19,6 +19,7 @@
 #include "app/kinds/kinds.hpp"
 #include "app/shell/completion.hpp"
 #include "app/shell/manual_page.hpp"
+#include "app/studio/studio.hpp"
 #include "app/study/processes.hpp"
 #include "problems/read.hpp"
 
@@ -154,6 +155,24 @@ ExitStatus run_analyze(const CLI::App& command, const Arguments& arguments,
   });
 }
 
+ExitStatus run_watch(const std::string& name, const Arguments& arguments, const Options& options) {
+  const std::string& file = arguments.files.front();
+  const bool is_result = name == "analyze" && file.ends_with(".json");
+  if (arguments.files.size() > 1 || is_result) {
+    complain("--watch: expected one problem file, NAME.toml");
+    return exit_bad_input;
+  }
+  return watch_command(name == "solve" ? Command::solve : Command::analyze, file, options);
+}
+
+ExitStatus run_studio(const CLI::App& command, const Arguments& arguments, const Options& options) {
+  StudioOptions studio{.opens_browser = !arguments.no_open};
+  if (command.get_option("FILE")->count() > 0) studio.file = arguments.file;
+  const bool at_port = command.get_option("--port")->count() > 0;
+  if (at_port && !take(parse_port(arguments.port), studio.port)) return exit_bad_input;
+  return studio_command(studio, options);
+}
+
 ExitStatus run_completion(const CommandLine& line) {
   const auto& shell = line.arguments.shell;
   if (shell == "bash") return print(bash_completion(command_tree(line)));
@@ -172,6 +191,8 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
   const auto options = options_of(line.app, arguments);
   if (!options) return exit_bad_input;
   if (name == "new") return new_command(arguments.kind, *options);
+  if (arguments.watch) return run_watch(name, arguments, *options);
+  if (name == "studio") return run_studio(called, arguments, *options);
   if (name == "solve") {
     return run_each(arguments.files, *options, true,
                     [&](const std::string& file) { return solve_command(file, *options); });

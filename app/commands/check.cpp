@@ -1,11 +1,9 @@
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
-#include <utility>
 #include <variant>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
+#include "app/commands/problem_text.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/kinds/kinds.hpp"
@@ -16,32 +14,6 @@ namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// The same, or what is wrong with a file that it names.
-tl::expected<problems::TaskOrStudy, std::vector<problems::Fault>> with_sound_files(
-    problems::TaskOrStudy read) {
-  if (const auto* task = std::get_if<problems::Task>(&read)) {
-    auto faults =
-        visit_kind(*task, [](auto kind, const auto& problem) { return kind.faults(problem); });
-    if (!faults.empty()) return tl::unexpected(std::move(faults));
-  }
-  return read;
-}
-
-struct Description {
-  std::string operator()(const problems::Study& study) const {
-    const auto plural = [](std::int64_t count, const char* of) {
-      return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
-    };
-    return fmt::format("a study of {}: {}, {}, {}", study.base,
-                       plural(problems::design_count(study), "design"),
-                       plural(std::ssize(study.variables), "variable"),
-                       plural(std::ssize(study.metrics), "metric"));
-  }
-  std::string operator()(const problems::Task& task) const {
-    return visit_kind(task, [](auto kind, const auto& problem) { return kind.describe(problem); });
-  }
-};
 
 struct AsJson {
   ordered_json operator()(const problems::Study& study) const {
@@ -69,7 +41,7 @@ ExitStatus check_command(const std::filesystem::path& file, const Options& optio
                              {"faults", ordered_json::array()}}));
   }
   if (options.quiet) return exit_done;
-  const std::string what = std::visit(Description{}, *read);
+  const std::string what = description(*read);
   const auto line = printable(file.string() + ": " + what + "; no fault found") + '\n';
   return print(fitted(line, standard_output()));
 }

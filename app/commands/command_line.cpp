@@ -30,6 +30,10 @@ void add_folder(CLI::App& command, Arguments& arguments) {
       ->type_name("DIR");
 }
 
+void add_watch(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--watch", arguments.watch, "again whenever FILE is saved, until Ctrl-C");
+}
+
 void add_length_unit(CLI::App& command, Arguments& arguments) {
   command.add_option("--length-unit", arguments.length_unit, "of a file that gives none")
       ->type_name("mm|cm|m|in");
@@ -108,6 +112,16 @@ CLI::App& CommandLine::add_files_command(const char* name, const char* purpose, 
   return command;
 }
 
+void CommandLine::add_studio() {
+  auto& studio = add_command("studio", "Edit and solve a file in the browser.", kStudioFooter);
+  studio.add_option("FILE", arguments.file, "a problem, TOML file (default: a new one)");
+  endings["studio"] = {".toml"};
+  studio.add_option("--port", arguments.port, "of the address (default: one that is free)")
+      ->type_name("N");
+  studio.add_flag("--no-open", arguments.no_open, "print the address, but open no browser");
+  add_length_unit(studio, arguments);
+}
+
 /// Those that packagers call and a user once.
 void CommandLine::add_hidden_commands() {
   auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
@@ -139,6 +153,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   solving.add_option("--steps", arguments.steps, "of a cam's table over a turn (default 360)")
       ->type_name("N");
   add_length_unit(solving, arguments);
+  add_watch(solving, arguments);
   auto& analyzing =
       add_files_command("analyze", "Evaluate a mechanism over its drive.", kAnalyzeFooter,
                         "TOML files of mechanisms, or results", {".toml", ".result.json"});
@@ -147,6 +162,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
       .add_option("--design", arguments.exporting.design, "of a result: which design (default 1)")
       ->type_name("N");
   add_length_unit(analyzing, arguments);
+  add_watch(analyzing, arguments);
   add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
                               "the study, a TOML file", {".toml"}),
              arguments);
@@ -159,6 +175,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_command("sketch", "Write a page that finds linkages for curves.", kSketchFooter)
       .add_option("--out", arguments.out, "the page (default: sketch.html)")
       ->type_name("FILE");
+  add_studio();
   auto& involute =
       add_command("involute", "Tabulate the involute function or its inverse.", kInvoluteFooter);
   involute.add_option("VALUE", arguments.values, "angles in degrees, or ranges FROM:TO:STEP");

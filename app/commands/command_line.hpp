@@ -19,12 +19,15 @@ struct Arguments {
   std::string kind;                 ///< of `new` and `list`
   std::string shell;                ///< of `completion`
   std::string seed, threads, time_limit, out, steps, length_unit;
-  std::string row;  ///< of a study, for `export`
+  std::string row;   ///< of a study, for `export`
+  std::string port;  ///< of `studio`
   ExportTexts exporting;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
   bool inverse = false, csv = false;  ///< of `involute`
+  bool watch = false;    ///< of the commands that compute
+  bool no_open = false;  ///< of `studio`
 };
 
 /// The commands and options, and where parsing puts what was written. It is not to be moved: the
@@ -45,6 +48,7 @@ struct CommandLine {
   /// A command that reads one file or several.
   CLI::App& add_files_command(const char* name, const char* purpose, const char* footer,
                               const char* file, std::vector<std::string> read);
+  void add_studio();
   void add_hidden_commands();
 };
 

@@ -11,6 +11,7 @@
 #include "app/console/messages.hpp"
 #include "app/console/options.hpp"
 #include "app/export/export_options.hpp"
+#include "app/kinds/basics/command.hpp"
 
 namespace cognate::app {
 
@@ -19,6 +20,12 @@ namespace cognate::app {
 /// stem, to the folder `--out`, else to the current one; with `--json` only where `--out` is given.
 /// Whether they can be written is found out before anything is solved.
 ExitStatus solve_command(const std::filesystem::path& file, const Options& options);
+
+/// As `solve_command`, or of a mechanism `analyze_command`, whenever `file` is saved, until an
+/// interrupt; faults are said and waited over. A file that is saved while it is computed is begun
+/// anew. The status is that of the last run.
+ExitStatus watch_command(Command command, const std::filesystem::path& file,
+                         const Options& options);
 
 /// Evaluates the mechanism in `file` over its drive: prints the quantities of its motion (with
 /// `--json` the result document, with `--quiet` nothing) and writes NAME.result.json, NAME.csv and

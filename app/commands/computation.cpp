@@ -106,6 +106,7 @@ ExitStatus compute(const fs::path& file, const Options& options, const Computati
     if (!ready) return complain_that(ready.error());
   }
   const auto status = run(computation, options);
+  if (computation.is_abandoned && computation.is_abandoned()) return exit_done;
   const auto document = computation.document();
   if (!document) {
     complain("a fault of Cognate's own: " + document.error());

@@ -21,6 +21,7 @@ Examples:
   cognate sweep sizes.toml        vary the numbers of a file, and keep the best
   cognate export press.result.json --format dxf
   cognate list --metrics          the numbers of a result, with their units
+  cognate studio rocker.toml      edit and solve a file in the browser
   cognate solve --help            the help of a command
 
 Exit status:
@@ -56,12 +57,15 @@ inline constexpr const char* kSolveFooter = R"(Output:
   several files follow one another.
   Ctrl-C ends the search and reports the designs found; a second one ends at
   once.
+  With --watch the file is solved again whenever it is saved, faults or not, and
+  its files are written anew; Ctrl-C ends that.
   The same file, seed and version give the same designs with any number of
   threads, unless a time limit ended the run.
 
 Examples:
   cognate solve rocker.toml
   cognate solve rocker.toml --out results --time-limit 30
+  cognate solve rocker.toml --watch
   cognate solve rocker.toml --json --seed 7 > rocker.json)";
 
 inline constexpr const char* kAnalyzeFooter = R"(Output:
@@ -171,6 +175,20 @@ Examples:
   cognate involute 20 22.5
   cognate involute 10:45:0.5 --csv > involute.csv
   cognate involute --inverse 0.0149043839)";
+
+inline constexpr const char* kStudioFooter =
+    R"(Output:
+  The address of a page, which the browser opens: the text of FILE with its
+  faults beside the lines, and the report of what this program finds. Problems of
+  every kind; analyses and machines too. The text is saved to FILE as it stands
+  there; where another program saves FILE, the page takes that over, or asks.
+  Only this machine gets an answer, and only with the token in the address.
+  Seed, threads and time limit are those of the command. Ctrl-C ends it.
+
+Examples:
+  cognate studio
+  cognate studio rocker.toml
+  cognate studio rocker.toml --port 8080 --no-open --time-limit 30)";
 
 inline constexpr const char* kCheckFooter =
     R"(Output:

@@ -29,4 +29,7 @@ std::string study_page();
 /// The page on which a curve is drawn, likewise; its data are empty.
 std::string sketch_page();
 
+/// The page of `cognate studio`, likewise.
+std::string studio_page();
+
 }  // namespace cognate::app

@@ -20,6 +20,19 @@ tl::expected<Study, Faults> study_of(const reading::Table& document, const Folde
   return study;
 }
 
+tl::expected<TaskOrStudy, Faults> task_or_study_of(const reading::Table& document,
+                                                   const Folder& folder,
+                                                   const MetricCatalogue& metrics) {
+  if (reading::is_study(document)) {
+    return study_of(document, folder, metrics).map([](Study study) {
+      return TaskOrStudy(std::move(study));
+    });
+  }
+  return reading::read_task(document, folder).map([](TaskAt read) {
+    return TaskOrStudy(std::move(read.task));
+  });
+}
+
 }  // namespace
 
 tl::expected<Study, Faults> parse_study(std::string_view text, const Folder& folder,
@@ -35,17 +48,17 @@ tl::expected<Study, Faults> read_study(const std::filesystem::path& file,
   });
 }
 
+tl::expected<TaskOrStudy, Faults> parse_task_or_study(std::string_view text, const Folder& folder,
+                                                      const MetricCatalogue& metrics) {
+  return reading::read_text(text).and_then([&](const reading::Table& document) {
+    return task_or_study_of(document, folder, metrics);
+  });
+}
+
 tl::expected<TaskOrStudy, Faults> read_task_or_study(const std::filesystem::path& file,
                                                      const MetricCatalogue& metrics) {
-  const auto source = reading::read_source(file);
-  if (!source) return tl::unexpected(source.error());
-  if (reading::is_study(source->document)) {
-    return study_of(source->document, source->folder, metrics).map([](Study study) {
-      return TaskOrStudy(std::move(study));
-    });
-  }
-  return reading::read_task(source->document, source->folder).map([](TaskAt read) {
-    return TaskOrStudy(std::move(read.task));
+  return reading::read_source(file).and_then([&](const reading::Source& source) {
+    return task_or_study_of(source.document, source.folder, metrics);
   });
 }
 

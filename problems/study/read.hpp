@@ -31,6 +31,11 @@ tl::expected<Study, std::vector<Fault>> read_study(const std::filesystem::path& 
 /// Any content of a file.
 using TaskOrStudy = std::variant<Task, Study>;
 
+/// What `text` (TOML) holds, a task or a study, or every fault found in it. Files that it names are
+/// looked for in `folder`; where that is empty, a task names none.
+tl::expected<TaskOrStudy, std::vector<Fault>> parse_task_or_study(
+    std::string_view text, const std::filesystem::path& folder, const MetricCatalogue& metrics);
+
 /// What `file` holds, a task or a study, or every fault found in it.
 tl::expected<TaskOrStudy, std::vector<Fault>> read_task_or_study(const std::filesystem::path& file,
                                                                  const MetricCatalogue& metrics);

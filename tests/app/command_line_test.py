@@ -62,7 +62,7 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(done.stdout, r"^cognate \d+\.\d+\.\d+\n$")
 
     def test_a_command_is_needed(self):
-        commands = "new, solve, analyze, sweep, export, sketch, involute, check and list"
+        commands = "new, solve, analyze, sweep, export, sketch, studio, involute, check and list"
         self.expect_one_line_refusal(run(), commands)
         self.expect_one_line_refusal(run("--json"), commands)
         self.expect_one_line_refusal(run("sovle", "x"), "'sovle'", commands)

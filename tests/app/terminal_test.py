@@ -22,7 +22,7 @@ import unittest
 
 PROGRAM = ""
 LIBRARY = pathlib.Path()
-COMMANDS = ("new", "solve", "analyze", "sweep", "export", "sketch", "involute", "check", "list")
+COMMANDS = ("new", "solve", "analyze", "sweep", "export", "sketch", "studio", "involute", "check", "list")
 ENDLESS = """kind = "path-generation"
 title = "没有尽头的搜索"
 [target]

@@ -13,6 +13,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/list_section.hpp"
 #include "app/documents/result_json.hpp"
+#include "app/kinds/basics/command.hpp"
 #include "app/report/report.hpp"
 #include "problems/basics/kind.hpp"
 #include "problems/linkage/result.hpp"
@@ -21,9 +22,6 @@
 #include "problems/toml/fault.hpp"
 
 namespace cognate::app {
-
-/// The commands that compute the problem of a file.
-enum class Command { solve, analyze };
 
 /// How a design of a study came out, and its entry of `designs` in the result document.
 struct Evaluated {
