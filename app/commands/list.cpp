@@ -152,7 +152,7 @@ std::span<const KeyedEntry> common_tables() {
     std::vector<KeyedEntry> tables(std::begin(kCommon), std::end(kCommon));
     tables.push_back({"[raster]",
                       "dimensions that take single values only, the best of all combinations "
-                      "(paths of four-bars and chains, functions by least squares)",
+                      "(paths of four-bars and chains, functions, motion generation by least squares)",
                       raster_entries()});
     return tables;
   }();
