@@ -10,11 +10,13 @@
 #include "problems/guidance/dyads.hpp"
 #include "problems/guidance/fit.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/guidance/raster.hpp"
 #include "problems/guidance/scale.hpp"
 #include "problems/linkage/cycle/cycle_metrics.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/report.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -227,10 +229,81 @@ Result search(const MotionProblem& problem, const Run& run, const Deadline& dead
   return result;
 }
 
+/// What is verified of a mechanism on the raster, computed by the kernel.
+std::optional<Design> raster_design(const MotionProblem& problem, const RasterMotion& motion) {
+  auto design = nearest_design(problem, motion.pair, motion.reached, "raster");
+  if (!design || !std::isfinite(design->error.sum_of_squares)) return std::nullopt;
+  check_error(problem, *design);
+  return design;
+}
+
+/// The raster of one drive, from the minima that a search without it finds.
+RasterMotionResult search_one_raster(const MotionProblem& problem, const Run& run,
+                                     const Deadline& deadline, SearchStatistics& statistics,
+                                     Work& work) {
+  const MotionScale scale(problem);
+  const MotionProblem scaled = scale.into(problem);
+  const double tolerance = problem.solve.tolerance.value_or(kDefaultTolerance);
+  const auto found =
+      search_motions(scaled, {}, problem.solve.starts, synthesis::chosen(problem.solve.solver),
+                     tolerance, run, deadline, work);
+  statistics = together(statistics, found.statistics);
+  const auto accepts = [&](const RasterMotion& motion) {
+    const auto design = raster_design(problem, motion);
+    return design && all_satisfied(design->constraints);
+  };
+  return search_motion_raster(problem, scaled, scale, found.minima, accepts, run, deadline);
+}
+
+/// The rasters of several drives as one: either has what the other lacks.
+void add_other_drive(RasterMotionResult& all, RasterMotionResult other) {
+  std::ranges::move(other.designs, std::back_inserter(all.designs));
+  std::ranges::stable_sort(all.designs, {}, &RasterMotion::objective);
+  all.search = synthesis::together(std::move(all.search), std::move(other.search));
+}
+
+/// The continuous optimum and other minima, then the raster.
+Result solve_motion_on_raster(const MotionProblem& problem, const Run& run,
+                              const Deadline& deadline) {
+  constexpr int kMinima = 6;
+  Result result;
+  SearchStatistics statistics;
+  std::optional<RasterMotionResult> found;
+  for (MotionProblem& drive : drives_of(problem)) {
+    drive.solve.designs = std::max(drive.solve.designs, kMinima);
+    auto one = search_one_raster(drive, run, deadline, statistics, result.work);
+    if (found) {
+      add_other_drive(*found, std::move(one));
+    } else {
+      found = std::move(one);
+    }
+  }
+  for (const RasterMotion& motion : found->designs) {
+    if (std::ssize(result.designs) == problem.solve.designs) break;
+    auto design = raster_design(problem, motion);
+    if (design) result.designs.push_back(*std::move(design));
+  }
+  result.quantities = quantities(statistics);
+  const double size = MotionScale(problem).size(), count = double(problem.poses.size());
+  const auto error = [&](double objective) { return size * std::sqrt(objective / count); };
+  std::ranges::move(raster_quantities(found->search, error), std::back_inserter(result.quantities));
+  result.notes = raster_notes(found->search, error);
+  if (deadline.reached()) {
+    result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
+  } else {
+    result.status = result.designs.empty() ? Status::no_solution : Status::solved;
+  }
+  result.work.skipped = skipped_evaluations(problem.constraints);
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
 }  // namespace
 
 Result solve_by_least_squares(const MotionProblem& problem, const Run& run) {
   const Deadline deadline(run);
+  if (problem.raster) return solve_motion_on_raster(problem, run, deadline);
   Result result = solve_objectives(
       problem, run, deadline,
       [&](const MotionProblem& one, const Run& own) { return search(one, own, deadline); });

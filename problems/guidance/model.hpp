@@ -77,6 +77,9 @@ class MotionModel final : public synthesis::Model {
   /// has.
   std::vector<double> variables_of(const DyadPair& pair) const;
 
+  /// The dimension of each global variable that is one, in order: see dimensions.hpp.
+  std::span<const int> free_dimensions() const { return free_; }
+
   /// Number of the station of a pose, and how many there are.
   std::size_t station_of(std::size_t pose) const {
     return form_.stations.empty() ? pose : static_cast<std::size_t>(form_.stations[pose]);

@@ -12,6 +12,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 #include "synthesis/exact/motion/dyad.hpp"
 #include "synthesis/exact/motion/pose.hpp"
@@ -53,7 +54,8 @@ struct MotionProblem {
   Solve solve;
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
-  bool designs_given = false;  ///< whether the file limits how many designs are returned
+  std::optional<Raster> raster{};  ///< least squares, links alone
+  bool designs_given = false;      ///< whether the file limits how many designs are returned
 };
 
 template <>

@@ -7,6 +7,7 @@
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
@@ -73,6 +74,7 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
                      .set("solve", solve_writer(problem.solve))
                      .set("warnings", warnings_writer(problem.warnings))
                      .append(tolerance_table(problem.tolerances, false))
+                     .append(raster_table(problem.raster))
                      .take();
   return all;
 }

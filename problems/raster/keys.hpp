@@ -22,6 +22,7 @@ inline constexpr std::array kRasterKeys{
     RasterKey{"pivots", "both coordinates of the fixed pivots; the frame then follows from them",
               true},
     RasterKey{"coupler_point", "both coordinates of points of the coupler", true},
+    RasterKey{"moving_pivots", "both coordinates of the moving pivots in the body's axes", true},
     RasterKey{"crank", "the crank"},
     RasterKey{"coupler", "the coupler"},
     RasterKey{"rocker", "the rocker"},

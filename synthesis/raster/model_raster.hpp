@@ -86,6 +86,8 @@ class ModelRaster : public RasterTask {
   /// The variables of a model with those of the axes at a combination.
   void place(const RasterNumbers& at, std::span<double> x) const;
 
+  const std::vector<AxisVariable>& axis_variables() const { return variables_; }
+
  private:
   std::optional<RasterPoint> relaxed(const RasterBox& box, const RasterPoint& from) const;
   bool is_same(const RasterPoint& a, const RasterPoint& b) const;

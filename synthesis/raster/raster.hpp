@@ -99,6 +99,10 @@ struct RasterResult {
   std::uint64_t boxes = 0;      ///< whose minima were found
 };
 
+/// Two searches of rasters that together are one: the best and the bounds of either, their counts
+/// added up.
+RasterResult together(RasterResult a, RasterResult b);
+
 /// Searches the raster from minima that are known, `from`, in any order.
 ///
 /// Where there are few combinations each is evaluated. Else branch and bound (Land & Doig 1960, "An

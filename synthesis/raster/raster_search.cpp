@@ -335,6 +335,27 @@ std::optional<RasterPoint> RasterTask::evaluate(const RasterNumbers& at,
   return least == found.end() ? std::nullopt : std::optional(*least);
 }
 
+RasterResult together(RasterResult a, RasterResult b) {
+  const auto objective = [](const std::optional<RasterPoint>& point) {
+    return point ? point->objective : std::numeric_limits<double>::infinity();
+  };
+  if (objective(b.relaxed) < objective(a.relaxed)) {
+    a.relaxed = std::move(b.relaxed);
+    a.rounded = std::move(b.rounded);
+    a.rounded_is_accepted = b.rounded_is_accepted;
+  }
+  a.designs.insert(a.designs.end(), b.designs.begin(), b.designs.end());
+  std::ranges::stable_sort(a.designs, {}, &RasterPoint::objective);
+  a.bound = std::min(a.bound, b.bound);
+  a.is_complete = a.is_complete && b.is_complete;
+  a.is_enumerated = a.is_enumerated && b.is_enumerated;
+  a.combinations += b.combinations;
+  a.covered += b.covered;
+  a.evaluated += b.evaluated;
+  a.boxes += b.boxes;
+  return a;
+}
+
 RasterResult search_raster(const RasterTask& task, std::span<const RasterPoint> from,
                            const RasterOptions& options) {
   return RasterSearch(task, options).run(from);

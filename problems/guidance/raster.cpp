@@ -1,0 +1,352 @@
+#include "problems/guidance/raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/guidance/closure.hpp"
+#include "problems/guidance/dimensions.hpp"
+#include "problems/guidance/found.hpp"
+#include "problems/guidance/order.hpp"
+#include "problems/linkage/verify.hpp"
+#include "synthesis/raster/model_raster.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using namespace motion_dimensions;
+using synthesis::DyadKind;
+using synthesis::Pose;
+using synthesis::RasterNumbers;
+using synthesis::RasterPoint;
+
+/// How far values reach where nothing bounds them, in sizes.
+constexpr double kMotionReach = 1000;
+/// Crank angles at which the error of a pose is looked at before it is refined.
+constexpr int kScannedAngles = 180;
+/// How often poses out of order are put in order, each time with fewer crank angles.
+constexpr int kRasterOrderings = 6;
+
+struct MotionAxes {
+  std::vector<int> dimensions;
+  std::vector<synthesis::RasterAxis> axes;
+  std::vector<synthesis::AxisVariable> variables;
+};
+
+/// The axes of a problem, in the file's unit.
+class MotionAxisList {
+ public:
+  MotionAxisList(const MotionProblem& problem, const MotionModel& model, const MotionScale& scale)
+      : problem_(problem), free_(model.free_dimensions()), scale_(scale) {}
+
+  MotionAxes take() {
+    add_point(kMoving1, "moving_pivot_a", "moving_pivots", problem_.moving_bounds[0], {}, {});
+    add_point(kMoving2, "moving_pivot_d", "moving_pivots", problem_.moving_bounds[1], {}, {});
+    const Vec2d centre = scale_.out_of(Pose{}).at;
+    const auto& region = problem_.constraints.pivot_region;
+    add_point(kFixed1, "pivot_a", "pivots", problem_.bounds.pivot_a, region, centre);
+    add_point(kFixed2, "pivot_d", "pivots", problem_.bounds.pivot_d, region, centre);
+    add_length(kLength1, "crank", problem_.bounds.crank);
+    add_length(kLength2, "rocker", problem_.bounds.rocker);
+    return std::move(all_);
+  }
+
+ private:
+  void add_point(int dimension, const std::string& name, std::string_view key,
+                 const std::optional<Box>& bounds, const std::optional<Box>& region,
+                 const Vec2d& offset) {
+    const RasterRule* rule = problem_.raster->rule(key);
+    if (rule == nullptr) return;
+    Range x{-kInfinity, kInfinity}, y = x;
+    for (const auto& box : {bounds, region}) {
+      if (!box) continue;
+      x = {std::max(x.min, box->min.x), std::min(x.max, box->max.x)};
+      y = {std::max(y.min, box->min.y), std::min(y.max, box->max.y)};
+    }
+    const std::string_view ends = key == "pivots" ? "xy" : "uv";
+    add(*rule, dimension, name + "." + ends[0], x, offset.x);
+    add(*rule, dimension + 1, name + "." + ends[1], y, offset.y);
+  }
+
+  void add_length(int dimension, const std::string& name, const std::optional<Range>& bounds) {
+    const RasterRule* rule = problem_.raster->rule(name);
+    if (rule == nullptr) return;
+    Range range = bounds.value_or(Range{0, kInfinity});
+    // A link of no length is none.
+    range.min = std::max(range.min, rule->step ? 0.5 * *rule->step : rule->values.front());
+    add(*rule, dimension, name, range, 0);
+  }
+
+  void add(const RasterRule& rule, int dimension, std::string name, const Range& range,
+           double offset) {
+    const auto place = std::ranges::find(free_, dimension);
+    if (place == free_.end()) return;
+    const double reach = kMotionReach * scale_.size();
+    all_.dimensions.push_back(dimension);
+    all_.axes.push_back(
+        {std::move(name), values_within(rule, range, {offset - reach, offset + reach})});
+    all_.variables.push_back({.variable = static_cast<int>(place - free_.begin()),
+                              .offset = offset,
+                              .scale = scale_.size()});
+  }
+
+  const MotionProblem& problem_;
+  std::span<const int> free_;
+  const MotionScale& scale_;
+  MotionAxes all_;
+};
+
+/// Forms with a crank angle for each pose: those of the minima, and both sides of the problem.
+class MotionForms {
+ public:
+  MotionForms(const MotionProblem& scaled, const std::vector<MotionMinimum>& minima)
+      : scaled_(scaled) {
+    for (const MotionMinimum& minimum : minima) number_of(minimum.form);
+    for (const double side : {1.0, -1.0}) {
+      MotionForm form;
+      form.sides.assign(scaled.poses.size(), side);
+      form.confined_to = scaled.constraints.required_class;
+      number_of(form);
+    }
+  }
+
+  /// Crank angles that poses share count as several.
+  std::size_t number_of(MotionForm form) {
+    form.stations.clear();
+    form.ends.reset();
+    for (std::size_t i = 0; i < forms_.size(); ++i) {
+      if (forms_[i].sides == form.sides && forms_[i].confined_to == form.confined_to) return i;
+    }
+    forms_.push_back(form);
+    models_.push_back(std::make_shared<const MotionModel>(scaled_, std::move(form)));
+    return forms_.size() - 1;
+  }
+
+  const std::vector<MotionForm>& all() const { return forms_; }
+  const MotionModel& model(std::size_t form) const { return *models_[form]; }
+  std::vector<std::shared_ptr<const synthesis::Model>> models() const {
+    return {models_.begin(), models_.end()};
+  }
+
+ private:
+  const MotionProblem& scaled_;
+  std::vector<MotionForm> forms_;
+  std::vector<std::shared_ptr<const MotionModel>> models_;
+};
+
+class MotionRaster final : public synthesis::ModelRaster {
+ public:
+  MotionRaster(const MotionProblem& problem, const MotionProblem& scaled, const MotionScale& scale,
+               const MotionForms& forms, const MotionAcceptance& accepts)
+      : MotionRaster(problem, scaled, scale, forms, accepts,
+                     MotionAxisList(problem, forms.model(0), scale).take()) {}
+
+  /// In each form, the crank where each pose is nearest; where these angles break the order or the
+  /// circuit, also where they keep it. The best that meets every constraint, else the best.
+  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
+                                      std::span<const RasterPoint> from) const override {
+    std::vector<RasterPoint> all;
+    for (std::size_t form = 0; form < forms_.all().size(); ++form) {
+      add_points(form, at, from, all);
+    }
+    std::erase_if(all, [](const RasterPoint& point) { return !std::isfinite(point.objective); });
+    if (all.empty()) return std::nullopt;
+    std::ranges::stable_sort(all, {}, &RasterPoint::objective);
+    const auto sound = std::ranges::find_if(all, [&](const RasterPoint& point) {
+      return point.violation <= kMotionFeasibility && accepts(point);
+    });
+    return sound != all.end() ? *sound : all.front();
+  }
+
+  bool accepts(const RasterPoint& point) const override { return accepts_(motion(point)); }
+
+  RasterMotion motion(const RasterPoint& point) const {
+    const MotionModel& model = forms_.model(static_cast<std::size_t>(point.form));
+    RasterMotion made{exact(scale_.out_of(model.pair(point.x)), point), model.reached(point.x),
+                      point.objective};
+    for (Pose& pose : made.reached) pose = scale_.out_of(pose);
+    return made;
+  }
+
+ private:
+  MotionRaster(const MotionProblem& problem, const MotionProblem& scaled, const MotionScale& scale,
+               const MotionForms& forms, const MotionAcceptance& accepts, MotionAxes axes)
+      : ModelRaster(std::move(axes.axes), std::move(axes.variables), forms.models(),
+                    {.feasibility = kMotionFeasibility}),
+        problem_(problem),
+        scaled_(scaled),
+        scale_(scale),
+        forms_(forms),
+        accepts_(accepts),
+        dimensions_(std::move(axes.dimensions)) {}
+
+  void add_points(std::size_t form, const RasterNumbers& at, std::span<const RasterPoint> from,
+                  std::vector<RasterPoint>& all) const {
+    const MotionModel& model = forms_.model(form);
+    RasterPoint start;
+    start.form = static_cast<int>(form);
+    start.x = start_variables(model, from);
+    place(at, start.x);
+    if (!scan(model, start.x)) return;
+    for (RasterPoint& found : relax({at, at}, std::span(&start, 1))) {
+      all.push_back(found);
+      if (auto ordered = put_in_order(form, at, found)) all.push_back(*std::move(ordered));
+    }
+  }
+
+  /// What is not on the raster as in the nearest point known, or where its bounds are.
+  static std::vector<double> start_variables(const MotionModel& model,
+                                             std::span<const RasterPoint> from) {
+    const auto globals = static_cast<std::size_t>(model.global_count());
+    std::vector<double> x(model.variables().size());
+    for (std::size_t i = 0; i < globals; ++i) {
+      x[i] = from.empty() ? std::clamp(0.0, model.variables()[i].lower, model.variables()[i].upper)
+                          : from.front().x[i];
+    }
+    return x;
+  }
+
+  /// The crank angle of each pose where, of evenly spread ones, it is nearest; false where the
+  /// linkage closes at none.
+  bool scan(const MotionModel& model, std::vector<double>& x) const {
+    const auto globals = static_cast<std::size_t>(model.global_count());
+    std::vector<double> least(scaled_.poses.size(), kInfinity);
+    for (int k = 0; k < kScannedAngles; ++k) {
+      const double angle = kTurn * k / kScannedAngles;
+      const auto body = model.body_at(x, angle);
+      if (!body) continue;
+      for (std::size_t j = 0; j < least.size(); ++j) {
+        const double error = squared_miss(*body, scaled_.poses[j]);
+        if (error >= least[j]) continue;
+        least[j] = error;
+        x[globals + j] = angle;
+      }
+    }
+    return least.front() < kInfinity;
+  }
+
+  double squared_miss(const Pose& body, const Pose& pose) const {
+    const double turned = scaled_.angle_weight * std::remainder(body.angle - pose.angle, kTurn);
+    return squared_norm(body.at - pose.at) + turned * turned;
+  }
+
+  /// The same combination with crank angles that keep order and circuit; each pose has its own
+  /// again. Empty where they are kept as they are, and where they cannot be.
+  std::optional<RasterPoint> put_in_order(std::size_t form, const RasterNumbers& at,
+                                          const RasterPoint& found) const {
+    const Constraints& constraints = scaled_.constraints;
+    if (!constraints.no_order_defect && !constraints.no_circuit_defect) return std::nullopt;
+    OrderedMotion ordered{forms_.all()[form], found.x};
+    bool is_moved = false;
+    for (int round = 0; round < kRasterOrderings; ++round) {
+      auto next = in_order(scaled_, ordered);
+      if (!next || !refit(at, *next)) break;
+      ordered = *std::move(next);
+      is_moved = true;
+    }
+    if (!is_moved) return std::nullopt;
+    const MotionModel shared(scaled_, ordered.form);
+    const std::vector<double> angles = shared.station_angles(ordered.x);
+    std::vector<double> apart;
+    for (std::size_t j = 0; j < scaled_.poses.size(); ++j) {
+      apart.push_back(angles[shared.station_of(j)]);
+    }
+    return point(static_cast<int>(form), forms_.model(form).with_angles(ordered.x, apart));
+  }
+
+  /// The crank angles of a form with shared ones, and what is not on the raster.
+  bool refit(const RasterNumbers& at, OrderedMotion& ordered) const {
+    const auto shared = std::make_shared<const MotionModel>(scaled_, ordered.form);
+    const ModelRaster one({axes().begin(), axes().end()}, axis_variables(), {shared},
+                          {.feasibility = kMotionFeasibility});
+    RasterPoint start;
+    start.x = ordered.x;
+    const auto found = one.relax({at, at}, std::span(&start, 1));
+    if (found.empty()) return false;
+    ordered.x = found.front().x;
+    return true;
+  }
+
+  /// Without the rounding of the scale.
+  DyadPair exact(const DyadPair& rounded, const RasterPoint& point) const {
+    std::array<double, MotionModel::dimensions> v{};
+    const auto set = [&](int begin, const synthesis::GuidingDyad& dyad) {
+      const auto five = second_dyad(dyad);
+      std::ranges::copy(five, v.begin() + begin);
+    };
+    set(0, rounded.first);
+    set(kSecond, rounded.second);
+    for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+      const auto& values = axes()[i].values;
+      v[static_cast<std::size_t>(dimensions_[i])] = values.at(values.nearest(point.values[i]));
+    }
+    const auto dyad = [&](int begin) {
+      SecondDyad five;
+      std::copy_n(v.begin() + begin, five.size(), five.begin());
+      return guiding_dyad(DyadKind::rr, five, problem_.poses.front());
+    };
+    return {dyad(0), dyad(kSecond)};
+  }
+
+  const MotionProblem& problem_;
+  const MotionProblem& scaled_;
+  const MotionScale& scale_;
+  const MotionForms& forms_;
+  const MotionAcceptance& accepts_;
+  std::vector<int> dimensions_;
+};
+
+/// The dyads of a minimum, that as the first by which the constraints are met.
+DyadPair driven_pair(const MotionProblem& scaled, const MotionModel& model,
+                     std::span<const double> x) {
+  const DyadPair pair = model.pair(x), turned{pair.second, pair.first};
+  if (!roles_are_alike(scaled)) return pair;
+  const auto reached = model.reached(x);
+  const auto one = judge(scaled, pair, reached), other = judge(scaled, turned, reached);
+  return other && (!one || other->violation < one->violation) ? turned : pair;
+}
+
+}  // namespace
+
+RasterMotionResult search_motion_raster(const MotionProblem& problem, const MotionProblem& scaled,
+                                        const MotionScale& scale,
+                                        const std::vector<MotionMinimum>& minima,
+                                        const MotionAcceptance& accepts, const Run& run,
+                                        const Deadline& deadline) {
+  MotionForms forms(scaled, {});
+  std::vector<std::pair<std::size_t, std::vector<double>>> starts;
+  for (const MotionMinimum& minimum : minima) {
+    const MotionModel model(scaled, minimum.form);
+    if (model.reached(minimum.solution.x).empty()) continue;
+    const DyadPair pair = driven_pair(scaled, model, minimum.solution.x);
+    const std::size_t form = forms.number_of(form_of(scaled, pair));
+    starts.emplace_back(form, forms.model(form).variables_of(pair));
+  }
+  const MotionRaster raster(problem, scaled, scale, forms, accepts);
+  std::vector<RasterPoint> from;
+  for (auto& [form, x] : starts) {
+    from.push_back(raster.point(static_cast<int>(form), std::move(x)));
+  }
+  RasterMotionResult result;
+  result.search =
+      synthesis::search_raster(raster, from,
+                               {.feasibility = kMotionFeasibility,
+                                .met = kMetExactly,
+                                .designs = static_cast<std::size_t>(problem.solve.designs),
+                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                .threads = run.threads,
+                                .deadline = &deadline,
+                                .progress = run.progress});
+  for (const RasterPoint& point : result.search.designs) {
+    result.designs.push_back(raster.motion(point));
+  }
+  return result;
+}
+
+}  // namespace cognate::problems
