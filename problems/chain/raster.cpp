@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "analysis/numbers/angle.hpp"
@@ -60,16 +59,16 @@ class ChainRaster final : public synthesis::RasterTask {
 
   /// Of a target that may be moved its place and the crank are found first, the dimensions fixed,
   /// from the nearest design known.
-  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
-                                      std::span<const RasterPoint> from) const override {
+  std::vector<RasterPoint> evaluate(const RasterNumbers& at,
+                                    std::span<const RasterPoint> from) const override {
     if (!scaled_.is_movable) return RasterTask::evaluate(at, from);
     const auto apart = [&](const RasterPoint& point) { return distance(point, at); };
     const auto nearest = std::ranges::min_element(from, {}, apart);
-    if (nearest == from.end()) return std::nullopt;
+    if (nearest == from.end()) return {};
     PlacedChain chain = placed(*nearest);
     set_numbers(all_, at, chain.design);
     fit_place(scaled_, chain);
-    if (!std::isfinite(chain.objective)) return std::nullopt;
+    if (!std::isfinite(chain.objective)) return {};
     return RasterTask::evaluate(at, std::array{point(chain)});
   }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -108,16 +107,11 @@ class FunctionRaster final : public synthesis::ModelRaster {
 
   /// From points that are known and, where start angles are free, from several of the input's in
   /// each form, the output's then following to first order.
-  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
-                                      std::span<const RasterPoint> from) const override {
+  std::vector<RasterPoint> evaluate(const RasterNumbers& at,
+                                    std::span<const RasterPoint> from) const override {
     std::vector<RasterPoint> starts(from.begin(), from.end());
     for (std::size_t form = 0; form < forms_.all().size(); ++form) add_starts(form, at, starts);
-    std::optional<RasterPoint> best;
-    for (RasterPoint& found : relax({at, at}, starts)) {
-      if (!std::isfinite(found.objective) || found.violation > kFunctionFeasibility) continue;
-      if (!best || found.objective < best->objective) best = std::move(found);
-    }
-    return best;
+    return relax({at, at}, starts);
   }
 
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }

@@ -148,20 +148,15 @@ class MotionRaster final : public synthesis::ModelRaster {
                      MotionAxisList(problem, forms.model(0), scale).take()) {}
 
   /// In each form, the crank where each pose is nearest; where these angles break the order or the
-  /// circuit, also where they keep it. The best that meets every constraint, else the best.
-  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
-                                      std::span<const RasterPoint> from) const override {
+  /// circuit, also where they keep it.
+  std::vector<RasterPoint> evaluate(const RasterNumbers& at,
+                                    std::span<const RasterPoint> from) const override {
     std::vector<RasterPoint> all;
     for (std::size_t form = 0; form < forms_.all().size(); ++form) {
       add_points(form, at, from, all);
     }
     std::erase_if(all, [](const RasterPoint& point) { return !std::isfinite(point.objective); });
-    if (all.empty()) return std::nullopt;
-    std::ranges::stable_sort(all, {}, &RasterPoint::objective);
-    const auto sound = std::ranges::find_if(all, [&](const RasterPoint& point) {
-      return point.violation <= kMotionFeasibility && accepts(point);
-    });
-    return sound != all.end() ? *sound : all.front();
+    return all;
   }
 
   bool accepts(const RasterPoint& point) const override { return accepts_(motion(point)); }

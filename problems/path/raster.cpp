@@ -159,12 +159,11 @@ class PathRaster final : public synthesis::ModelRaster {
 
   /// At each form, with points that are not timed where they come nearest in order, and a timed
   /// path from several phases.
-  std::optional<RasterPoint> evaluate(const RasterNumbers& at,
-                                      std::span<const RasterPoint> from) const override {
-    std::optional<RasterPoint> best;
+  std::vector<RasterPoint> evaluate(const RasterNumbers& at,
+                                    std::span<const RasterPoint> from) const override {
+    std::vector<RasterPoint> all;
     const auto keep = [&](RasterPoint point) {
-      if (!std::isfinite(point.objective) || point.violation > kPathFeasibility) return;
-      if (!best || point.objective < best->objective) best = std::move(point);
+      if (std::isfinite(point.objective)) all.push_back(std::move(point));
     };
     std::vector<RasterPoint> starts = starts_of(from);
     for (RasterPoint& start : starts) place(at, start.x);
@@ -177,7 +176,7 @@ class PathRaster final : public synthesis::ModelRaster {
         for (const bool clockwise : {false, true}) place_points(found, clockwise, keep);
       }
     }
-    return best;
+    return all;
   }
 
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }

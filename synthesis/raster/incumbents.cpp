@@ -27,25 +27,40 @@ void RasterIncumbents::consider(const std::vector<RasterNumbers>& all,
   for (const RasterNumbers& at : all) {
     if (looked_at_.insert(at).second) fresh.push_back(at);
   }
-  std::vector<std::optional<RasterPoint>> found(fresh.size());
+  std::vector<std::vector<RasterPoint>> found(fresh.size());
   parallel_for(static_cast<int>(fresh.size()), options_.threads, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     found[i] = task_.evaluate(fresh[i], from);
   });
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    if (found[i]) insert(std::move(fresh[i]), *std::move(found[i]));
+    insert(std::move(fresh[i]), std::move(found[i]));
   }
 }
 
+std::optional<RasterPoint> RasterIncumbents::best_of(std::vector<RasterPoint> points) const {
+  std::ranges::stable_sort(points, {}, &RasterPoint::objective);
+  auto chosen = std::ranges::find_if(points, [&](const auto& point) { return meets_all(point); });
+  if (chosen == points.end()) {
+    chosen = std::ranges::min_element(points, {}, [&](const RasterPoint& point) {
+      return std::max(point.violation, options_.feasibility);
+    });
+  }
+  return chosen == points.end() ? std::nullopt : std::optional(std::move(*chosen));
+}
+
 /// Acceptance may cost more than all else: it is asked only of what would be kept.
-void RasterIncumbents::insert(RasterNumbers at, RasterPoint point) {
+void RasterIncumbents::insert(RasterNumbers at, std::vector<RasterPoint> points) {
+  std::ranges::stable_sort(points, {}, &RasterPoint::objective);
   const bool is_full = best_.size() >= options_.designs;
-  if (is_full && !(point.objective < best_.back().point.objective)) return;
-  if (!meets_all(point)) return;
-  if (is_full) best_.pop_back();
-  const auto place = std::ranges::upper_bound(
-      best_, point.objective, {}, [](const Kept& kept) { return kept.point.objective; });
-  best_.insert(place, {std::move(at), std::move(point)});
+  for (RasterPoint& point : points) {
+    if (is_full && !(point.objective < best_.back().point.objective)) return;
+    if (!meets_all(point)) continue;
+    if (is_full) best_.pop_back();
+    const auto place = std::ranges::upper_bound(
+        best_, point.objective, {}, [](const Kept& kept) { return kept.point.objective; });
+    best_.insert(place, {std::move(at), std::move(point)});
+    return;
+  }
 }
 
 std::vector<RasterNumbers> RasterIncumbents::neighbours(const RasterNumbers& at) const {

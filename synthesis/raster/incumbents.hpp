@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -27,6 +28,9 @@ class RasterIncumbents {
 
   /// Whether `point`, at one combination, meets every constraint.
   bool meets_all(const RasterPoint& point) const;
+  /// The best of `points`, at one combination, that meets every constraint; else the best of those
+  /// that violate them least. Empty where there is no point.
+  std::optional<RasterPoint> best_of(std::vector<RasterPoint> points) const;
 
   bool empty() const { return best_.empty(); }
   const RasterPoint& best() const { return best_.front().point; }
@@ -42,7 +46,7 @@ class RasterIncumbents {
     RasterPoint point;
   };
 
-  void insert(RasterNumbers at, RasterPoint point);
+  void insert(RasterNumbers at, std::vector<RasterPoint> points);
   std::vector<RasterNumbers> neighbours(const RasterNumbers& at) const;
 
   const RasterTask& task_;

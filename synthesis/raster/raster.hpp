@@ -54,10 +54,12 @@ class RasterTask {
   virtual std::vector<RasterPoint> relax(const RasterBox& box,
                                          std::span<const RasterPoint> from) const = 0;
 
-  /// The best design at one combination of values, from `from`; empty where there is none. By
-  /// default what `relax` finds there.
-  virtual std::optional<RasterPoint> evaluate(const RasterNumbers& at,
-                                              std::span<const RasterPoint> from) const;
+  /// Designs at one combination of values, from `from`, in any order: the best that is accepted
+  /// counts. By default the minima that `relax` finds there.
+  virtual std::vector<RasterPoint> evaluate(const RasterNumbers& at,
+                                            std::span<const RasterPoint> from) const {
+    return relax({at, at}, from);
+  }
 
   /// Whether a design at one combination meets what `violation` does not know of.
   virtual bool accepts(const RasterPoint& /*point*/) const { return true; }

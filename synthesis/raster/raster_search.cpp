@@ -55,7 +55,7 @@ class RasterSearch {
     keep_best(roots);
     if (!roots.empty()) {
       result_.relaxed = roots.front();
-      result_.rounded = task_.evaluate(rounded(roots.front()), roots);
+      result_.rounded = best_.best_of(task_.evaluate(rounded(roots.front()), roots));
       result_.rounded_is_accepted = result_.rounded && best_.meets_all(*result_.rounded);
     }
     for (const RasterPoint& point : options_.known) {
@@ -321,19 +321,6 @@ class RasterSearch {
 };
 
 }  // namespace
-
-std::optional<RasterPoint> RasterTask::evaluate(const RasterNumbers& at,
-                                                std::span<const RasterPoint> from) const {
-  const std::vector<RasterPoint> found = relax({at, at}, from);
-  // What is met to rounding is met; of such the least objective counts.
-  constexpr double kMet = 1e-9;
-  const auto precedes = [kMet](const RasterPoint& a, const RasterPoint& b) {
-    const double one = std::max(a.violation, kMet), other = std::max(b.violation, kMet);
-    return one != other ? one < other : a.objective < b.objective;
-  };
-  const auto least = std::ranges::min_element(found, precedes);
-  return least == found.end() ? std::nullopt : std::optional(*least);
-}
 
 RasterResult together(RasterResult a, RasterResult b) {
   const auto objective = [](const std::optional<RasterPoint>& point) {
