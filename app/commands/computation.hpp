@@ -32,7 +32,8 @@ struct Computation {
   std::string when_interrupted;  ///< said after an interrupt: what is reported nevertheless
   std::function<std::string(const Screen& screen)> table;
   std::function<ExitStatus()> exit_status;
-  std::function<bool()> is_abandoned;  ///< whether nobody waits for the result any more; may be empty
+  std::function<bool()>
+      is_abandoned;  ///< whether nobody waits for the result any more; may be empty
 };
 
 /// The document `cognate-check/1` of a file with faults.

@@ -179,9 +179,10 @@ Examples:
 inline constexpr const char* kStudioFooter =
     R"(Output:
   The address of a page, which the browser opens: the text of FILE with its
-  faults beside the lines, and the report of what this program finds. Problems of
-  every kind; analyses and machines too. The text is saved to FILE as it stands
-  there; where another program saves FILE, the page takes that over, or asks.
+  faults beside the lines, and the report of what this program finds. Problems
+  of every kind; analyses and machines too. The text is saved to FILE as it
+  stands there; where another program saves FILE, the page takes that over, or
+  asks.
   Only this machine gets an answer, and only with the token in the address.
   Seed, threads and time limit are those of the command. Ctrl-C ends it.
 

@@ -101,7 +101,8 @@ tl::expected<Computation, Faults> text_computation(std::string_view text,
       .and_then([&](const reading::Table& document) {
         return reading::with_length_unit(document, options.length_unit);
       })
-      .and_then([&](const reading::Table& document) { return reading::read_task(document, folder); })
+      .and_then(
+          [&](const reading::Table& document) { return reading::read_task(document, folder); })
       .and_then([&](TaskAt read) { return computation_of_task(std::move(read), options); });
 }
 

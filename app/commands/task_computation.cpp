@@ -56,7 +56,8 @@ tl::expected<Computation, std::vector<problems::Fault>> computation_of(Problem p
             of->result = K::run(of->problem, run);
             return of->result.status;
           },
-      .document = [of, seed = options.seed] { return result_document(of->problem, of->result, seed); },
+      .document = [of,
+                   seed = options.seed] { return result_document(of->problem, of->result, seed); },
       .files = files_of<K, Problem>(of, options),
       .when_interrupted = K::kWhenInterrupted,
       .table =
@@ -86,9 +87,8 @@ std::string task_refusal(const problems::Task& task, Command command) {
 }
 
 bool has_steps(const problems::Task& task) {
-  return visit_kind(task, []<class K, class Problem>(K, const Problem&) {
-    return has_turn_table<K, Problem>;
-  });
+  return visit_kind(
+      task, []<class K, class Problem>(K, const Problem&) { return has_turn_table<K, Problem>; });
 }
 
 }  // namespace cognate::app

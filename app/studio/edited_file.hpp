@@ -25,8 +25,8 @@ struct SaveFault {
   std::string message{};
 };
 
-/// A text of at most 512 KiB in UTF-8, on the disk. Where another program puts something else in its
-/// place, the last version stays.
+/// A text of at most 512 KiB in UTF-8, on the disk. Where another program puts something else in
+/// its place, the last version stays.
 class EditedFile {
  public:
   /// What `file` holds; or why it cannot be edited. A link is followed, and stays one.

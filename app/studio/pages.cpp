@@ -11,8 +11,8 @@
 namespace cognate::app {
 namespace {
 
-/// Every script of `page` marked as one of its own. Text of the user's cannot hold the mark's place:
-/// in JSON that is embedded every '<' is escaped (see filled_page.hpp).
+/// Every script of `page` marked as one of its own. Text of the user's cannot hold the mark's
+/// place: in JSON that is embedded every '<' is escaped (see filled_page.hpp).
 std::string with_nonce(std::string page, const std::string& nonce) {
   constexpr std::string_view kScript = "\n<script>\n";
   const std::string marked = fmt::format("\n<script nonce=\"{}\">\n", nonce);
@@ -35,10 +35,10 @@ std::string policy(const std::string& nonce) {
 
 HttpAnswer page_answer(std::string page) {
   const std::string nonce = random_token();
-  return {.type = "text/html; charset=utf-8",
-          .body = with_nonce(std::move(page), nonce),
-          .headers = {{"Content-Security-Policy", policy(nonce)},
-                      {"X-Frame-Options", "SAMEORIGIN"}}};
+  return {
+      .type = "text/html; charset=utf-8",
+      .body = with_nonce(std::move(page), nonce),
+      .headers = {{"Content-Security-Policy", policy(nonce)}, {"X-Frame-Options", "SAMEORIGIN"}}};
 }
 
 HttpAnswer json_answer(int status, const nlohmann::ordered_json& document) {

@@ -8,8 +8,8 @@
 
 namespace cognate::app {
 
-/// `page`, whose own scripts run and no other, which talks to this server and no other, and which no
-/// page but this server's may frame.
+/// `page`, whose own scripts run and no other, which talks to this server and no other, and which
+/// no page but this server's may frame.
 HttpAnswer page_answer(std::string page);
 
 /// `document` as JSON with an HTTP status.

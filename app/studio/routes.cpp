@@ -27,10 +27,14 @@ constexpr const char* kFirstTemplate = "new/path-generation";
 const char* phase_word(RunState::Phase phase) {
   using Phase = RunState::Phase;
   switch (phase) {
-    case Phase::idle: return "idle";
-    case Phase::solving: return "solving";
-    case Phase::done: return "done";
-    case Phase::failed: return "failed";
+    case Phase::idle:
+      return "idle";
+    case Phase::solving:
+      return "solving";
+    case Phase::done:
+      return "done";
+    case Phase::failed:
+      return "failed";
   }
   return "";
 }
@@ -156,7 +160,8 @@ HttpAnswer StudioRoutes::post(const HttpRequest& request) {
     return json_answer(200, ordered_json::object());
   }
   const auto given = body.find("text");
-  if (given == body.end() || !given->is_string()) return error_answer(400, "text: expected a string");
+  if (given == body.end() || !given->is_string())
+    return error_answer(400, "text: expected a string");
   const auto& text = given->get_ref<const std::string&>();
   if (request.path == "/check") return checked(text, folder());
   if (request.path == "/solve") return solve(text);
@@ -173,8 +178,9 @@ HttpAnswer StudioRoutes::page() const {
   for (const auto& each : templates()) {
     templates_json.push_back({{"name", each.name}, {"title", each.title}});
   }
-  ordered_json data = file_ ? to_json(file_->version())
-                            : ordered_json{{"version", 0}, {"text", *template_text(kFirstTemplate)}};
+  ordered_json data = file_
+                          ? to_json(file_->version())
+                          : ordered_json{{"version", 0}, {"text", *template_text(kFirstTemplate)}};
   data["file"] = file_ ? ordered_json(file_->path().string()) : ordered_json();
   data["templates"] = std::move(templates_json);
   return page_answer(filled_page(studio_page(), data, ""));

@@ -130,8 +130,8 @@ void Workbench::run(const std::shared_ptr<Job>& job) {
     if (closing_ || job_ != job) return;  // nobody waits for its page
   }
   const auto document = job->computation.document();
-  auto page = std::make_shared<const std::string>(
-      document ? page_of(job->computation, *document) : std::string());
+  auto page = std::make_shared<const std::string>(document ? page_of(job->computation, *document)
+                                                           : std::string());
   update(*job, [&] {
     state_.seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
     state_.phase = document ? RunState::Phase::done : RunState::Phase::failed;

@@ -27,7 +27,8 @@ struct RunState {
   std::uint64_t run = 0;
   Phase phase = Phase::idle;
   double share = 0;
-  double best = std::numeric_limits<double>::infinity();  ///< objective; infinite where none is known
+  double best =
+      std::numeric_limits<double>::infinity();  ///< objective; infinite where none is known
   double seconds = 0;
   std::string status{};      ///< of the result, once done
   std::string message{};     ///< why it failed

@@ -50,9 +50,8 @@ tl::expected<Study, Faults> read_study(const std::filesystem::path& file,
 
 tl::expected<TaskOrStudy, Faults> parse_task_or_study(std::string_view text, const Folder& folder,
                                                       const MetricCatalogue& metrics) {
-  return reading::read_text(text).and_then([&](const reading::Table& document) {
-    return task_or_study_of(document, folder, metrics);
-  });
+  return reading::read_text(text).and_then(
+      [&](const reading::Table& document) { return task_or_study_of(document, folder, metrics); });
 }
 
 tl::expected<TaskOrStudy, Faults> read_task_or_study(const std::filesystem::path& file,
