@@ -26,8 +26,8 @@ struct Arguments {
   bool quiet = false;
   bool metrics = false;
   bool inverse = false, csv = false;  ///< of `involute`
-  bool watch = false;    ///< of the commands that compute
-  bool no_open = false;  ///< of `studio`
+  bool watch = false;                 ///< of the commands that compute
+  bool no_open = false;               ///< of `studio`
 };
 
 /// The commands and options, and where parsing puts what was written. It is not to be moved: the

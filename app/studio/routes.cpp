@@ -160,8 +160,9 @@ HttpAnswer StudioRoutes::post(const HttpRequest& request) {
     return json_answer(200, ordered_json::object());
   }
   const auto given = body.find("text");
-  if (given == body.end() || !given->is_string())
+  if (given == body.end() || !given->is_string()) {
     return error_answer(400, "text: expected a string");
+  }
   const auto& text = given->get_ref<const std::string&>();
   if (request.path == "/check") return checked(text, folder());
   if (request.path == "/solve") return solve(text);

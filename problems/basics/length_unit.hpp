@@ -10,8 +10,8 @@
 namespace cognate::problems {
 
 /// `length_unit` of a file. In this unit are lengths, velocities, accelerations and gravity, and
-/// what is given by length or by area: masses by length, rates of springs, moduli, stresses. Torques
-/// and moments (N·m), inertias (kg·m²), work (J) and power (W) are in metres for any unit.
+/// what is given by length or by area: masses by length, rates of springs, moduli, stresses.
+/// Torques and moments (N·m), inertias (kg·m²), work (J) and power (W) are in metres for any unit.
 enum class LengthUnit { mm, cm, m, inch };
 
 /// How many metres the unit has. Without a unit lengths count as metres wherever forces are
