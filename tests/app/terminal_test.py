@@ -131,7 +131,7 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "completion", "f"], {"fish"}),
             (["cognate", "completion", "--"], {"--help"}),
             (["cognate", "manual", ""], set()),
-            (["cognate", "s"], {"solve", "sweep", "sketch"}),
+            (["cognate", "s"], {"solve", "sweep", "sketch", "studio"}),
             (["cognate", "--ver"], {"--version"}),
             (["cognate", "solve", ""], problems),
             (["cognate", "solve", "b"], {"b file.toml"}),
