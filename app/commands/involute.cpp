@@ -72,7 +72,7 @@ ValuesOrFault range_of(double from, double to, double step, const std::string& t
 }
 
 ValuesOrFault values_of(const std::string& text, const ArgumentRule& rule) {
-  const Values numbers = numbers_of(text, rule);
+  Values numbers = numbers_of(text, rule);
   const bool has_step = rule.below == kAngles.below;  // one degree, if none is given
   if (numbers.size() == 1) return numbers;
   if (numbers.size() == 3) return range_of(numbers[0], numbers[1], numbers[2], text);

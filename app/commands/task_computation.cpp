@@ -27,7 +27,7 @@ struct Case {
 
 /// The files of a result besides the document.
 template <class K, class Problem>
-std::vector<OutputFile> files_of(std::shared_ptr<const Case<K, Problem>> of,
+std::vector<OutputFile> files_of(const std::shared_ptr<const Case<K, Problem>>& of,
                                  const Options& options) {
   std::vector<OutputFile> files;
   if constexpr (requires { K::csv(of->problem, of->result); }) {

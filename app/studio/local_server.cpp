@@ -172,8 +172,9 @@ void LocalServer::Parts::route() {
     return Handled::Handled;
   });
   server.Get(".*", serve).Post(".*", serve);
-  server.set_exception_handler(
-      [](const auto&, auto& response, auto) { refuse(response, 500, "a fault of Cognate's own"); });
+  server.set_exception_handler([](const auto&, auto& response, const auto&) {
+    refuse(response, 500, "a fault of Cognate's own");
+  });
   server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
     if (!response.has_header("Content-Type")) {
       refuse(response, response.status, "the request cannot be understood");

@@ -497,7 +497,7 @@ force = [0, -2]
     def test_gears_and_studies_name_it(self):
         path = self.file('kind = "gear"\nlength_unit = "mm"\n[mechanism]\nteeth = 35\nmodule = 5\n', "gear")
         ended = run("analyze", path, "--out", self.folder)
-        self.assertRegex(ended.stdout, r"reference_diameter +175 +mm\n")
+        self.assertRegex(ended.stdout, r"reference_diameter +d +175 +mm\n")
         self.assertIn("radius_mm,x_mm,y_mm,thickness_mm", (self.folder / "gear.csv").read_text())
         self.file(in_unit(ANALYSIS, "mm"), "base")
         study = self.file('base = "base.toml"\n[[vary]]\nkey = "mechanism.crank"\nrange = [90, 100]\nsteps = 3\n'
