@@ -19,7 +19,7 @@ constexpr milliseconds kDrainTime{500};
 /// Between two looks at whether the server is closing.
 constexpr milliseconds kSlice{100};
 /// Of the request line and all headers.
-constexpr std::size_t kGreatestHead = 64 * 1024;
+constexpr std::size_t kGreatestHead = 65'536;
 
 }  // namespace
 

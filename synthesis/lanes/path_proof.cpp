@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "synthesis/lanes/path_proof_kernel.hpp"
@@ -35,7 +36,7 @@ struct alignas(kProofAlignment) ProofLine {
 
 /// The memory of one thread's kernel.
 struct ProofWorkspace {
-  std::array<double, proof_numbers * kProofBoxes> box;
+  std::array<double, std::size_t{proof_numbers} * kProofBoxes> box;
   std::array<int, kProofBoxes> reached, side;
   std::vector<ProofLine> lines;
 };
@@ -52,7 +53,7 @@ double half_width(const Interval& side) {
 }
 
 void write_box(const ProportionBox& box, double* at) {
-  const auto put = [&](int which, double value) { at[which * kProofBoxes] = value; };
+  const auto put = [&](std::ptrdiff_t which, double value) { at[which * kProofBoxes] = value; };
   put(proof_k, box.side[0].middle());
   put(proof_half_k, half_width(box.side[0]));
   put(proof_side, box.proportions == Proportions::frame_shortest ? -1 : 1);

@@ -139,7 +139,7 @@ const std::vector<FaultCase> kFunctionCases = {
      {{8, 17, "an integer from 1 to 5"}}},
     {"MultiplicityOfATable",
      table("[[0, 0], [1, 1], [2, 4]]", "at = [0, 1]\nmultiplicity = [1, 2]\n"),
-     {{7, 16, "derivatives of a table, which has none"}}},
+     {{7, 16, "derivatives, which a table does not have"}}},
     {"MultiplicityOfPairs",
      pairs("[[0, 0], [1, 1], [2, 3]]", "precision_points = 3\nmultiplicity = [1, 1, 1]\n"),
      {{5, 16, "is for a function; expected derivatives = [[...], ...]"}}},

@@ -32,14 +32,14 @@ const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls
 controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
-const search = Kernel.available ? new Search(take, (text) => showState(say("sketch.failed", { text }))) : null;
+const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), stroke, click, drag, drop, remove });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
 let shown = steps.present, held = null, begun = 0;
 
-const showState = (text) => { byId("state").textContent = text; };
+const announce = (text) => { byId("state").textContent = text; };
 
 function goTo(degreesOfMotion, byHand = false) {
   if (byHand) controls.play(false);
@@ -76,7 +76,7 @@ function take(answer, { live, last }) {
   const candidates = differing([...found, ...before], SHOWN, drawingSize(shown.points), held);
   offer(candidates, Math.max(0, candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
-  showState(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(answer, last, live));
+  announce(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(answer, last, live));
   if (!live) keepAddress();
 }
 
@@ -95,7 +95,7 @@ function solve(live = false) {
   if (!search || shown.points.length < FEWEST_POINTS) return;
   const question = (starts, flags) => ({ problem: problemOf(shown, { starts, designs: FOUND }), ...flags });
   if (live) { search.askNewest(question(QUICK, { live, last: false })); return; }
-  showState(say("sketch.searching"));
+  announce(say("sketch.searching"));
   search.ask([question(QUICK, { live, last: false }), question(LONG, { live, last: true })]);
 }
 
@@ -114,7 +114,7 @@ function settle() {
   search?.cancel();
   if (shown.points.length < FEWEST_POINTS) {
     offer([], 0);
-    showState(shown.points.length ? say("sketch.more_points", { least: FEWEST_POINTS }) : "");
+    announce(shown.points.length ? say("sketch.more_points", { least: FEWEST_POINTS }) : "");
   }
   showState();
   keepAddress();
