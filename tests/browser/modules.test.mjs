@@ -18,10 +18,10 @@ const root = fileURLToPath(new URL("../../", import.meta.url));
 const folder = path.join(root, "app/report/page");
 
 // What the browser and the plotting libraries give.
-const GLOBALS = new Set(`Array Blob Boolean DecompressionStream Error Image MediaRecorder Promise XMLSerializer createImageBitmap performance Float32Array Float64Array Infinity Int32Array Intl JSON Map Math
-  MutationObserver NaN Number Object RegExp ResizeObserver Response SVGElement Set String TextDecoder TextEncoder URL Uint8Array WebAssembly Worker
+const GLOBALS = new Set(`AbortController Array Blob Boolean DecompressionStream Error Event Image MediaRecorder Promise XMLSerializer createImageBitmap performance Float32Array Float64Array Infinity Int32Array Intl JSON Map Math
+  MutationObserver NaN Number Object RegExp ResizeObserver Response SVGElement Set String TextDecoder TextEncoder URL URLSearchParams Uint8Array WebAssembly Worker
   addEventListener atob clearTimeout d3 decodeURIComponent devicePixelRatio document getComputedStyle getSelection history localStorage
-  encodeURIComponent location matchMedia navigator print requestAnimationFrame self setTimeout uPlot undefined`.split(/\s+/));
+  encodeURIComponent fetch location matchMedia navigator open parseFloat print requestAnimationFrame self sessionStorage setInterval setTimeout uPlot undefined`.split(/\s+/));
 
 // What a script imports, as {name, from}, exports, uses without declaring it, and leaves unused.
 function moduleOf(file) {

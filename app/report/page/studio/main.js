@@ -5,7 +5,7 @@ import { saveText } from "../controls.js";
 import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { duration, number, sentence } from "../format.js";
-import { knows, language, say, sentenceOf } from "../words.js";
+import { knows, language, say } from "../words.js";
 import { addressWithToken, ask, TOKEN } from "./server.js";
 import { TextEditor } from "./text_editor.js";
 
