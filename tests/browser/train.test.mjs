@@ -47,6 +47,6 @@ test("each state of a gearbox has its own figures", () => visit("simpson", still
   const ratio = () => page.locator("#facts-list").textContent();
   assert.match(await ratio(), /76\/31/);
   await page.locator("#designs button").nth(3).click();
-  assert.match(await ratio(), /-31\/14/);
+  assert.match(await ratio(), /−31\/14/);
   assert.equal(await page.locator('#designs button[aria-pressed="true"]').count(), 1);
 }));
