@@ -48,8 +48,14 @@ inline Interval operator+(const Interval& a, const Interval& b) {
 inline Interval operator-(const Interval& a, const Interval& b) {
   return outward(a.low - b.high, a.high - b.low);
 }
+/// Of ends: 0·∞ is 0, since an infinite end is the limit of finite ones.
+inline double product_of_ends(double x, double y) {
+  const double product = x * y;
+  return std::isnan(product) && !std::isnan(x) && !std::isnan(y) ? 0 : product;
+}
 inline Interval operator*(const Interval& a, const Interval& b) {
-  const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+  const double p = product_of_ends(a.low, b.low), q = product_of_ends(a.low, b.high);
+  const double r = product_of_ends(a.high, b.low), s = product_of_ends(a.high, b.high);
   return outward(std::min(std::min(p, q), std::min(r, s)),
                  std::max(std::max(p, q), std::max(r, s)));
 }
