@@ -123,7 +123,7 @@ tl::expected<std::string, std::string> drawn(Plan plan, const LinkageScene& link
 tl::expected<std::string, std::string> written(const ordered_json& document) {
   if (find_non_finite(document)) {
     return tl::unexpected(
-        std::string("the linkage is too large to be told; lengths up to 1e100 are allowed"));
+        std::string("the linkage is too large to be written; lengths up to 1e100 are allowed"));
   }
   return write_json(document);
 }

@@ -29,7 +29,7 @@ inline constexpr std::string_view kConcave = "concave_radius_min", kFace = "face
                                   kForce = "contact_force_max", kTorque = "torque_max",
                                   kStress = "contact_stress_max";
 
-/// `[constraints]`, of the profile besides undercut and of the forces.
+/// `[constraints]`, of the profile other than undercut, and of the forces.
 inline constexpr Key<CamConstraints> kProfileKeys[] = {
     key<&CamConstraints::concave_radius_min>(
         kConcave, "of the profile where it is concave (not flat faces)", kLinkLength),
@@ -43,6 +43,6 @@ inline constexpr Key<CamConstraints> kProfileKeys[] = {
     key<&CamConstraints::torque_max>(
         kTorque, "that drives the cam, of either sense; with masses, spring or load", kPositive),
     key<&CamConstraints::contact_stress_max>(
-        kStress, "with [contact] besides; not with constant breadth", kPositive)};
+        kStress, "requires [contact]; not with constant breadth", kPositive)};
 
 }  // namespace cognate::problems::reading

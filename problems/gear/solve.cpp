@@ -32,7 +32,7 @@ class Solver {
 
   void solve() {
     const Sieved sieved = sieve(problem_, deadline_);
-    tell(sieved);
+    report(sieved);
     const auto& combinations = sieved.left.empty() ? sieved.nearest : sieved.left;
     for (const GearCombination& each : combinations) found_.push_back(unsearched(each));
     if (!problem_.centre_distance && found_.size() > kMostFine) {
@@ -58,7 +58,7 @@ class Solver {
  private:
   void add_quantity(const char* name, double value) { result_.quantities.push_back({name, value}); }
 
-  void tell(const Sieved& sieved) {
+  void report(const Sieved& sieved) {
     constexpr const char* kRefused[] = {"refused_by_ratio", "refused_by_hunting",
                                         "refused_by_centre_distance", "refused_by_undercut"};
     add_quantity("combinations", double(sieved.all + sieved.copies));
@@ -178,14 +178,14 @@ std::vector<std::string> notes_of(const GearPairDesign& design) {
 
 /// What the nearest pair misses of which `notes_of` says nothing.
 std::vector<std::string> missed_notes(const GearPairDesign& design) {
-  constexpr std::string_view kTold[] = {"teeth.", "centre_distance", "backlash", "no_undercut",
-                                        "no_interference"};
+  constexpr std::string_view kNoted[] = {"teeth.", "centre_distance", "backlash", "no_undercut",
+                                         "no_interference"};
   std::vector<std::string> notes;
   for (const ConstraintCheck& check : design.constraints) {
     const auto* value = std::get_if<double>(&check.value);
     const auto* bound = std::get_if<double>(&check.bound);
-    const auto is_told = [&](std::string_view told) { return check.name.starts_with(told); };
-    if (check.satisfied || !value || !bound || std::ranges::any_of(kTold, is_told)) continue;
+    const auto is_noted = [&](std::string_view name) { return check.name.starts_with(name); };
+    if (check.satisfied || !value || !bound || std::ranges::any_of(kNoted, is_noted)) continue;
     if (check.name == "target.ratio_tolerance") {
       const auto& settled = design.settled;
       notes.push_back(fmt::format(

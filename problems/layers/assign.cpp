@@ -157,18 +157,18 @@ class LayerAssigner {
 
   void report_pin(int number, const Stack& stack) {
     const PlatePin& pin = plates_.pins[static_cast<std::size_t>(number)];
-    LayerResult::Pin told{name({number, true}), {}, {}};
-    if (pin.on_base) told.joins.push_back(mechanism_.bodies.front());
-    for (const int link : pin.links) told.joins.push_back(name({link}));
+    LayerResult::Pin row{name({number, true}), {}, {}};
+    if (pin.on_base) row.joins.push_back(mechanism_.bodies.front());
+    for (const int link : pin.links) row.joins.push_back(name({link}));
     if (!stack.layers.empty()) {
       std::vector<int> held;
       for (const int link : pin.links) held.push_back(stack.layers[static_cast<std::size_t>(link)]);
       const auto [low, high] = std::ranges::minmax(held);
       for (int layer = pin.on_base ? 1 : low; layer < high; ++layer) {
-        if (std::ranges::find(held, layer) == held.end()) told.crosses.push_back(layer);
+        if (std::ranges::find(held, layer) == held.end()) row.crosses.push_back(layer);
       }
     }
-    result_.pins.push_back(std::move(told));
+    result_.pins.push_back(std::move(row));
   }
 
   const NamedMechanism& mechanism_;

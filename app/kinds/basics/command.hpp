@@ -1,9 +1,9 @@
-/// @file The commands that kinds tell apart.
+/// @file The commands among which a kind of problem decides.
 #pragma once
 
 namespace cognate::app {
 
-/// The commands that compute what a file asks for.
+/// The commands that compute the problem of a file.
 enum class Command { solve, analyze };
 
 }  // namespace cognate::app
