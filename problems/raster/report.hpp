@@ -10,7 +10,7 @@
 
 namespace cognate::problems {
 
-/// How the objective of a search is told: as the error of the kind of problem.
+/// The error that results report for the objective that a search minimises.
 using ErrorOfObjective = std::function<double(double objective)>;
 
 /// Counts and errors: "raster_combinations", "raster_error", "raster_bound", "rounded_error", …
