@@ -1,129 +1,28 @@
-"""Exported linkages from outside: drawings, tables, sketches and parts, read by other programs.
+"""Exported linkages from outside: drawings, tables and sketches, read by other programs.
 
 Run as: export_linkages_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
 """
 
 import csv
-import itertools
 import json
 import math
-import os
-import pathlib
 import random
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree
+
+from exported_linkages import distance_to_segment, ExportedLinkages, run
 
 try:
     import ezdxf
 except ImportError:
     ezdxf = None
 
-PROGRAM = ""
-LIBRARY = pathlib.Path()
 
-# Small enough for every linkage of the library, whose shortest link is this many times longer.
-HOLE_SHARE, WIDTH_SHARE = 0.25, 0.5
-
-
-def run(*arguments, cwd=None):
-    return subprocess.run(
-        [PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=60
-    )
-
-
-def arc_points(start, end, bulge, count=24):
-    """Points of the arc of a DXF bulge, by its definition: tan of a quarter of the angle."""
-    if bulge == 0:
-        return [start]
-    a, b = complex(*start), complex(*end)
-    angle = 4 * math.atan(bulge)
-    centre = (a + b) / 2 + 1j * (b - a) / (2 * math.tan(angle / 2)) if abs(bulge) != 1 else (a + b) / 2
-    turn = [complex(math.cos(angle * i / count), math.sin(angle * i / count)) for i in range(count)]
-    return [((centre + (a - centre) * t).real, (centre + (a - centre) * t).imag) for t in turn]
-
-
-def outline_of(entity):
-    """The polygon of a closed polyline with bulges, or of a circle."""
-    if entity.dxftype() == "CIRCLE":
-        x, y, _ = entity.dxf.center
-        radius = entity.dxf.radius
-        return [
-            (x + radius * math.cos(i * math.pi / 36), y + radius * math.sin(i * math.pi / 36))
-            for i in range(72)
-        ]
-    points = [(x, y, bulge) for x, y, _, _, bulge in entity.get_points()]
-    polygon = []
-    for (x, y, bulge), (nx, ny, _) in zip(points, points[1:] + points[:1]):
-        polygon += arc_points((x, y), (nx, ny), bulge)
-    return polygon
-
-
-def distance_to_segment(p, a, b):
-    p, a, b = complex(*p), complex(*a), complex(*b)
-    way = b - a
-    share = ((p - a) * way.conjugate()).real / abs(way) ** 2 if way else 0
-    return abs(p - a - min(1, max(0, share)) * way)
-
-
-def box(polygon):
-    xs, ys = zip(*polygon)
-    return min(xs), min(ys), max(xs), max(ys)
-
-
-def holds(polygon, point):
-    """Whether a polygon holds a point: an odd number of its sides is passed on the way out."""
-    x, y = point
-    inside = False
-    for (ax, ay), (bx, by) in zip(polygon, polygon[1:] + polygon[:1]):
-        if (ay > y) != (by > y) and x < ax + (bx - ax) * (y - ay) / (by - ay):
-            inside = not inside
-    return inside
-
-
-class ExportLinkagesTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
-        cls.results, cls.made = [], {}
-        for file in sorted((LIBRARY / "analysis").glob("*.toml")):
-            done = run("analyze", file, "--quiet", "--out", "results", cwd=cls.folder)
-            assert done.returncode == 0, done.stderr
-            cls.results.append(cls.folder / "results" / f"{file.stem}.result.json")
-        assert len(cls.results) >= 20, cls.results
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    def export(self, result, form, *options):
-        """The file that an export makes, once for all tests."""
-        asked = (result, form, *options)
-        if asked not in self.made:
-            done = run("export", result, "--format", form, *options, "--out", f"made{len(self.made)}",
-                       "--json", cwd=self.folder)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            (file,) = json.loads(done.stdout)["files"]
-            self.made[asked] = self.folder / file
-        return self.made[asked]
-
-    def document(self, result, *options):
-        return json.loads(self.export(result, "json", *options).read_text())
-
-    def refusal(self, result, *options):
-        done = run("export", result, *options, "--out", "refused", cwd=self.folder)
-        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-        self.assertFalse((self.folder / "refused").exists())
-        return done.stderr
-
-    def named(self, name):
-        return self.folder / "results" / f"{name}.result.json"
-
+class ExportLinkages(ExportedLinkages):
     def test_links_keep_their_lengths_at_every_position(self):
         """The table of positions against the lengths between the places of each link."""
         compared = 0
@@ -254,184 +153,6 @@ class ExportLinkagesTest(unittest.TestCase):
             done = subprocess.run(["dot", "-Tsvg", file], capture_output=True, text=True, timeout=60)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def cut(self, result, form, *options):
-        lengths = [length["length"] for link in self.document(result)["links"]
-                   for length in link["lengths"]]
-        least = min(lengths, default=1)
-        return self.export(result, form, "--parts", "--hole", HOLE_SHARE * least, "--width",
-                           WIDTH_SHARE * least, "--thickness", 3, *options)
-
-    @unittest.skipIf(ezdxf is None, "ezdxf is not there")
-    def test_parts_have_their_holes_at_the_lengths_of_the_links(self):
-        for result in self.results:
-            with self.subTest(result.name):
-                lengths = {link["name"]: link["lengths"] for link in self.document(result)["links"]}
-                told = json.loads(self.cut(result, "json").read_text())
-                drawing = ezdxf.readfile(self.cut(result, "dxf"))
-                self.assertEqual(drawing.audit().errors, [])
-                space = drawing.modelspace()
-                holes = [circle for circle in space.query('CIRCLE[layer=="HOLES"]')]
-                self.assertTrue(all(math.isclose(2 * hole.dxf.radius, told["hole"]) for hole in holes))
-                self.assertEqual(len(holes), sum(len(part["holes"]) for part in told["parts"]))
-                drawn = [tuple(hole.dxf.center)[:2] for hole in holes]
-                for part in told["parts"]:
-                    at = {hole["name"]: hole["at"] for hole in part["holes"]}
-                    for hole in at.values():
-                        self.assertLess(min(math.dist(hole, centre) for centre in drawn), 1e-9)
-                    for length in lengths[part["name"]]:
-                        if length["from"] in at and length["to"] in at:
-                            self.assertAlmostEqual(
-                                math.dist(at[length["from"]], at[length["to"]]) / length["length"], 1, 8)
-
-    @unittest.skipIf(ezdxf is None, "ezdxf is not there")
-    def test_parts_keep_apart_and_hold_their_holes(self):
-        for result in self.results:
-            with self.subTest(result.name):
-                told = json.loads(self.cut(result, "json").read_text())
-                space = ezdxf.readfile(self.cut(result, "dxf")).modelspace()
-                outlines = [outline_of(entity) for entity in space.query('*[layer=="OUTLINES"]')]
-                self.assertEqual(len(outlines), len(told["parts"]))
-                gap = 0.5 * told["width"]
-                for one, other in itertools.combinations(map(box, outlines), 2):
-                    apart = max(one[0] - other[2], other[0] - one[2], one[1] - other[3], other[1] - one[3])
-                    self.assertGreaterEqual(apart, gap * (1 - 1e-9))
-                # About every hole and slot there is half the width, less half the hole.
-                for part, outline in zip(told["parts"], outlines):
-                    spots = [hole["at"] for hole in part["holes"]]
-                    spots += [slot[end] for slot in part["slots"] for end in ("from", "to")]
-                    for spot in spots:
-                        self.assertTrue(holds(outline, spot))
-                        rim = min(distance_to_segment(spot, a, b)
-                                  for a, b in zip(outline, outline[1:] + outline[:1]))
-                        self.assertGreaterEqual(rim, 0.5 * told["width"] * 0.995)
-                xml.etree.ElementTree.parse(self.cut(result, "svg"))
-                old = ezdxf.readfile(self.cut(result, "dxf", "--dxf-version", "r12"))
-                self.assertEqual(old.audit().errors, [])
-                bulges = [vertex.dxf.bulge for line in old.modelspace().query("POLYLINE")
-                          for vertex in line.vertices]
-                self.assertTrue(any(bulges))
-
-    def test_parts_pass_one_another_in_their_planes(self):
-        """Bars of a crank-rocker as thick lines, at positions of the table."""
-        told = json.loads(self.cut(self.named("crank-rocker"), "json").read_text())
-        planes = {part["name"]: part["plane"] for part in told["parts"]}
-        document = self.document(self.named("crank-rocker"))
-        columns = {column["name"]: column["values"] for column in document["positions"]}
-        bars = {"crank": "AB", "coupler": "BC", "rocker": "CD", "frame": "AD"}
-        fixed = document["position"]["places"]
-
-        def place(name, row):
-            if f"{name}_x" not in columns:
-                return fixed[name]
-            return columns[f"{name}_x"][row], columns[f"{name}_y"][row]
-
-        compared = 0
-        for row in range(0, 361, 10):
-            ends = {link: [place(name, row) for name in bar] for link, bar in bars.items()}
-            for one, other in itertools.combinations(bars, 2):
-                if planes[one] != planes[other]:
-                    continue
-                near = min(*(distance_to_segment(p, *ends[other]) for p in ends[one]),
-                           *(distance_to_segment(p, *ends[one]) for p in ends[other]))
-                self.assertGreater(near, told["width"])
-                compared += 1
-        self.assertGreaterEqual(compared, 37)
-        self.assertEqual((planes["frame"], told["height"]), (1, 3 * told["planes"]))
-        self.assertTrue(all(low >= 1 and high <= told["planes"] and high > low
-                            for low, high in (pin["planes"] for pin in told["pins"])))
-
-    def analysed(self, name, text):
-        """The result of an analysis of this text."""
-        (self.folder / f"{name}.toml").write_text('kind = "analysis"\n' + text)
-        done = run("analyze", f"{name}.toml", "--quiet", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return self.folder / f"{name}.result.json"
-
-    def slots(self, result):
-        document = self.document(result)
-        return [slot for link in document["links"] for slot in link["slots"]]
-
-    def test_slots_are_as_long_as_the_stroke(self):
-        """No shorter, as the pin would jam, against what the analysis tells of the output."""
-        seen = 0
-        for result in self.results:
-            stroke = json.loads(result.read_text())["designs"][0]["metrics"].get("output_stroke")
-            lengths = [math.dist(slot["from"], slot["to"]) for slot in self.slots(result)]
-            if stroke is None or not lengths:
-                continue
-            with self.subTest(result.name):
-                nearest = min(lengths, key=lambda length: abs(length - stroke))
-                self.assertGreaterEqual(nearest, stroke)
-                self.assertLessEqual(nearest, stroke * (1 + 1e-6))
-                seen += 1
-        self.assertGreaterEqual(seen, 2)
-
-    def test_slots_of_many_turns(self):
-        """The stroke of an offset slider-crank by Pythagoras, for any number of turns."""
-        stroke = math.sqrt(230**2 - 25**2) - math.sqrt(30**2 - 25**2)
-        for start, end in [(0, 360), (0, 36000), (-32400, 32400), (7200, -100)]:
-            with self.subTest((start, end)):
-                result = self.analysed(
-                    "turns", '[mechanism]\ntype = "slider-crank"\npivot = [0, 0]\ncrank = 100\n'
-                    f'coupler = 130\noffset = 25\n[drive]\nstart_deg = {start}\nend_deg = {end}\n')
-                (slot,) = self.slots(result)
-                length = math.dist(slot["from"], slot["to"])
-                self.assertGreaterEqual(length, stroke * (1 - 1e-12))
-                self.assertLessEqual(length, stroke * (1 + 1e-8))
-                paths = [path["point"] for path in self.document(result)["paths"]]
-                self.assertEqual(len(paths), len(set(paths)))
-
-    def test_planes_with_the_frame_between(self):
-        """Cranks that turn fully on both sides of the frame: none meets a pin."""
-        for name in ("double-crank", "guide-bar-rotating"):
-            with self.subTest(name):
-                told = json.loads(self.cut(self.named(name), "json").read_text())
-                frame = next(part for part in told["parts"] if part["name"] == "frame")
-                self.assertLess(1, frame["plane"])
-                self.assertLess(frame["plane"], told["planes"])
-
-    def test_labels_keep_off_holes_and_cuts(self):
-        """Texts as boxes of 0.6 of their height for each letter, against all that is cut."""
-        for result in self.results:
-            with self.subTest(result.name):
-                told = json.loads(self.cut(result, "json").read_text())
-                root = xml.etree.ElementTree.parse(self.cut(result, "svg")).getroot()
-                labels = [text for text in root.iter("{http://www.w3.org/2000/svg}text")]
-                self.assertEqual(len(labels), len(told["parts"]))
-                view = [float(number) for number in root.get("viewBox").split()]
-                for label in labels:
-                    x, y, scale = map(float, re.match(
-                        r"translate\((\S+) (\S+)\) scale\((\S+) ", label.get("transform")).groups())
-                    height, width = 16 * scale, 9.6 * scale * len(label.text)
-                    self.assertLessEqual(x + width, view[0] + view[2])
-                    for part in told["parts"]:
-                        for hole in part["holes"]:
-                            dx = max(x - hole["at"][0], 0, hole["at"][0] - x - width)
-                            dy = max(y - hole["at"][1], 0, hole["at"][1] - y - height)
-                            self.assertGreaterEqual(math.hypot(dx, dy), 0.5 * told["hole"])
-
-    def test_names_of_parts_are_each_once(self):
-        for result in self.results:
-            with self.subTest(result.name):
-                told = json.loads(self.cut(result, "json").read_text())
-                for table in (told["pins"], *(part["holes"] for part in told["parts"])):
-                    names = [entry["name"] for entry in table]
-                    self.assertEqual(len(names), len(set(names)))
-
-    def test_every_place_is_named_in_the_drawing(self):
-        """Also what lies at another's position, as C of a scotch yoke."""
-        for result in self.results:
-            with self.subTest(result.name):
-                root = xml.etree.ElementTree.parse(self.export(result, "svg")).getroot()
-                labels = [text.text for text in root.iter("{http://www.w3.org/2000/svg}text")]
-                self.assertEqual(sorted(labels), sorted(self.document(result)["position"]["places"]))
-
-    def test_thin_walls_are_reported(self):
-        done = run("export", self.named("crank-rocker"), "--format", "svg", "--parts", "--hole", 0.1,
-                   "--width", 0.119, "--out", "thin", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("less than a tenth of the hole", done.stdout + done.stderr)
-
     def test_designs_of_a_synthesis(self):
         (self.folder / "quick.toml").write_text(
             'kind = "quick-return"\n[target]\ntime_ratio = 1.4\n[mechanism]\n'
@@ -534,5 +255,5 @@ class ExportLinkagesTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, LIBRARY = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    del sys.argv[1:3]
+    unittest.main()

@@ -1,6 +1,6 @@
 """Exported cams from outside, against formulas of this file's own.
 
-Run as: export_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
+Run as: export_cams_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
 """
 
 import bisect
@@ -143,7 +143,7 @@ def roller_pitch(degrees):
     return translating_pitch(degrees, ROLLER["base_radius"], ROLLER["offset"], ROLLER_STROKE)
 
 
-class ExportTest(unittest.TestCase):
+class ExportCams(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
