@@ -144,6 +144,79 @@ TEST(Raster, BranchAndBoundFindsTheBestOfAllCombinations) {
   for (int seed = 0; seed < 200; ++seed) compare(seed, seed % 2 == 1, 0);
 }
 
+/// Several designs at each combination, of which some are not accepted.
+class SeveralDesigns final : public RasterTask {
+ public:
+  static constexpr int kValues = 6, kForms = 3;
+
+  explicit SeveralDesigns(std::mt19937& random) {
+    std::uniform_real_distribution<double> objective(1, 2);
+    for (const char* name : {"a", "b"}) {
+      axes_.push_back({name, RasterValues::multiples(1, 0, kValues - 1)});
+    }
+    for (int i = 0; i < kValues * kValues * kForms; ++i) {
+      objectives_.push_back(objective(random));
+      accepted_.push_back(random() % 3 == 0);
+    }
+  }
+
+  std::span<const RasterAxis> axes() const override { return axes_; }
+
+  std::vector<RasterPoint> relax(const RasterBox& box,
+                                 std::span<const RasterPoint> /*from*/) const override {
+    std::vector<RasterPoint> all;
+    for (int form = 0; form < kForms; ++form) {
+      const auto a = box.first[0], b = box.first[1];
+      all.push_back({{double(a), double(b)}, objectives_[place(a, b, form)], 0, {}, form});
+    }
+    return all;
+  }
+
+  bool accepts(const RasterPoint& point) const override {
+    return accepted_[place(std::lround(point.values[0]), std::lround(point.values[1]), point.form)];
+  }
+
+  /// The least objective of an accepted design at each combination that has one, in order.
+  std::vector<double> best_of_each() const {
+    std::vector<double> all;
+    for (int a = 0; a < kValues; ++a) {
+      for (int b = 0; b < kValues; ++b) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int form = 0; form < kForms; ++form) {
+          const std::size_t at = place(a, b, form);
+          if (accepted_[at]) least = std::min(least, objectives_[at]);
+        }
+        if (std::isfinite(least)) all.push_back(least);
+      }
+    }
+    std::ranges::sort(all);
+    return all;
+  }
+
+ private:
+  static std::size_t place(std::int64_t a, std::int64_t b, int form) {
+    return static_cast<std::size_t>((a * kValues + b) * kForms + form);
+  }
+
+  std::vector<RasterAxis> axes_;
+  std::vector<double> objectives_;
+  std::vector<bool> accepted_;
+};
+
+TEST(Raster, ARefusedDesignHidesNoOtherOfItsCombination) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 50; ++i) {
+    const SeveralDesigns task(random);
+    const std::vector<double> best = task.best_of_each();
+    ASSERT_GT(best.size(), 5U);
+    const std::vector<RasterPoint> from = task.relax({{0, 0}, {0, 0}}, {});
+    const RasterResult found = search_raster(task, from, {.designs = 5});
+    ASSERT_TRUE(found.is_enumerated);
+    ASSERT_EQ(found.designs.size(), 5U);
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(found.designs[k].objective, best[k]) << i;
+  }
+}
+
 TEST(Raster, EnumerationFindsTheBestOfAllCombinations) {
   for (int seed = 0; seed < 100; ++seed) compare(seed, seed % 2 == 1, 1e9);
 }
