@@ -338,6 +338,9 @@ RasterMotionResult search_motion_raster(const MotionProblem& problem, const Moti
                                 .threads = run.threads,
                                 .deadline = &deadline,
                                 .progress = run.progress});
+  // What is free beside the raster was fitted from one start: another may lead to less.
+  const bool is_given_whole = raster.axes().size() == forms.model(0).free_dimensions().size();
+  result.search.is_enumerated = result.search.is_enumerated && is_given_whole;
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.motion(point));
   }
