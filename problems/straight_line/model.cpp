@@ -25,21 +25,19 @@ double value(const Jet& x) {
   return x.a;
 }
 
-/// The class that keeps the crank of a start turning where the transmission angle is limited, which
-/// is then that of the full turn.
-std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
-                                      const LinkageSegment& start) {
-  if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
-  const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
-  return confining_class(problem.constraints, {crank, coupler, rocker, frame});
-}
-
 Constraints with_class(Constraints constraints, std::optional<RequiredClass> required) {
   constraints.required_class = required;
   return constraints;
 }
 
 }  // namespace
+
+std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
+                                      const LinkageSegment& start) {
+  if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
+  const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
+  return confining_class(problem.constraints, {crank, coupler, rocker, frame});
+}
 
 std::vector<double> segment_nodes(int cells) {
   std::vector<double> nodes(static_cast<std::size_t>(cells) + 1);
