@@ -127,8 +127,11 @@ SegmentModel::SegmentModel(const StraightLineProblem& problem, const LinkageSegm
     half_turns_ = kPi * std::round(off / kPi);
   }
   Rows rows(*this, {}, {});
-  const std::vector<double> at = variables_of(start);
-  add_rows<double>(dimensions(at), rows);
+  // Of a linkage that closes, whatever the start does: how many rows there are does not depend on
+  // it.
+  All closing{1, 3, 2, 3, 1, 1, 0, 0.1};
+  closing[length] = closing[size] = 1;
+  add_rows<double>(closing, rows);
   constraint_count_ = rows.count();
 }
 

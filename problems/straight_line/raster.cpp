@@ -32,7 +32,12 @@ constexpr std::size_t kSegmentsOfOne = 2;
 constexpr std::size_t kBoxMinima = 3;
 constexpr synthesis::ModelRasterOptions kSegmentOptions{.solver = Solver::slsqp,
                                                         .tolerance = 1e-9,
-                                                        .iterations = 60,
+                                                        .iterations = 100,
+                                                        .feasibility = kSegmentFeasibility};
+/// The solver that takes over where the other leaves limits unmet.
+constexpr synthesis::ModelRasterOptions kMendingOptions{.solver = Solver::ipopt,
+                                                        .tolerance = 1e-9,
+                                                        .iterations = 150,
                                                         .feasibility = kSegmentFeasibility};
 
 /// The greatest length that a link may have on the raster: by the segment, else by the bounds.
@@ -177,6 +182,22 @@ class SegmentRaster final : public synthesis::ModelRaster {
     return all;
   }
 
+  /// Where the quicker solver ends outside the limits another goes on from the same start: a box
+  /// without minima counts as covered.
+  std::vector<RasterPoint> relax(const synthesis::RasterBox& box,
+                                 std::span<const RasterPoint> from) const override {
+    std::vector<RasterPoint> all;
+    for (const RasterPoint& start : from) {
+      const std::span<const RasterPoint> one(&start, 1);
+      std::vector<RasterPoint> found = ModelRaster::relax(box, one);
+      if (found.empty() || found.front().violation > kSegmentFeasibility) {
+        found = mending_.relax(box, one);
+      }
+      std::ranges::move(found, std::back_inserter(all));
+    }
+    return all;
+  }
+
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }
 
   /// Whether the raster and the file leave no dimension free.
@@ -204,8 +225,8 @@ class SegmentRaster final : public synthesis::ModelRaster {
  private:
   SegmentRaster(const StraightLineProblem& scaled, double unit, const SegmentForms& forms,
                 const SegmentAcceptance& accepts, FourBarRaster axes)
-      : ModelRaster(std::move(axes.axes), std::move(axes.variables), forms.models(),
-                    kSegmentOptions),
+      : ModelRaster(axes.axes, axes.variables, forms.models(), kSegmentOptions),
+        mending_(std::move(axes.axes), std::move(axes.variables), forms.models(), kMendingOptions),
         scaled_(scaled),
         unit_(unit),
         forms_(forms),
@@ -269,6 +290,7 @@ class SegmentRaster final : public synthesis::ModelRaster {
     return point;
   }
 
+  const ModelRaster mending_;
   const StraightLineProblem& scaled_;
   double unit_;
   const SegmentForms& forms_;

@@ -50,7 +50,7 @@ Vec2d place(const Links& links, double angle) {
 }
 
 double least(const std::function<double(double)>& value, double low, double high) {
-  for (int i = 0; i < 45; ++i) {
+  for (int i = 0; i < 32; ++i) {
     const double one = low + 0.381966 * (high - low), two = high - 0.381966 * (high - low);
     (value(one) < value(two) ? high : low) = value(one) < value(two) ? two : one;
   }
@@ -114,20 +114,20 @@ double least_deviation(const Links& links, double length) {
 double greatest_length(const Links& links, double deviation) {
   const auto length_from = [&](double from) {
     double low = from, high = from + 0.9 * kTurn;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 22; ++i) {
       const double middle = 0.5 * (low + high);
-      (half_width(links, from, middle, 120) <= deviation ? low : high) = middle;
+      (half_width(links, from, middle, 90) <= deviation ? low : high) = middle;
     }
     return chord(links, from, low);
   };
   double best = 0;
   int start = 0;
-  for (int i = 0; i < 180; ++i) {
-    const double length = length_from(2 * i * kDegree);
+  for (int i = 0; i < 72; ++i) {
+    const double length = length_from(5 * i * kDegree);
     if (length > best) best = length, start = i;
   }
-  for (int i = -10; i <= 10; ++i) {
-    best = std::max(best, length_from((2 * start + 0.2 * i) * kDegree));
+  for (int i = -20; i <= 20; ++i) {
+    best = std::max(best, length_from((5 * start + 0.25 * i) * kDegree));
   }
   return best;
 }
