@@ -210,7 +210,7 @@ void add_notes(const StraightLineProblem& problem, Result& result) {
                     "constraints.size_over_length_max changes that.",
                     kSizeOverLength));
   }
-  if (result.designs.empty()) {
+  if (result.designs.empty() && !problem.raster) {
     result.notes.emplace_back(
         "No linkage with a segment worth refining was found under these constraints.");
   }

@@ -10,12 +10,16 @@
 
 #include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/read_raster.hpp"
+#include "problems/raster/keys.hpp"
 #include "problems/raster/read.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/raster.hpp"
 
 namespace cognate::problems::reading {
 namespace {
+
+/// Boxes that are examined where the file does not say: each takes a tenth of a second.
+constexpr int kSegmentBoxes = 500;
 
 constexpr std::string_view kFourBarKeys[] = {"length", "crank", "coupler",
                                              "rocker", "frame", "coupler_point"};
@@ -100,9 +104,16 @@ class OpenDimensions {
   void check(std::string_view key, const Range& range, bool by_file) {
     if (problem_.raster->rule(key) == nullptr) return;
     has_any_ = true;
-    const std::string name = by_file ? fmt::format("bounds.{}", key)
-                                     : std::string("what constraints.size_over_length_max leaves");
-    check_raster_values(document_, *problem_.raster, key, {}, range, name);
+    if (by_file) {
+      check_raster_values(document_, *problem_.raster, key, {}, range,
+                          fmt::format("bounds.{}", key));
+    } else if (values_within(*problem_.raster->rule(key), range, range).count() == 0) {
+      document_.fault("raster",
+                      fmt::format("has no value of {} up to {}, which is as far as the segment's "
+                                  "length and constraints.size_over_length_max leave; expected at "
+                                  "least one: refine the raster or allow a larger size",
+                                  key, range.max));
+    }
   }
 
   TableReader& document_;
@@ -118,8 +129,11 @@ void read_straight_line_raster(TableReader& document, StraightLineProblem& probl
       is_slider_crank(problem) ? std::span<const std::string_view>(kSliderKeys)
                                : std::span<const std::string_view>(kFourBarKeys);
   const std::string_view refusal = refusal_of(problem);
+  const bool says_boxes =
+      document.contains("raster") && document.table("raster").contains(kRasterBoxesKey);
   problem.raster = read_raster(document, keys, refusal);
   if (!problem.raster || !refusal.empty()) return;
+  if (!says_boxes) problem.raster->boxes = kSegmentBoxes;
   OpenDimensions open(document, problem);
   if (const auto key = open.unbounded()) {
     document.fault("raster", fmt::format("has values of {} without end; expected target.length, or "
