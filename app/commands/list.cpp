@@ -150,11 +150,12 @@ std::span<const Entry> raster_entries() {
 std::span<const KeyedEntry> common_tables() {
   static const auto all = [] {
     std::vector<KeyedEntry> tables(std::begin(kCommon), std::end(kCommon));
-    tables.push_back(
-        {"[raster]",
-         "dimensions that take single values only, the best of all combinations "
-         "(paths of four-bars and chains, functions, motion generation by least squares)",
-         raster_entries()});
+    tables.push_back({"[raster]",
+                      "dimensions that take single values only, the best of all combinations "
+                      "(paths of four-bars and chains, functions, motion generation by least "
+                      "squares, searches of "
+                      "straight lines)",
+                      raster_entries()});
     return tables;
   }();
   return all;

@@ -142,9 +142,14 @@ constexpr Metric kQuantities[] = {
     {"raster_complete", "boolean", "whether all combinations are covered"},
     {"raster_proven", "boolean", "whether each combination was evaluated: none is better"},
     {"raster_error, raster_bound", "length or deg",
-     "root mean square error of the best design on the raster; what a combination that is not "
+     "root mean square error of the best design on the raster, of straight lines the deviation; "
+     "what a combination that is not "
      "covered may have by the minima of its range (no proof unless raster_proven)"},
-    {"raster_gap", "1", "(raster_error - raster_bound)/raster_error"},
+    {"raster_gap", "1", "|raster_error - raster_bound|/raster_error, likewise of length and size"},
+    {"raster_length, continuous_length, rounded_length", "length",
+     "straight lines of limited deviation: that of the segment, likewise"},
+    {"raster_size, continuous_size, rounded_size", "1",
+     "straight lines of given length and deviation: size over length, likewise"},
     {"continuous_error, rounded_error", "length or deg",
      "of the optimum without a raster, and of that with each dimension rounded"},
     {"rounded_feasible", "boolean", "whether the latter meets every constraint"},

@@ -26,7 +26,8 @@ inline constexpr std::array kRasterKeys{
     RasterKey{"crank", "the crank"},
     RasterKey{"coupler", "the coupler"},
     RasterKey{"rocker", "the rocker"},
-    RasterKey{"frame", "the frame, where the pivots are free or not searched"}};
+    RasterKey{"frame", "the frame, where the pivots are free or not searched"},
+    RasterKey{"offset", "the offset of a slider-crank", true}};
 
 inline constexpr std::string_view kRasterBoxesKey = "boxes";
 inline constexpr std::string_view kRasterBoxesMeaning =

@@ -2,20 +2,26 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace cognate::problems {
 namespace {
 
-/// (error − bound)/error; 0 where both are nothing.
-double gap_of(double error, double bound) {
-  return error > 0 ? std::max(0.0, (error - bound) / error) : 0;
+/// |best − bound|/best; 0 where both are nothing.
+double gap_of(double best, double bound) {
+  return best > 0 ? std::abs(best - bound) / best : 0;
 }
 
 /// Whole numbers in full as far as that is readable.
 std::string count(double number) {
   return number < 1e15 ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number);
+}
+
+std::string capital(std::string_view word) {
+  std::string with(word);
+  if (!with.empty()) with.front() = static_cast<char>(std::toupper(with.front()));
+  return with;
 }
 
 std::string coverage(const synthesis::RasterResult& found) {
@@ -47,26 +53,28 @@ std::string coverage(const synthesis::RasterResult& found) {
 }  // namespace
 
 std::vector<Quantity> raster_quantities(const synthesis::RasterResult& found,
-                                        const ErrorOfObjective& error) {
+                                        const RasterMeasure& measure) {
+  const auto key = [&](std::string_view of) { return fmt::format("{}_{}", of, measure.word); };
   std::vector<Quantity> all{
       {"raster_combinations", found.combinations},   {"raster_covered", found.covered},
       {"raster_evaluated", double(found.evaluated)}, {"raster_boxes", double(found.boxes)},
       {"raster_complete", found.is_complete},        {"raster_proven", found.is_enumerated}};
-  if (found.relaxed) all.push_back({"continuous_error", error(found.relaxed->objective)});
+  if (found.relaxed) all.push_back({key("continuous"), measure.of(found.relaxed->objective)});
   if (found.rounded && std::isfinite(found.rounded->objective)) {
-    all.push_back({"rounded_error", error(found.rounded->objective)});
+    all.push_back({key("rounded"), measure.of(found.rounded->objective)});
   }
   all.push_back({"rounded_feasible", found.rounded_is_accepted});
   if (found.designs.empty()) return all;
-  const double best = error(found.designs.front().objective), bound = error(found.bound);
-  all.push_back({"raster_error", best});
+  const double best = measure.of(found.designs.front().objective);
+  const double bound = measure.of(found.bound);
+  all.push_back({key("raster"), best});
   all.push_back({"raster_bound", bound});
   all.push_back({"raster_gap", gap_of(best, bound)});
   return all;
 }
 
 std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
-                                      const ErrorOfObjective& error) {
+                                      const RasterMeasure& measure) {
   std::vector<std::string> notes{coverage(found)};
   if (found.designs.empty()) {
     notes.emplace_back(found.is_enumerated
@@ -76,16 +84,18 @@ std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
     return notes;
   }
   if (!found.relaxed) return notes;
-  const double best = error(found.designs.front().objective), bound = error(found.bound);
+  const double best = measure.of(found.designs.front().objective);
+  const double bound = measure.of(found.bound);
   const bool has_rounded = found.rounded && std::isfinite(found.rounded->objective);
   const std::string rounded =
       !has_rounded ? std::string("which cannot be rounded")
-                   : fmt::format("which rounded has {:.4g}{}", error(found.rounded->objective),
+                   : fmt::format("which rounded has {:.4g}{}", measure.of(found.rounded->objective),
                                  found.rounded_is_accepted ? "" : " and breaks a constraint");
-  notes.push_back(fmt::format(
-      "Error on the raster {:.4g}; of the continuous optimum {:.4g}, {}; bound of the "
-      "search {:.4g} (gap {:.3g} %).",
-      best, error(found.relaxed->objective), rounded, bound, 100 * gap_of(best, bound)));
+  notes.push_back(
+      fmt::format("{} on the raster {:.4g}; of the continuous optimum {:.4g}, {}; bound of the "
+                  "search {:.4g} (gap {:.3g} %).",
+                  capital(measure.word), best, measure.of(found.relaxed->objective), rounded, bound,
+                  100 * gap_of(best, bound)));
   return notes;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "problems/linkage/warnings.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/normalised.hpp"
+#include "problems/straight_line/raster.hpp"
 #include "problems/straight_line/search.hpp"
 #include "problems/straight_line/solutions.hpp"
 #include "synthesis/search/pareto_front.hpp"
@@ -208,10 +210,33 @@ void add_notes(const StraightLineProblem& problem, Result& result) {
                     "constraints.size_over_length_max changes that.",
                     kSizeOverLength));
   }
-  if (result.designs.empty()) {
+  if (result.designs.empty() && !problem.raster) {
     result.notes.emplace_back(
         "No linkage with a segment worth refining was found under these constraints.");
   }
+}
+
+/// The continuous optimum and other minima, then the raster.
+void add_raster_designs(const StraightLineProblem& problem, StraightLineProblem scaled, double unit,
+                        const Run& run, const Deadline& deadline, Result& result) {
+  constexpr int kMinima = 6;
+  scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
+  const SegmentSearchResult continuous =
+      search_segments(scaled, {}, {}, run, deadline, result.work);
+  const auto accepts = [&](const SegmentDesign& found) {
+    return all_satisfied(searched_design(problem, found).constraints);
+  };
+  const SegmentRasterResult found =
+      search_segment_raster(problem, scaled, unit, continuous.found, accepts, run, deadline);
+  for (const SegmentDesign& one : found.designs) {
+    result.designs.push_back(searched_design(problem, one));
+    result.designs.back().origin = one.origin;
+  }
+  result.quantities = quantities(continuous.statistics);
+  const RasterMeasure measure = segment_measure(problem, unit);
+  std::ranges::move(raster_quantities(found.search, measure),
+                    std::back_inserter(result.quantities));
+  result.notes = raster_notes(found.search, measure);
 }
 
 }  // namespace
@@ -228,6 +253,8 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
     SegmentFront along = segment_front(scaled, run, deadline, result.work);
     found = std::move(along.points);
     result.families.push_back(std::move(along.table));
+  } else if (problem.raster) {
+    add_raster_designs(problem, scaled, unit, run, deadline, result);
   } else {
     SegmentSearchResult search = search_segments(scaled, {}, {}, run, deadline, result.work);
     found = std::move(search.found);

@@ -25,21 +25,19 @@ double value(const Jet& x) {
   return x.a;
 }
 
-/// The class that keeps the crank of a start turning where the transmission angle is limited, which
-/// is then that of the full turn.
-std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
-                                      const LinkageSegment& start) {
-  if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
-  const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
-  return confining_class(problem.constraints, {crank, coupler, rocker, frame});
-}
-
 Constraints with_class(Constraints constraints, std::optional<RequiredClass> required) {
   constraints.required_class = required;
   return constraints;
 }
 
 }  // namespace
+
+std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
+                                      const LinkageSegment& start) {
+  if (problem.type != MechanismType::four_bar) return problem.constraints.required_class;
+  const auto& [crank, coupler, rocker, frame] = start.dimensions.links;
+  return confining_class(problem.constraints, {crank, coupler, rocker, frame});
+}
 
 std::vector<double> segment_nodes(int cells) {
   std::vector<double> nodes(static_cast<std::size_t>(cells) + 1);
@@ -129,8 +127,11 @@ SegmentModel::SegmentModel(const StraightLineProblem& problem, const LinkageSegm
     half_turns_ = kPi * std::round(off / kPi);
   }
   Rows rows(*this, {}, {});
-  const std::vector<double> at = variables_of(start);
-  add_rows<double>(dimensions(at), rows);
+  // Of a linkage that closes, whatever the start does: how many rows there are does not depend on
+  // it.
+  All closing{1, 3, 2, 3, 1, 1, 0, 0.1};
+  closing[length] = closing[size] = 1;
+  add_rows<double>(closing, rows);
   constraint_count_ = rows.count();
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "problems/linkage/four_bar_raster.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/straight_line/segment.hpp"
 #include "synthesis/optimise/model.hpp"
@@ -37,6 +38,11 @@ bool wants_front(const StraightLineProblem& problem);
 /// The limit on the largest dimension over the length: the file's, or by the objective.
 double size_limit(const StraightLineProblem& problem);
 
+/// The class that keeps the crank of a start turning where the transmission angle is limited, which
+/// is then that of the full turn.
+std::optional<RequiredClass> class_of(const StraightLineProblem& problem,
+                                      const LinkageSegment& start);
+
 /// No closer than this to a dead point, where a linkage jams and its path has no tangent.
 inline constexpr double kDeadPointMargin = 0.0175;  // 1°
 
@@ -54,6 +60,9 @@ class SegmentModel final : public synthesis::Model {
 
   std::vector<double> variables_of(const LinkageSegment& segment) const;
   LinkageSegment segment(std::span<const double> x) const;
+  /// Where crank, coupler, rocker (of a slider-crank the offset), frame and coupler point are among
+  /// the variables; of pivots it says nothing.
+  FourBarPlaces places() const;
 
   std::span<const synthesis::Variable> variables() const override { return variables_; }
   int residual_count() const override;

@@ -112,6 +112,15 @@ void SegmentModel::list_places() {
                "frame angle");
 }
 
+FourBarPlaces SegmentModel::places() const {
+  FourBarPlaces places;
+  places.fill(-1);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    if (free_[i] <= point_v) places[static_cast<std::size_t>(free_[i])] = static_cast<int>(i);
+  }
+  return places;
+}
+
 std::vector<double> SegmentModel::variables_of(const LinkageSegment& segment) const {
   All all{};
   const auto& [links, point] = segment.dimensions;

@@ -13,6 +13,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -75,6 +76,7 @@ struct StraightLineProblem {
   Solve solve;  ///< `designs` is 100 where the file says nothing
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
+  std::optional<Raster> raster{};  ///< of a search
 };
 
 template <>

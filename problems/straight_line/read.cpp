@@ -11,6 +11,7 @@
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/problem.hpp"
+#include "problems/straight_line/read_raster.hpp"
 #include "problems/straight_line/read_search.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -191,6 +192,7 @@ StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& 
   problem.solve.designs = solve.integer("designs", 1, kAll).value_or(kAll);
 
   problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
+  refuse_raster_of_contact(document);
   for (TableReader* table : {&target, &mechanism, &constraints, &solve}) table->finish();
   problem.warnings = read_warnings(document);
   return problem;

@@ -9,6 +9,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
+#include "problems/straight_line/read_raster.hpp"
 #include "problems/straight_line/segment.hpp"
 #include "problems/tolerance/read.hpp"
 
@@ -127,6 +128,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
 
   problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
+  read_straight_line_raster(document, problem);
   tables.finish();
   return problem;
 }

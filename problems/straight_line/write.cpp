@@ -1,6 +1,7 @@
 /// A straight-line problem written down, and checked by reading what was written.
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/tolerance/read.hpp"
 
@@ -71,7 +72,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
   document.set("warnings", warnings_writer(problem.warnings));
-  document.append(tolerance_table(problem.tolerances, false));
+  document.append(tolerance_table(problem.tolerances, false)).append(raster_table(problem.raster));
   return {document.take(), {}};
 }
 

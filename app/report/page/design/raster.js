@@ -16,16 +16,21 @@ function barWidths(values) {
   return values.map((value) => (value > 0 ? (high > low ? 20 + (80 * (Math.log10(value) - low)) / (high - low) : 100) : 0));
 }
 
+// What is best on the raster: an error, of straight lines also a length or a size over the length.
+const MEASURES = ["error", "length", "size"];
+
 export function showRaster(facts, angular) {
-  const known = facts?.raster_error !== undefined;
-  byId("raster").hidden = !known;
-  if (!known) return;
-  const text = (value) => (angular ? degreesShort(value, 4) : `${number(value, 4)} ${LENGTH_UNIT ?? ""}`.trim());
-  const rows = [["continuous", facts.continuous_error], ["on_raster", facts.raster_error], ["rounded", facts.rounded_error]].filter(([, value]) => typeof value === "number");
+  const measure = MEASURES.find((one) => facts?.[`raster_${one}`] !== undefined);
+  byId("raster").hidden = !measure;
+  if (!measure) return;
+  const unit = measure === "size" ? "" : LENGTH_UNIT ?? "";
+  const text = (value) => (angular ? degreesShort(value, 4) : `${number(value, 4)} ${unit}`.trim());
+  const [continuous, best, rounded] = ["continuous", "raster", "rounded"].map((of) => facts[`${of}_${measure}`]);
+  const rows = [["continuous", continuous], ["on_raster", best], ["rounded", rounded]].filter(([, value]) => typeof value === "number");
   const widths = barWidths(rows.map(([, value]) => value));
   byId("raster-bars").replaceChildren(...rows.map(([key, value], i) => {
     const broken = key === "rounded" && facts.rounded_feasible === false;
-    const ratio = facts.continuous_error > 0 && key !== "continuous" ? `×${number(value / facts.continuous_error, 3)}` : "";
+    const ratio = continuous > 0 && key !== "continuous" ? `×${number(value / continuous, 3)}` : "";
     return element("div", { class: `contribution ${key}`, role: "listitem", "data-error": value },
       element("span", { class: "name" }, say(`raster.${key}`), ...(broken ? [element("small", { class: "missed" }, say("raster.infeasible"))] : [])),
       element("span", { class: "track" }, element("span", { class: "bar", style: `width:${widths[i].toFixed(1)}%` })), element("span", { class: "number" }, text(value)), element("span", { class: "number share" }, ratio));
