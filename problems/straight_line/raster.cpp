@@ -13,6 +13,7 @@
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/peaks.hpp"
 #include "problems/straight_line/scan.hpp"
+#include "problems/straight_line/segment_forms.hpp"
 #include "synthesis/raster/model_raster.hpp"
 
 namespace cognate::problems {
@@ -22,8 +23,8 @@ using synthesis::RasterNumbers;
 using synthesis::RasterPoint;
 using synthesis::Solver;
 
-/// Cells between nodes: of the boxes, and of single combinations to begin with.
-constexpr int kBoxCells = 24, kCombinationCells = 24;
+/// Cells between nodes of single combinations to begin with.
+constexpr int kCombinationCells = 24;
 /// Rounds in which peaks between the nodes of a combination join them.
 constexpr int kCombinationRounds = 4;
 /// Segments of one linkage in one assembly that are refined.
@@ -74,88 +75,6 @@ FourBarRaster segment_axes(const StraightLineProblem& problem, const SegmentMode
       {.variable = places[static_cast<std::size_t>(FourBarDimension::rocker)], .scale = unit});
   return axes;
 }
-
-/// One model for each assembly and class, in which points of any linkage are told.
-class SegmentForms {
- public:
-  explicit SegmentForms(const StraightLineProblem& scaled) : scaled_(scaled) {
-    for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
-      if (scaled.given.assembly.value_or(assembly) != assembly) continue;
-      LinkageSegment any;
-      any.type = scaled.type;
-      any.assembly = assembly;
-      any.dimensions = {{1, 2, 2, 2}, {1, 0}};
-      any.reach = 1;
-      any.length = scaled.goal->length.value_or(1);
-      number_of(any);
-    }
-  }
-
-  int number_of(const LinkageSegment& segment) {
-    const auto own = class_of(scaled_, segment);
-    for (std::size_t i = 0; i < forms_.size(); ++i) {
-      if (forms_[i].start.assembly == segment.assembly && forms_[i].required == own) {
-        return static_cast<int>(i);
-      }
-    }
-    forms_.push_back(
-        {segment, own,
-         std::make_shared<const SegmentModel>(scaled_, segment, segment_nodes(kBoxCells))});
-    return static_cast<int>(forms_.size()) - 1;
-  }
-
-  /// That of a segment, whose assembly has one; of another class the first of its assembly.
-  int known(const LinkageSegment& segment) const {
-    const auto own = class_of(scaled_, segment);
-    int first = -1;
-    for (std::size_t i = 0; i < forms_.size(); ++i) {
-      if (forms_[i].start.assembly != segment.assembly) continue;
-      if (forms_[i].required == own) return static_cast<int>(i);
-      if (first < 0) first = static_cast<int>(i);
-    }
-    return first;
-  }
-
-  const SegmentModel& model(int form) const { return *of(form).model; }
-
-  std::vector<double> variables_of(int form, LinkageSegment segment) const {
-    const LinkageSegment& start = of(form).start;
-    const auto beside = [](double angle, double other) {
-      return other + std::remainder(angle - other, kTurn);
-    };
-    segment.centre = beside(segment.centre, start.centre);
-    segment.line = beside(segment.line, start.line);
-    return model(form).variables_of(segment);
-  }
-
-  std::vector<Assembly> assemblies() const {
-    std::vector<Assembly> all;
-    for (const Form& form : forms_) {
-      if (std::ranges::find(all, form.start.assembly) == all.end()) {
-        all.push_back(form.start.assembly);
-      }
-    }
-    return all;
-  }
-
-  std::vector<std::shared_ptr<const synthesis::Model>> models() const {
-    std::vector<std::shared_ptr<const synthesis::Model>> all;
-    for (const Form& form : forms_) all.push_back(form.model);
-    return all;
-  }
-
- private:
-  struct Form {
-    LinkageSegment start;
-    std::optional<RequiredClass> required;
-    std::shared_ptr<const SegmentModel> model;
-  };
-
-  const Form& of(int form) const { return forms_[static_cast<std::size_t>(form)]; }
-
-  const StraightLineProblem& scaled_;
-  std::vector<Form> forms_;
-};
 
 class SegmentRaster final : public synthesis::ModelRaster {
  public:
@@ -277,11 +196,11 @@ class SegmentRaster final : public synthesis::ModelRaster {
       nodes.insert(nodes.end() - 1, peaks.begin(), peaks.end());
       std::ranges::sort(nodes);
     }
-    return told(*std::move(last), segment);
+    return in_form(*std::move(last), segment);
   }
 
-  /// `point` of a model of its own in the words of its form, with the deviation as it is measured.
-  RasterPoint told(RasterPoint point, LinkageSegment segment) const {
+  /// `point` of a model of its own in the variables of its form, with the deviation as measured.
+  RasterPoint in_form(RasterPoint point, LinkageSegment segment) const {
     point.form = forms_.known(segment);
     point.x = forms_.variables_of(point.form, segment);
     if (objective_of(scaled_) != SegmentObjective::deviation) return point;
