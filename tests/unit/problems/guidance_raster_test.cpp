@@ -192,9 +192,10 @@ TEST(GuidanceRaster, IsTheBestOfAllCombinations) {
 
 TEST(GuidanceRaster, ProvesNothingOfWhatIsFreeBesideTheRaster) {
   const auto is_proven = [](const std::string& raster) {
-    const Result result = solve(problem_of(
+    const std::string text =
         "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\n"
-        "poses = [[0, 0, 0], [1, 0.5, 10], [2, 0.4, 25], [2.6, 0.1, 41]]\n[raster]\n" + raster));
+        "poses = [[0, 0, 0], [1, 0.5, 10], [2, 0.4, 25], [2.6, 0.1, 41]]\n[raster]\n";
+    const Result result = solve(problem_of(text + raster), {.threads = 1});
     EXPECT_FALSE(result.designs.empty());
     return proven(result);
   };
