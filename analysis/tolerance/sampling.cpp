@@ -164,10 +164,11 @@ class BlockRoom {
 };
 
 StationStatistics statistics_of(double sum, double square, double count) {
-  if (!(count > 0)) return {};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (!(count > 0)) return {kUnknown, kUnknown};
   const double mean = sum / count;
-  const double variance = count > 1 ? (square - sum * mean) / (count - 1) : 0;
-  return {mean, std::sqrt(std::max(variance, 0.0))};
+  if (!(count > 1)) return {mean, kUnknown};
+  return {mean, std::sqrt(std::max((square - sum * mean) / (count - 1), 0.0))};
 }
 
 SampleStatistics reduced(const Question& question, const std::vector<PieceSums>& pieces,

@@ -56,7 +56,7 @@ void set_scalars(const AffineMechanism& mechanism, const ToleranceQuestion& ques
       figures.worst_exact = s;
     }
   }
-  figures.exact = most >= 0;
+  figures.exact = figures.exact_everywhere && most >= 0;
 }
 
 void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& question,
@@ -76,11 +76,12 @@ void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& qu
   for (const auto& [bound, s] : bounds) {
     if (bound <= most) break;
     const Vec2d target = quantity.target.empty() ? table.value(s, q) : quantity.target[s];
-    const auto worst = std::isfinite(bound)
-                           ? synthesis::worst_distance(mechanism, quantity.response,
-                                                       question.stations[s], target, box)
-                           : std::nullopt;
-    if (!worst) continue;
+    const auto worst =
+        synthesis::worst_distance(mechanism, quantity.response, question.stations[s], target, box);
+    if (!worst) {
+      figures.exact = false;
+      return;
+    }
     figures.positions[s].low = 0;
     figures.positions[s].high = worst->high;
     if (worst->high > most) {
@@ -88,7 +89,6 @@ void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& qu
       figures.worst_exact = s;
     }
   }
-  figures.exact = most >= 0;
 }
 
 }  // namespace
