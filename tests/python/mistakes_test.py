@@ -24,6 +24,10 @@ def check(**tables):
 cyclic = {"kind": KIND}
 cyclic["target"] = cyclic
 
+def analyzed_with(tolerance):
+    return cognate.analyze(kind="analysis", mechanism=dict(type="four-bar", **BAR), tolerance=tolerance)
+
+
 SWING = [{"law": "cycloidal", "over_deg": 180, "rise_deg": 20},
          {"law": "cycloidal", "over_deg": 180, "rise_deg": -20}]
 MISTAKES = [  # what is done, the key, a part of the message
@@ -147,11 +151,9 @@ MISTAKES = [  # what is done, the key, a part of the message
     (lambda: cognate.exact.involute_angle([1, math.inf]), "value", "finite"),
     (lambda: cognate.solve(kind="path-generation", target={"points": [[0, 0], [1, 1]]},
                            tolerance={"lenght": 0.1}), "tolerance", "length"),
-    (lambda: cognate.analyze(kind="analysis", mechanism=dict(type="four-bar", **BAR), tolerance={"length": "IT99"}),
-     "tolerance.length", "IT8"),
-    (lambda: cognate.analyze(kind="analysis", mechanism=dict(type="four-bar", **BAR), tolerance={"length": -0.1}),
-     "tolerance.length", "length"),
-    (lambda: cognate.analyze(kind="analysis", mechanism=dict(type="four-bar", **BAR), tolerance={}), "tolerance", ""),
+    (lambda: analyzed_with({"length": "IT99"}), "tolerance.length", "IT8"),
+    (lambda: analyzed_with({"length": -0.1}), "tolerance.length", "length"),
+    (lambda: analyzed_with({}), "tolerance", ""),
     (lambda: cognate.load("nowhere.result.json"), "", "nowhere"),
     (lambda: cognate.sweep(base="nowhere.toml", vary=[]), "base", ""),
 ]
