@@ -13,6 +13,7 @@ constexpr double kMet = 1e-14;
 struct CurvePlace {
   Vec2d at;
   Vec2d tangent;
+  double stretch = 1;  ///< of the tangent by the raise; not positive beyond an undercut
 };
 
 Vec2d turned(double angle) {
@@ -27,7 +28,7 @@ CurvePlace roller_place(const Cam& cam, double raise, double along, double angle
   const Vec2d normal = (1 / length) * perp(state.tangent);
   const Vec2d turn = turned(angle - along);
   const double stretch = 1 + raise * pitch_curvature(state);
-  return {turn * (state.centre + raise * normal), stretch * (turn * state.tangent)};
+  return {turn * (state.centre + raise * normal), stretch * (turn * state.tangent), stretch};
 }
 
 /// Newton's steps from `along` until `miss(along)` = {value, derivative} vanishes, relative to
@@ -61,8 +62,9 @@ std::optional<double> of_translating_roller(const Cam& cam, const CamDimensions<
       },
       angle, d.base_radius);
   if (!along) return std::nullopt;
-  const double nominal = cam.system.start + cam.programme.at(angle).displacement;
-  return roller_place(cam, raise, *along, angle).at.y - nominal;
+  const CurvePlace place = roller_place(cam, raise, *along, angle);
+  if (!(place.stretch > 0)) return std::nullopt;
+  return place.at.y - (cam.system.start + cam.programme.at(angle).displacement);
 }
 
 std::optional<double> of_oscillating_roller(const Cam& cam, const CamDimensions<double>& changes,
@@ -80,7 +82,9 @@ std::optional<double> of_oscillating_roller(const Cam& cam, const CamDimensions<
       },
       angle, d.arm);
   if (!along) return std::nullopt;
-  const Vec2d reach = roller_place(cam, raise, *along, angle).at - pivot;
+  const CurvePlace contact = roller_place(cam, raise, *along, angle);
+  if (!(contact.stretch > 0)) return std::nullopt;
+  const Vec2d reach = contact.at - pivot;
   const double place = std::atan2(-sign_of(cam.system.follower.side) * reach.x, -reach.y);
   return place - (cam.system.start + cam.programme.at(angle).displacement);
 }

@@ -2,6 +2,8 @@
 #include "analysis/tolerance/sample_kernel.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <variant>
 #include <vector>
 
 #include "analysis/batch/lanes.hpp"
@@ -41,6 +43,22 @@ class Pack {
     bodies_.resize(static_cast<std::size_t>(body_count(mechanism_)));
     closures_.resize(task.dyad_count);
     sides_.resize(task.dyad_count, T(0));
+  }
+
+  /// As a FourBarTask has it.
+  void four_bar(const FourBarTask& to, std::size_t at) const {
+    const auto& crank = std::get<Crank<T>>(mechanism_.drive);
+    const auto& dyad = std::get<Rrr<T>>(mechanism_.dyads.front());
+    const T own[] = {crank.pivot.x,   crank.pivot.y,     dyad.second.at.x,  dyad.second.at.y,
+                     dyad.first.at.x, dyad.first_length, dyad.second_length};
+    for (std::size_t i = 0; i < std::size(own); ++i) own[i].store(to.own + i * kBlockSamples + at);
+    for (std::size_t p = 0; p < to.points; ++p) {
+      const bool is_point = to.outputs[p].of == BlockOutput::Of::point;
+      const Vec2<T> place = is_point ? points_[static_cast<std::size_t>(to.outputs[p].point)].at
+                                     : Vec2<T>{dyad.first_length, T(0)};
+      place.x.store(to.u + p * kBlockSamples + at);
+      place.y.store(to.v + p * kBlockSamples + at);
+    }
   }
 
   void station(std::size_t s, std::size_t at) {
@@ -101,79 +119,136 @@ void evaluate_block(const BlockTask& task) {
   }
 }
 
+void four_bars(const FourBarTask& task) {
+  for (std::size_t at = 0; at < kBlockSamples; at += T::kSize) {
+    Pack(*task.mechanism, at).four_bar(task, at);
+  }
+}
+
+void directions(const FourBarTask& task, std::size_t stations) {
+  for (std::size_t p = 0; p < task.points; ++p) {
+    const BlockOutput& output = task.outputs[p];
+    if (output.of != BlockOutput::Of::angle) continue;
+    for (std::size_t at = 0; at < kBlockSamples; at += T::kSize) {
+      const auto own = [&](std::size_t i) { return T::load(task.own + i * kBlockSamples + at); };
+      const T x = own(2), y = own(3), inverse = T(1) / own(6);
+      for (std::size_t s = 0; s < stations; ++s) {
+        double *to_x = output.x + s * kBlockSamples + at, *to_y = output.y + s * kBlockSamples + at;
+        ((T::load(to_x) - x) * inverse).store(to_x);
+        ((T::load(to_y) - y) * inverse).store(to_y);
+      }
+    }
+  }
+}
+
 /// arcsin s for |s| ≤ 0.1 by its series: what is left out is below 3e-18.
-inline double small_arcsine(double s) {
-  const double z = s * s;
-  return s + s * z *
-                 (1.0 / 6 +
-                  z * (3.0 / 40 +
-                       z * (15.0 / 336 +
-                            z * (105.0 / 3456 + z * (945.0 / 42240 + z * (10395.0 / 599040))))));
+T small_arcsine(const T& s) {
+  const T z = s * s;
+  T series(10395.0 / 599040);
+  for (const double factor : {945.0 / 42240, 105.0 / 3456, 15.0 / 336, 3.0 / 40, 1.0 / 6}) {
+    series = T(factor) + z * series;
+  }
+  return s + s * z * series;
 }
 
 constexpr double kSmallSine = 0.1;
 
-/// The deviations of one station, of an angle.
-void angles(const double* x, const double* y, const Vec2d& reference, double* to) {
-  double greatest = 0, least_cosine = 1;
-  for (std::size_t i = 0; i < kBlockSamples; ++i) {
-    const double sine = reference.x * y[i] - reference.y * x[i];
-    const double cosine = reference.x * x[i] + reference.y * y[i];
-    to[i] = sine;
-    const double size = sine < 0 ? -sine : sine;
-    greatest = size > greatest ? size : greatest;
-    least_cosine = cosine < least_cosine ? cosine : least_cosine;
+/// One station of an ErrorTask: `deviations` fills its deviations, 0 of samples of no weight.
+class StationErrors {
+ public:
+  StationErrors(const ErrorTask& task, std::size_t s)
+      : task_(task),
+        x_(task.x + s * kBlockSamples),
+        y_(task.y + s * kBlockSamples),
+        s_(s),
+        reference_(task.reference[s]) {}
+
+  void deviations(double* to) const {
+    if (task_.angular) {
+      angles(to);
+    } else if (task_.normal != nullptr) {
+      const T nx(task_.normal[s_].x), ny(task_.normal[s_].y);
+      each(to, [&](const T& dx, const T& dy) { return dx * nx + dy * ny; });
+    } else if (task_.point) {
+      each(to, [](const T& dx, const T& dy) { return sqrt(dx * dx + dy * dy); });
+    } else {
+      each(to, [](const T& dx, const T& /*none*/) { return dx; });
+    }
   }
-  if (greatest <= kSmallSine && least_cosine > 0) {
-    for (std::size_t i = 0; i < kBlockSamples; ++i) to[i] = small_arcsine(to[i]);
-    return;
+
+ private:
+  /// `x`, but `other` where it is not a number, the sample not being assembled.
+  T weighed(const T& x, double other, std::size_t at) const {
+    return replace_zero(x, T::load(task_.weight + at), T(other));
   }
-  for (std::size_t i = 0; i < kBlockSamples; ++i) {
-    to[i] = std::atan2(reference.x * y[i] - reference.y * x[i],
-                       reference.x * x[i] + reference.y * y[i]);
+
+  template <class Deviation>
+  void each(double* to, const Deviation& deviation) const {
+    const T x(reference_.x), y(reference_.y);
+    for (std::size_t at = 0; at < kBlockSamples; at += T::kSize) {
+      const T d = deviation(T::load(x_ + at) - x, T::load(y_ + at) - y);
+      weighed(d, 0, at).store(to + at);
+    }
   }
-}
+
+  void angles(double* to) const {
+    const T x(reference_.x), y(reference_.y);
+    T greatest(0), least_cosine(1);
+    for (std::size_t at = 0; at < kBlockSamples; at += T::kSize) {
+      const T own_x = T::load(x_ + at), own_y = T::load(y_ + at);
+      const T sine = weighed(x * own_y - y * own_x, 0, at);
+      greatest = max(greatest, abs(sine));
+      least_cosine = min(least_cosine, weighed(x * own_x + y * own_y, 1, at));
+      small_arcsine(sine).store(to + at);
+    }
+    double greatest_of[T::kSize], least_of[T::kSize];
+    greatest.store(greatest_of);
+    least_cosine.store(least_of);
+    bool small = true;
+    for (std::size_t i = 0; i < T::kSize; ++i) {
+      small = small && greatest_of[i] <= kSmallSine && least_of[i] > 0;
+    }
+    if (!small) large_angles(to);
+  }
+
+  void large_angles(double* to) const {
+    for (std::size_t i = 0; i < kBlockSamples; ++i) {
+      to[i] = task_.weight[i] > 0 ? std::atan2(reference_.x * y_[i] - reference_.y * x_[i],
+                                               reference_.x * x_[i] + reference_.y * y_[i])
+                                  : 0;
+    }
+  }
+
+  const ErrorTask& task_;
+  const double *x_, *y_;
+  std::size_t s_;
+  Vec2d reference_;
+};
 
 /// Eight sums side by side: so many lanes as the widest instructions have.
 constexpr std::size_t kSums = 8;
 
-double total(const double* sums) {
+double total(const T* packs) {
+  double sums[kSums];
+  for (std::size_t k = 0; k < kSums / T::kSize; ++k) packs[k].store(sums + k * T::kSize);
   return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
 void errors_of_block(const ErrorTask& task) {
   double deviation[kBlockSamples];
   for (std::size_t s = 0; s < task.stations; ++s) {
-    const double* x = task.x + s * kBlockSamples;
-    const double* y = task.y + s * kBlockSamples;
-    const Vec2d reference = task.reference[s];
-    if (task.angular) {
-      angles(x, y, reference, deviation);
-    } else if (task.normal != nullptr) {
-      const Vec2d normal = task.normal[s];
-      for (std::size_t i = 0; i < kBlockSamples; ++i) {
-        deviation[i] = (x[i] - reference.x) * normal.x + (y[i] - reference.y) * normal.y;
-      }
-    } else if (task.point) {
-      for (std::size_t i = 0; i < kBlockSamples; ++i) {
-        const double dx = x[i] - reference.x, dy = y[i] - reference.y;
-        deviation[i] = std::sqrt(dx * dx + dy * dy);
-      }
-    } else {
-      for (std::size_t i = 0; i < kBlockSamples; ++i) deviation[i] = x[i] - reference.x;
-    }
-    double sums[kSums] = {}, squares[kSums] = {};
-    const double offset = task.offset[s];
+    StationErrors(task, s).deviations(deviation);
+    T sums[kSums / T::kSize], squares[kSums / T::kSize];
+    for (T& sum : sums) sum = T(0);
+    for (T& square : squares) square = T(0);
+    const T offset(task.offset[s]);
     for (std::size_t i = 0; i < kBlockSamples; i += kSums) {
-      for (std::size_t k = 0; k < kSums; ++k) {
-        // Not numbers where a sample is not assembled, whose weight is 0.
-        const double d = task.weight[i + k] > 0 ? deviation[i + k] : 0;
-        sums[k] += d;
-        squares[k] += d * d;
-        const double error = offset + d;
-        const double size = error < 0 ? -error : error;
-        double& extreme = task.extreme[i + k];
-        extreme = size > extreme ? size : extreme;
+      for (std::size_t k = 0; k < kSums / T::kSize; ++k) {
+        const std::size_t at = i + k * T::kSize;
+        const T d = T::load(deviation + at);
+        sums[k] = sums[k] + d;
+        squares[k] = squares[k] + d * d;
+        max(T::load(task.extreme + at), abs(offset + d)).store(task.extreme + at);
       }
     }
     task.sum[s] += total(sums);
@@ -184,7 +259,7 @@ void errors_of_block(const ErrorTask& task) {
 }  // namespace
 
 SampleKernels sample_kernels() {
-  return {evaluate_block, errors_of_block};
+  return {evaluate_block, four_bars, directions, errors_of_block};
 }
 
 }  // namespace cognate::tolerance::COGNATE_ISA

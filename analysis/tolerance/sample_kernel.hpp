@@ -52,11 +52,24 @@ struct ErrorTask {
   const double* offset;    ///< nominal error at each station, of scalars
   const double* weight;    ///< 1, or 0 of samples that are not assembled
   double* extreme;         ///< of each sample: greatest error, is raised
-  double *sum, *square;  ///< of each station: sums of the deviation and of its square, are added to
+  double *sum, *square;    ///< of each station: of the deviation and of its square, are added to
+};
+
+/// The four-bars of a block, as batches take them. Its outputs are the rocker's angle or a point of
+/// the coupler each.
+struct FourBarTask {
+  const BlockTask* mechanism;
+  double* own;    ///< columns of `kBlockSamples`: x and y of A, of D, crank, coupler, rocker, …
+  double *u, *v;  ///< one column for each output: of the angle the joint C, which is on the rocker
+  const BlockOutput* outputs;
+  std::size_t points;
 };
 
 struct SampleKernels {
   void (*evaluate)(const BlockTask& task);
+  void (*four_bars)(const FourBarTask& task);
+  /// Makes the rocker's direction of the place of C in the outputs that are its angle.
+  void (*directions)(const FourBarTask& task, std::size_t stations);
   void (*errors)(const ErrorTask& task);
 };
 

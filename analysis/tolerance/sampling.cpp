@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analysis/numbers/parallel.hpp"
+#include "analysis/tolerance/four_bar_block.hpp"
 #include "analysis/tolerance/sample_kernel.hpp"
 
 namespace cognate {
@@ -36,6 +37,7 @@ struct Question {
   std::span<const JudgedResponse> judged;
   std::span<const Station> stations;
   const SamplingOptions& options;
+  InstructionSet set;
   SampleKernels kernels;
   std::vector<double> cos{}, sin{}, displacement{}, sides{};
 
@@ -75,10 +77,11 @@ class BlockRoom {
       output.guide = response.slide.through.body;
       output.through = response.slide.through.at;
       output.along = response.slide.direction;
-      output.x = values_.data() + 2 * r * column;
-      output.y = output.x + column;
+      output.x = values_.data() + r * column;
+      output.y = output.x + question.judged.size() * column;
       outputs_.push_back(output);
     }
+    four_bar_ = FourBarBlock::of(question.mechanism, question.stations, outputs_, question.set);
   }
 
   /// Samples first… of the block: adds them to `sums`, and their extremes to `extremes`, the
@@ -117,22 +120,27 @@ class BlockRoom {
   void evaluate() {
     const auto& nominal = question_.mechanism.nominal();
     const auto terms = question_.mechanism.terms();
-    question_.kernels.evaluate({.drive = &nominal.mechanism.drive,
-                                .dyads = nominal.mechanism.dyads.data(),
-                                .dyad_count = nominal.mechanism.dyads.size(),
-                                .points = nominal.points.data(),
-                                .point_count = nominal.points.size(),
-                                .begin = terms.begin,
-                                .dimension = terms.dimension,
-                                .factor = terms.factor,
-                                .changes = changes_.data(),
-                                .cos = question_.cos.data(),
-                                .sin = question_.sin.data(),
-                                .displacement = question_.displacement.data(),
-                                .sides = question_.sides.data(),
-                                .stations = question_.stations.size(),
-                                .outputs = outputs_.data(),
-                                .output_count = outputs_.size()});
+    const BlockTask task{.drive = &nominal.mechanism.drive,
+                         .dyads = nominal.mechanism.dyads.data(),
+                         .dyad_count = nominal.mechanism.dyads.size(),
+                         .points = nominal.points.data(),
+                         .point_count = nominal.points.size(),
+                         .begin = terms.begin,
+                         .dimension = terms.dimension,
+                         .factor = terms.factor,
+                         .changes = changes_.data(),
+                         .cos = question_.cos.data(),
+                         .sin = question_.sin.data(),
+                         .displacement = question_.displacement.data(),
+                         .sides = question_.sides.data(),
+                         .stations = question_.stations.size(),
+                         .outputs = outputs_.data(),
+                         .output_count = outputs_.size()};
+    if (four_bar_) {
+      four_bar_->evaluate(question_.kernels, task, values_);
+    } else {
+      question_.kernels.evaluate(task);
+    }
   }
 
   /// A sample counts where every value is a number.
@@ -152,13 +160,15 @@ class BlockRoom {
   const Question& question_;
   std::vector<double> changes_, values_, weight_, extremes_;
   std::vector<BlockOutput> outputs_;
+  std::optional<FourBarBlock> four_bar_;
 };
 
 StationStatistics statistics_of(double sum, double square, double count) {
-  if (!(count > 0)) return {};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (!(count > 0)) return {kUnknown, kUnknown};
   const double mean = sum / count;
-  const double variance = count > 1 ? (square - sum * mean) / (count - 1) : 0;
-  return {mean, std::sqrt(std::max(variance, 0.0))};
+  if (!(count > 1)) return {mean, kUnknown};
+  return {mean, std::sqrt(std::max((square - sum * mean) / (count - 1), 0.0))};
 }
 
 SampleStatistics reduced(const Question& question, const std::vector<PieceSums>& pieces,
@@ -197,7 +207,7 @@ SampleStatistics sample(const AffineMechanism& mechanism, std::span<const Judged
                         std::span<const Station> stations, const SamplingOptions& options) {
   using namespace tolerance;
   const InstructionSet set = options.instruction_set.value_or(instruction_sets().back());
-  Question question{mechanism, judged, stations, options, kernels_of(set)};
+  Question question{mechanism, judged, stations, options, set, kernels_of(set)};
   question.take_stations();
   const std::size_t count = options.samples;
   const std::size_t piece_count = (count + kPieceSamples - 1) / kPieceSamples;

@@ -25,7 +25,8 @@ struct JudgedResponse {
   std::vector<Vec2d> normal;
 };
 
-/// Over the assembled samples, of the deviation of a scalar or of a point's distance.
+/// Over the assembled samples, of the deviation of a scalar or of a point's distance. Not numbers
+/// of no sample, and the standard deviation of one.
 struct StationStatistics {
   double mean = 0;
   double standard_deviation = 0;

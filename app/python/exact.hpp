@@ -7,8 +7,11 @@ namespace cognate::python {
 
 namespace py = pybind11;
 
-/// Puts functions of relative angles (Freudenstein, precision points) and cams into `module`.
+/// Puts functions of relative angles (Freudenstein, precision points) into `module`.
 void bind_exact_functions(py::module_& module);
+
+/// Puts the smallest cams, and the involute of gears, into `module`.
+void bind_exact_cams(py::module_& module);
 
 /// Puts Burmester's problems, and the geometry of a moving body, into `module`.
 void bind_exact_motion(py::module_& module);

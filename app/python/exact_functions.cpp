@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
-#include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,24 +11,24 @@
 #include "app/python/arrays.hpp"
 #include "app/python/document.hpp"
 #include "app/python/exact.hpp"
-#include "problems/task_document.hpp"
-#include "synthesis/exact/cam/smallest_cam.hpp"
 #include "synthesis/exact/chebyshev.hpp"
 #include "synthesis/exact/freudenstein.hpp"
 #include "synthesis/exact/function/four_bar_function.hpp"
 #include "synthesis/exact/function/slider_crank_function.hpp"
+#include "synthesis/exact/respacing.hpp"
 
 namespace cognate::python {
 namespace {
 
 using synthesis::AnglePair;
-using synthesis::BindingLimit;
 using synthesis::FourBarFunction;
 using synthesis::FourBarOutcome;
 using synthesis::FreudensteinLinkage;
 using synthesis::FreudensteinOutcome;
+using synthesis::GeneratingFourBar;
 using synthesis::GivenStart;
 using synthesis::PrecisionPoint;
+using synthesis::RespacingOutcome;
 using synthesis::SliderCrankOutcome;
 
 const char* word(FreudensteinOutcome outcome) {
@@ -193,41 +193,66 @@ py::object chebyshev(const py::object& first, const py::object& last, const py::
                                    static_cast<int>(whole_of(count, "count", 1, 1'000'000))));
 }
 
-/// Of a translating roller follower.
-py::object smallest_cam(const py::object& motion, const py::object& pressure,
-                        const py::object& offset) {
-  const double pressure_deg = number_of(pressure, "pressure_angle_deg");
-  if (!(pressure_deg > 0 && pressure_deg < 90)) {
-    raise_fault("pressure_angle_deg",
-                fmt::format("is {}; above 0 and below 90 is allowed", pressure_deg));
+const char* word(RespacingOutcome outcome) {
+  switch (outcome) {
+    case RespacingOutcome::level:
+      return "level";
+    case RespacingOutcome::not_alternating:
+      return "not-alternating";
+    case RespacingOutcome::not_closing:
+      return "not-closing";
+    case RespacingOutcome::stalled:
+      return "stalled";
   }
-  py::dict document, follower, lengths;
-  document["kind"] = "cam";
-  follower["type"] = "translating-roller";
-  document["follower"] = follower;
-  document["motion"] = motion;
-  py::dict constraints;
-  constraints["pressure_angle_deg_max"] = pressure_deg;
-  document["constraints"] = constraints;
-  const Source source = source_of(document);
-  auto read = problems::reading::read_task(source.document, source.folder);
-  if (!read) raise_faults(source, read.error());
-  const auto& problem = std::get<problems::CamProblem>(read->task);
-  const auto programme = cam::programme_of(problem.motion);
-  if (!programme) raise_fault("motion", "has no programme of finite numbers");
-  double least = -std::numeric_limits<double>::infinity(), greatest = -least;
-  if (!offset.is_none()) {
-    least = greatest = number_of(offset, "offset");
+  return "";
+}
+
+/// The four-bar of `links` (4,) with its start angles.
+GeneratingFourBar generator_of(const py::object& links, const py::object& input_start,
+                               const py::object& output_start, const py::object& assembly) {
+  const Numbers lengths(links, "links");
+  lengths.expect("links", "(4,), crank, coupler, rocker, frame", {4});
+  lengths.expect_finite("links");
+  const auto of = lengths.values();
+  for (const double length : of) {
+    if (!(length > 0))
+      raise_fault("links", fmt::format("have {}; lengths above 0 are allowed", length));
   }
-  const auto found = synthesis::smallest_translating(
-      *programme, {.whole = pressure_deg * kPi / 180}, least, greatest);
-  if (!found) return py::none();
-  std::vector<double> binding;
-  for (const BindingLimit& limit : found->binding) binding.push_back(limit.angle);
+  const bool open = word_of(assembly, "assembly", {"open", "crossed"}) == 0;
+  return {{of[0], of[1], of[2], of[3]},
+          open ? Assembly::open : Assembly::crossed,
+          number_of(input_start, "input_start"),
+          number_of(output_start, "output_start")};
+}
+
+py::dict equal_peaks(const py::object& output, const py::object& interval, const py::object& links,
+                     const py::object& input_start, const py::object& output_start,
+                     const py::object& assembly, bool input_start_free, bool output_start_free) {
+  if (!PyCallable_Check(output.ptr())) {
+    raise_fault("output", "is not a function; expected one of the input, both in radians");
+  }
+  const Numbers range(interval, "interval");
+  range.expect("interval", "(2,), first and last input in radians", {2});
+  range.expect_finite("interval");
+  synthesis::RespacingTask task;
+  task.output = [&](double input) { return number_of(output(input), "output(input)"); };
+  task.from = range.values()[0];
+  task.to = range.values()[1];
+  if (task.from == task.to) raise_fault("interval", "is empty; expected two different inputs");
+  task.input_start_free = input_start_free;
+  task.output_start_free = output_start_free;
+  const synthesis::Respacing found =
+      synthesis::equal_peaks(task, generator_of(links, input_start, output_start, assembly));
   py::dict all;
-  all["base_radius"] = found->dimensions.base_radius;
-  all["offset"] = found->dimensions.offset;
-  all["binding_angles"] = to_array(binding);
+  all["outcome"] = word(found.outcome);
+  all["links"] = links_array(found.linkage.links);
+  all["input_start"] = found.linkage.input_start;
+  all["output_start"] = found.linkage.output_start;
+  all["greatest"] = found.greatest;
+  all["unevenness"] = found.unevenness;
+  all["peaks"] = to_array(std::span<const double>(found.peaks));
+  all["precision_inputs"] = to_array(std::span<const double>(found.precision_inputs));
+  all["exchanges"] = found.exchanges;
   return all;
 }
 
@@ -238,7 +263,7 @@ void bind_exact_functions(py::module_& module) {
   module.def("precision_points", &precision_points);
   module.def("chebyshev_spacing", &chebyshev);
   module.def("slider_crank_points", &slider_crank_points);
-  module.def("smallest_cam", &smallest_cam);
+  module.def("equal_peaks", &equal_peaks);
 }
 
 }  // namespace cognate::python

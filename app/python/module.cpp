@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   cognate::python::bind_batch(module);
   cognate::python::bind_forces(module);
   cognate::python::bind_exact_functions(module);
+  cognate::python::bind_exact_cams(module);
   cognate::python::bind_exact_motion(module);
   cognate::python::bind_exact_paths(module);
   cognate::python::bind_exact_quick_returns(module);

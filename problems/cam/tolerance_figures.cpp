@@ -15,6 +15,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/design_tolerances.hpp"
+#include "problems/tolerance/allocate.hpp"
 #include "problems/tolerance/dimensions.hpp"
 #include "problems/tolerance/draws.hpp"
 #include "problems/tolerance/sampled.hpp"
@@ -31,6 +32,10 @@ using Dimensions = cam::CamDimensions<double>;
 constexpr std::array<double Dimensions::*, kCamDimensions> kMembers = {
     &Dimensions::base_radius,     &Dimensions::offset, &Dimensions::roller_radius,
     &Dimensions::centre_distance, &Dimensions::arm,    &Dimensions::face_offset};
+
+bool is_length(CamDimension dimension) {
+  return dimension != CamDimension::offset && dimension != CamDimension::face_offset;
+}
 
 /// A cam whose dimensions may be off, and where its follower then stands.
 class ChangedCam {
@@ -51,7 +56,8 @@ class ChangedCam {
           name, nominal, is_named ? named->value : *tolerances.length, problem_.length_unit);
       if (!deviation) return deviation.error();
       if (deviation->plus == 0 && deviation->minus == 0) continue;
-      dimensions_.push_back({name, nominal, *deviation});
+      dimensions_.push_back({name, nominal, *deviation, is_length(dimension)});
+      if (auto reason = nothing_left(dimensions_.back())) return reason;
       members_.push_back(k);
     }
     return std::nullopt;
@@ -93,6 +99,7 @@ double greatest(const ChangedCam& cam, double angle, double sense, std::vector<d
   const double low = -dimensions[dimension].deviation.minus;
   const double high = dimensions[dimension].deviation.plus;
   const double from = at(low), to = at(high);
+  if (std::isnan(from) || std::isnan(to)) return kMissing;
   const double most = std::max(from, to);
   // Between the ends only where the place turns back: then both rise from their ends.
   const double step = (high - low) / 64;
@@ -166,6 +173,7 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
     const std::size_t first = piece * kPiece, size = std::min(kPiece, count - first);
     std::vector<double> changes(dimensions * size), one(dimensions), places(angles.size());
     draw_changes(cam.dimensions(), tolerances.distribution, run.seed, first, size, changes);
+    reject_lost_lengths(cam.dimensions(), size, changes);
     drawn[piece] = size;
     for (std::size_t i = 0; i < size; ++i) {
       for (std::size_t d = 0; d < dimensions; ++d) one[d] = changes[d * size + i];
@@ -195,11 +203,13 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
   result.assembled = all.extremes.size();
   const auto assembled = static_cast<double>(all.extremes.size());
   ToleranceFigures& figures = result.quantities.front();
-  for (std::size_t s = 0; s < angles.size() && assembled > 1; ++s) {
+  for (std::size_t s = 0; s < angles.size(); ++s) {
     PositionFigures& at = figures.positions[s];
-    at.mean = all.sum[s] / assembled;
-    at.sigma = std::sqrt(std::max(0.0, (all.square[s] - all.sum[s] * at.mean) / (assembled - 1)));
+    const double excess = all.square[s] - all.sum[s] * all.sum[s] / assembled;
+    at.mean = assembled > 0 ? all.sum[s] / assembled : kMissing;
+    at.sigma = assembled > 1 ? std::sqrt(std::max(0.0, excess) / (assembled - 1)) : kMissing;
   }
+  note_open(result);
   set_yield(tolerances, figures.angle, all.extremes, result);
   set_extremes_of_samples(ResponseType::displacement, std::move(all.extremes), figures);
 }
@@ -230,7 +240,10 @@ void allocate(const ChangedCam& cam, const Tolerances& tolerances,
     return *std::ranges::max_element(demands, {}, spent);
   };
   const auto cheapest = synthesis::cheapest_tolerances(costs, worst, power);
-  if (!cheapest) return;
+  if (!cheapest) {
+    note_nothing_allocated(result);
+    return;
+  }
   for (std::size_t i = 0; i < costs.size(); ++i) {
     const double t = cheapest->tolerances[i];
     result.allocation.push_back({cam.dimensions()[i].name, t, costs[i] / t});
@@ -268,7 +281,7 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
     result.refused = *fault;
     return result;
   }
-  for (const auto& [name, nominal, deviation] : cam.dimensions()) {
+  for (const auto& [name, nominal, deviation, is_length] : cam.dimensions()) {
     result.dimensions.push_back({name, nominal, deviation.plus, deviation.minus});
   }
   ToleranceFigures figures{.name = "follower", .angle = angle, .judged = true};
@@ -286,7 +299,9 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
     return std::isfinite(size) ? size : -1;
   });
   figures.exact = std::isfinite(figures.positions[figures.worst_exact].high);
-  figures.exact_everywhere = true;
+  figures.exact_everywhere = std::ranges::all_of(figures.positions, [](const PositionFigures& at) {
+    return std::isfinite(at.low) && std::isfinite(at.high);
+  });
   contribute(cam, rates, figures);
   result.quantities.push_back(std::move(figures));
   allocate(cam, tolerances, rates, angle, result);

@@ -178,7 +178,7 @@ std::vector<Quantity> tolerance_quantities(const ToleranceResult& result) {
       sigma = std::max(sigma, at.sigma);
     }
     add(all, "tolerance_rss", angle, rss);
-    if (result.samples > 0) add(all, "tolerance_sigma", angle, sigma);
+    if (result.assembled > 1) add(all, "tolerance_sigma", angle, sigma);
     for (const Quantile& quantile : figures.quantiles) {
       if (quantile.share == 0.99) add(all, "tolerance_q99", angle, quantile.error);
     }

@@ -118,6 +118,12 @@ std::vector<double> costs_of(const std::vector<TolerancedDimension>& dimensions,
 
 }  // namespace
 
+void note_nothing_allocated(ToleranceResult& result) {
+  result.notes.emplace_back(
+      "No tolerances were allocated: a dimension does not change the error at any position, so "
+      "that its tolerance has no end.");
+}
+
 void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tolerances,
                     const ToleranceQuestion& question, std::size_t judged,
                     const SensitivityTable& table, ToleranceResult& result) {
@@ -138,9 +144,7 @@ void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tol
   const auto cheapest = synthesis::cheapest_tolerances(
       costs, [&](const std::vector<double>& t) { return demands.worst(t); }, power);
   if (!cheapest) {
-    result.notes.emplace_back(
-        "No tolerances were allocated: a dimension does not change the error at any position, so "
-        "that its tolerance has no end.");
+    note_nothing_allocated(result);
     return;
   }
   for (std::size_t i = 0; i < costs.size(); ++i) {

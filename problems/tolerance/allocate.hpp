@@ -15,4 +15,7 @@ void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tol
                     const ToleranceQuestion& question, std::size_t judged,
                     const SensitivityTable& table, ToleranceResult& result);
 
+/// Notes that there are no tolerances of least cost.
+void note_nothing_allocated(ToleranceResult& result);
+
 }  // namespace cognate::problems

@@ -251,6 +251,14 @@ tl::expected<Deviation, std::string> deviation_of(const std::string& name, doubl
   return Deviation{*deviation / millimetres, *deviation / millimetres};
 }
 
+std::optional<std::string> nothing_left(const TolerancedDimension& dimension) {
+  const auto& [name, nominal, deviation, is_length] = dimension;
+  if (!is_length || deviation.minus < nominal || !(nominal > 0)) return std::nullopt;
+  return fmt::format(
+      "{} is {:.6g} long, of which a tolerance of -{:.6g} leaves nothing; expected less", name,
+      nominal, deviation.minus);
+}
+
 tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& mechanism,
                                                           const Tolerances& tolerances,
                                                           std::optional<LengthUnit> unit) {
@@ -269,11 +277,9 @@ tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& 
     const auto deviation = deviation_of(dimension.name, dimension.nominal, *value, unit);
     if (!deviation) return tl::unexpected(deviation.error());
     if (deviation->plus == 0 && deviation->minus == 0) continue;
-    if (dimension.is_length && deviation->minus >= dimension.nominal && dimension.nominal > 0) {
-      return tl::unexpected(fmt::format(
-          "{} is {:.6g} long, of which a tolerance of -{:.6g} leaves nothing; expected less",
-          dimension.name, dimension.nominal, deviation->minus));
-    }
+    const TolerancedDimension own{dimension.name, dimension.nominal, *deviation,
+                                  dimension.is_length};
+    if (auto reason = nothing_left(own)) return tl::unexpected(std::move(*reason));
     slopes.push_back(slopes_of(mechanism, dimension, nominal));
     if (slopes.back().empty()) {
       return tl::unexpected(
@@ -281,7 +287,7 @@ tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& 
                       "its body, or {} no tolerance",
                       dimension.name, dimension.group));
     }
-    result.dimensions.push_back({dimension.name, dimension.nominal, *deviation});
+    result.dimensions.push_back(own);
   }
   result.mechanism = AffineMechanism(whole, slopes);
   return result;

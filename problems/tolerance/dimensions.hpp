@@ -37,6 +37,7 @@ struct TolerancedDimension {
   std::string name;
   double nominal = 0;
   Deviation deviation;
+  bool is_length = false;  ///< positive, unlike offsets and coordinates
 
   double middle() const { return (deviation.plus - deviation.minus) / 2; }  ///< from the nominal
   double half_width() const { return (deviation.plus + deviation.minus) / 2; }
@@ -47,6 +48,9 @@ struct TolerancedDimension {
 tl::expected<Deviation, std::string> deviation_of(const std::string& name, double nominal,
                                                   const ToleranceValue& value,
                                                   std::optional<LengthUnit> unit);
+
+/// Why no figures exist where a length may be none; empty for any other dimension.
+std::optional<std::string> nothing_left(const TolerancedDimension& dimension);
 
 /// What may be off, and the mechanism as a function of it. Points are those of the mechanism.
 struct TolerancedMechanism {

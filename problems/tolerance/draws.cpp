@@ -1,6 +1,7 @@
 #include "problems/tolerance/draws.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "problems/basics/counter_random.hpp"
 
@@ -84,6 +85,17 @@ void draw_changes(std::span<const TolerancedDimension> dimensions,
       changes[d * count + i] = distribution == ToleranceDistribution::uniform
                                    ? middle + half * (2 * unit - 1)
                                    : middle + half / sigmas * normal_quantile(unit);
+    }
+  }
+}
+
+void reject_lost_lengths(std::span<const TolerancedDimension> dimensions, std::size_t count,
+                         std::span<double> changes) {
+  for (std::size_t d = 0; d < dimensions.size(); ++d) {
+    const double nominal = dimensions[d].nominal;
+    if (!dimensions[d].is_length || !(nominal > 0)) continue;
+    for (double& change : changes.subspan(d * count, count)) {
+      if (change <= -nominal) change = std::numeric_limits<double>::quiet_NaN();
     }
   }
 }

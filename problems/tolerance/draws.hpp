@@ -23,4 +23,9 @@ void draw_changes(std::span<const TolerancedDimension> dimensions,
                   ToleranceDistribution distribution, std::uint64_t seed, std::size_t first,
                   std::size_t count, std::span<double> changes);
 
+/// Not a number in place of each of these changes that leaves nothing of a length, as the tails of
+/// a normal distribution may: such a sample cannot be assembled.
+void reject_lost_lengths(std::span<const TolerancedDimension> dimensions, std::size_t count,
+                         std::span<double> changes);
+
 }  // namespace cognate::problems

@@ -12,8 +12,6 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
 /// A distance that is not exceeded at a station: the farthest corner with the rates in their
 /// middles, and what they may be off. Infinite where the box comes to a dead point.
 double distance_bound(const AffineMechanism& mechanism, const Response& response,
@@ -38,25 +36,22 @@ double distance_bound(const AffineMechanism& mechanism, const Response& response
 
 void set_scalars(const AffineMechanism& mechanism, const ToleranceQuestion& question, std::size_t q,
                  std::span<const synthesis::Interval> box, ToleranceFigures& figures) {
-  figures.exact_everywhere = true;
+  figures.exact = figures.exact_everywhere = false;
   double most = -1;
   for (std::size_t s = 0; s < question.stations.size(); ++s) {
-    PositionFigures& at = figures.positions[s];
     const auto worst = synthesis::worst_case(mechanism, question.quantities[q].scalar(s),
                                              question.stations[s], box);
-    at.low = worst ? worst->low : kNoNumber;
-    at.high = worst ? worst->high : kNoNumber;
-    if (!worst) {
-      figures.exact_everywhere = false;
-      continue;
-    }
+    if (!worst || !worst->complete) return;
+    PositionFigures& at = figures.positions[s];
+    at.low = worst->low;
+    at.high = worst->high;
     const double size = std::max(worst->high, -worst->low);
     if (size > most) {
       most = size;
       figures.worst_exact = s;
     }
   }
-  figures.exact = most >= 0;
+  figures.exact = figures.exact_everywhere = most >= 0;
 }
 
 void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& question,
@@ -76,11 +71,12 @@ void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& qu
   for (const auto& [bound, s] : bounds) {
     if (bound <= most) break;
     const Vec2d target = quantity.target.empty() ? table.value(s, q) : quantity.target[s];
-    const auto worst = std::isfinite(bound)
-                           ? synthesis::worst_distance(mechanism, quantity.response,
-                                                       question.stations[s], target, box)
-                           : std::nullopt;
-    if (!worst) continue;
+    const auto worst =
+        synthesis::worst_distance(mechanism, quantity.response, question.stations[s], target, box);
+    if (!worst || !worst->complete) {
+      figures.exact = false;
+      return;
+    }
     figures.positions[s].low = 0;
     figures.positions[s].high = worst->high;
     if (worst->high > most) {
@@ -88,7 +84,6 @@ void set_distances(const AffineMechanism& mechanism, const ToleranceQuestion& qu
       figures.worst_exact = s;
     }
   }
-  figures.exact = most >= 0;
 }
 
 }  // namespace

@@ -294,7 +294,7 @@ ToleranceResult tolerance_figures(const NamedMechanism& mechanism, const Toleran
     result.refused = toleranced.error();
     return result;
   }
-  for (const auto& [name, nominal, deviation] : toleranced->dimensions) {
+  for (const auto& [name, nominal, deviation, is_length] : toleranced->dimensions) {
     result.dimensions.push_back({name, nominal, deviation.plus, deviation.minus});
   }
   for (const double drive : question.drive) {

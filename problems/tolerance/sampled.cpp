@@ -62,6 +62,8 @@ void add_histogram(const std::vector<double>& sorted, ToleranceFigures& figures)
   }
 }
 
+}  // namespace
+
 void note_open(ToleranceResult& result) {
   if (result.assembled == result.samples) return;
   const double open =
@@ -69,8 +71,6 @@ void note_open(ToleranceResult& result) {
   result.notes.push_back(
       fmt::format("{:.3g} % of the samples cannot be assembled at every position", 100 * open));
 }
-
-}  // namespace
 
 void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,
                              ToleranceFigures& figures) {
@@ -110,6 +110,7 @@ void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolera
                               [&](std::size_t first, std::size_t count, std::span<double> changes) {
                                 draw_changes(toleranced.dimensions, tolerances.distribution,
                                              run.seed, first, count, changes);
+                                reject_lost_lengths(toleranced.dimensions, count, changes);
                               },
                           .threads = run.threads,
                           .stop = run.stop};

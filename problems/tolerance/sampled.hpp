@@ -6,6 +6,9 @@
 
 namespace cognate::problems {
 
+/// Notes what share of the samples cannot be assembled.
+void note_open(ToleranceResult& result);
+
 /// Sets quantiles, mean and histogram by the greatest error of each sample; of a transmission angle
 /// by its difference from a right angle.
 void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,

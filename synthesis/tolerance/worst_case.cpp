@@ -10,6 +10,8 @@ namespace cognate::synthesis {
 namespace {
 
 constexpr std::size_t kTogether = 4;
+/// Tolerances as large as links would take minutes otherwise; usual ones take a dozen.
+constexpr BoxOptions kOptions{.boxes = 4000};
 using Enclosed = Partials<Interval, kTogether>;
 
 bool is_bounded(const Interval& a) {
@@ -129,10 +131,10 @@ std::optional<WorstCase> worst_case(const AffineMechanism& mechanism, const Resp
                                     const Station& station, std::span<const Interval> box) {
   const AtStation at(mechanism, response, station);
   ScalarDeviation deviation(at, box.size());
-  const BoxMaximum high = box_maximum(deviation, box);
+  const BoxMaximum high = box_maximum(deviation, box, kOptions);
   if (!high.determined) return std::nullopt;
   Negative<ScalarDeviation> negative{deviation};
-  const BoxMaximum low = box_maximum(negative, box);
+  const BoxMaximum low = box_maximum(negative, box, kOptions);
   if (!low.determined) return std::nullopt;
   return WorstCase{-low.bound, high.bound, low.complete && high.complete, low.boxes + high.boxes};
 }
@@ -142,7 +144,7 @@ std::optional<WorstCase> worst_distance(const AffineMechanism& mechanism, const 
                                         std::span<const Interval> box) {
   const AtStation at(mechanism, point, station);
   SquaredDistance squared(at, target);
-  const BoxMaximum high = box_maximum(squared, box);
+  const BoxMaximum high = box_maximum(squared, box, kOptions);
   if (!high.determined) return std::nullopt;
   return WorstCase{0, std::sqrt(std::max(high.bound, 0.0)), high.complete, high.boxes};
 }

@@ -182,5 +182,105 @@ class StraightTest(unittest.TestCase):
                 self.assertLess(max(self.bends(one.mechanism, one.crank_angle)), 1e-5)
 
 
+class EqualPeaksTest(unittest.TestCase):
+    """Li & Xu 2011, example 3-7: largest error 0.58 degrees with Chebyshev's points."""
+
+    SWEEP = np.radians(60)
+
+    def wanted(self, inputs):
+        return np.radians(90) * np.log10(1 + inputs / self.SWEEP) / np.log10(2)
+
+    def errors(self, found, assembly, inputs):
+        crank, coupler, rocker, frame = found.links
+        b = crank * np.exp(1j * (found.input_start + inputs))
+        diagonal = frame - b
+        square = abs(diagonal) ** 2
+        along = (coupler**2 - rocker**2 + square) / (2 * square)
+        height = np.sqrt(coupler**2 / square - along**2) * (1 if assembly == "open" else -1)
+        turned = np.angle((b + (along + 1j * height) * diagonal - frame)
+                          * np.exp(-1j * (found.output_start + self.wanted(inputs))))
+        return turned
+
+    def test_levels_the_published_example(self):
+        inputs = exact.chebyshev_spacing(0, self.SWEEP, 3)
+        start = {"input_start": np.radians(86), "output_start": np.radians(23.5)}
+        points = np.column_stack([inputs, self.wanted(inputs)])
+        level = 0
+        for each in exact.precision_points(points, **start):
+            for assembly in ("open", "crossed"):
+                found = exact.equal_peaks(self.wanted, [0, self.SWEEP], each.links,
+                                          assembly=assembly, **start)
+                if found.outcome != "level":
+                    continue
+                level += 1
+                scan = np.linspace(0, self.SWEEP, 20001)
+                before = abs(self.errors(each, assembly, scan)).max()
+                self.assertAlmostEqual(np.degrees(before), 0.58291, places=4)
+                self.assertLess(found.greatest, before)
+                peaks = self.errors(found, assembly, found.peaks)
+                np.testing.assert_allclose(peaks * np.array([1, -1, 1, -1]), peaks[0], rtol=1e-8)
+                self.assertAlmostEqual(abs(self.errors(found, assembly, scan)).max(), found.greatest)
+                zeros = self.errors(found, assembly, found.precision_inputs)
+                np.testing.assert_allclose(zeros, 0, atol=1e-12)
+        self.assertEqual(level, 1)
+
+    def test_an_error_of_the_function_comes_through(self):
+        def output(angle):
+            raise ArithmeticError("of its own")
+
+        with self.assertRaises(ArithmeticError):
+            exact.equal_peaks(output, [0, 1], [1, 2, 2, 2], input_start=0, output_start=0)
+
+
+class CamsAndGearsTest(unittest.TestCase):
+    MOTION = [{"law": "cycloidal", "over_deg": 120, "rise_deg": 20}, {"law": "dwell", "over_deg": 60},
+              {"law": "cycloidal", "over_deg": 120, "rise_deg": -20}, {"law": "dwell", "over_deg": 60}]
+
+    def pressure(self, base, distance, arm, sign):
+        """The greatest angle between the velocity of the roller's centre and its path's normal in
+        the cam, by differences."""
+        start = np.arccos((arm**2 + distance**2 - base**2) / (2 * arm * distance))
+        x = np.linspace(0, 1, 8001)
+        rise = np.radians(20) * (x - np.sin(2 * np.pi * x) / (2 * np.pi))
+        greatest = 0
+        for angle, lift in ((x * np.radians(120), rise), (x * np.radians(120) + np.pi, rise[::-1])):
+            swing = start + lift
+            # The arm hangs from (0, distance), to the right where it trails a cam turning left.
+            centre = 1j * distance - 1j * arm * np.exp(1j * sign * swing)
+            in_cam = centre * np.exp(-1j * angle)
+            tangent = np.gradient(in_cam, angle) * np.exp(1j * angle)
+            moves = sign * (centre - 1j * distance) * 1j
+            across = tangent * 1j
+            cosine = abs((np.conj(across) * moves).real) / (abs(across) * abs(moves))
+            greatest = max(greatest, np.arccos(np.minimum(cosine[5:-5], 1)).max())
+        return np.degrees(greatest)
+
+    def test_smallest_oscillating_cam(self):
+        for side, sign in (("trailing", 1), ("leading", -1)):
+            with self.subTest(side=side):
+                cam = exact.smallest_oscillating_cam(self.MOTION, pressure_angle_deg=35, arm=60,
+                                                     side=side)
+                base, distance = cam.base_radius, cam.centre_distance
+                self.assertAlmostEqual(self.pressure(base, distance, 60, sign), 35, places=3)
+                # No smaller one keeps the angle, whatever its centre distance.
+                smaller = 0.995 * base
+                least = min(self.pressure(smaller, d, 60, sign)
+                            for d in np.linspace(60 - smaller + 0.5, 60 + smaller - 0.5, 120))
+                self.assertGreater(least, 35)
+                # Arm and cam grow together.
+                double = exact.smallest_oscillating_cam(self.MOTION, pressure_angle_deg=35, arm=120,
+                                                        side=side)
+                self.assertAlmostEqual(double.base_radius, 2 * base, places=7)
+
+    def test_involute(self):
+        angles = np.array([[-1.2, -0.3, 0], [1e-3, np.radians(20), 1.5]])
+        found = exact.involute(angles)
+        self.assertEqual(found.shape, (2, 3))
+        np.testing.assert_allclose(found, np.tan(angles) - angles, rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(exact.involute_angle(found), angles, rtol=1e-14)
+        self.assertAlmostEqual(float(exact.involute(np.radians(20))), 0.0149043838673363, places=15)
+        self.assertAlmostEqual(float(exact.involute(1e-4)) / (1e-12 / 3), 1, places=7)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -24,6 +24,12 @@ def check(**tables):
 cyclic = {"kind": KIND}
 cyclic["target"] = cyclic
 
+def analyzed_with(tolerance):
+    return cognate.analyze(kind="analysis", mechanism=dict(type="four-bar", **BAR), tolerance=tolerance)
+
+
+SWING = [{"law": "cycloidal", "over_deg": 180, "rise_deg": 20},
+         {"law": "cycloidal", "over_deg": 180, "rise_deg": -20}]
 MISTAKES = [  # what is done, the key, a part of the message
     (check(target={"points": POINTS}), "kind", "missing"),
     (check(kind="path"), "kind", "path-generation"),
@@ -114,6 +120,40 @@ MISTAKES = [  # what is done, the key, a part of the message
     (lambda: cognate.sweep({"base": {}}, out="/proc/nowhere"), "out", ""),
     (lambda: cognate.list(3), "kind", "string"),
     (lambda: cognate.list("cars"), "kind", "cam"),
+    (lambda: cognate.exact.equal_peaks(3, [0, 1], [1, 1, 1, 1], input_start=0, output_start=0),
+     "output", "function"),
+    (lambda: cognate.exact.equal_peaks(abs, [1, 1], [1, 1, 1, 1], input_start=0, output_start=0),
+     "interval", "two different"),
+    (lambda: cognate.exact.equal_peaks(abs, [0, 1], [1, 1, 1], input_start=0, output_start=0),
+     "links", "(4,)"),
+    (lambda: cognate.exact.equal_peaks(abs, [0, 1], [1, 1, -1, 1], input_start=0, output_start=0),
+     "links", "above 0"),
+    (lambda: cognate.exact.equal_peaks(abs, [0, 1], [1, 1, 1, 1], input_start=None, output_start=0),
+     "input_start", "number"),
+    (lambda: cognate.exact.equal_peaks(abs, [0, 1], [1, 1, 1, 1], input_start=0, output_start=0,
+                                       assembly="up"), "assembly", "crossed"),
+    (lambda: cognate.exact.equal_peaks(lambda x: "y", [0, 1], [1, 2, 2, 2], input_start=0,
+                                       output_start=0), "output(input)", "number"),
+    (lambda: cognate.exact.equal_peaks(lambda x: math.nan, [0, 1], [1, 2, 2, 2], input_start=0,
+                                       output_start=0), "output(input)", "finite"),
+    (lambda: cognate.exact.smallest_oscillating_cam([], pressure_angle_deg=30, arm=50), "motion", ""),
+    (lambda: cognate.exact.smallest_oscillating_cam(SWING, pressure_angle_deg=90, arm=50),
+     "pressure_angle_deg", "below 90"),
+    (lambda: cognate.exact.smallest_oscillating_cam(SWING, pressure_angle_deg=30, arm=-1), "arm", ""),
+    (lambda: cognate.exact.smallest_oscillating_cam(SWING, pressure_angle_deg=30, arm=50, side="up"),
+     "side", "leading"),
+    (lambda: cognate.exact.smallest_oscillating_cam([{"law": "cycloidal", "over_deg": 360, "rise": 3}],
+                                                    pressure_angle_deg=30, arm=50), "motion", ""),
+    (lambda: cognate.exact.involute(2), "angle", "between"),
+    (lambda: cognate.exact.involute([0.1, math.nan]), "angle", "between"),
+    (lambda: cognate.exact.involute("x"), "angle", "numbers"),
+    (lambda: cognate.exact.involute_angle(None), "value", "None"),
+    (lambda: cognate.exact.involute_angle([1, math.inf]), "value", "finite"),
+    (lambda: cognate.solve(kind="path-generation", target={"points": [[0, 0], [1, 1]]},
+                           tolerance={"lenght": 0.1}), "tolerance", "length"),
+    (lambda: analyzed_with({"length": "IT99"}), "tolerance.length", "IT8"),
+    (lambda: analyzed_with({"length": -0.1}), "tolerance.length", "length"),
+    (lambda: analyzed_with({}), "tolerance", ""),
     (lambda: cognate.load("nowhere.result.json"), "", "nowhere"),
     (lambda: cognate.sweep(base="nowhere.toml", vary=[]), "base", ""),
 ]

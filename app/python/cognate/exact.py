@@ -8,7 +8,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 from . import _core
 from ._errors import ProblemError
@@ -54,6 +54,23 @@ def slider_crank_points(points: Any, *, input_start: Optional[float] = None,
     ``outcome`` (``"linkage"``, ``"scotch-yoke"``, ...), ``residual``, ``condition``.
     """
     return [_values(one) for one in _core.slider_crank_points(points, input_start, output_start)]
+
+
+def equal_peaks(output: Callable[[float], float], interval: Any, links: Any, *,
+                input_start: float, output_start: float, assembly: str = "open",
+                input_start_free: bool = False, output_start_free: bool = False) -> Values:
+    """A function generator whose peaks of the structural error are level, by exchange.
+
+    ``output`` is the angle wanted at an input angle of the ``interval`` (2,), both counted from the
+    start angles. The exchange begins with a four-bar, ``links`` (4,) being crank, coupler, rocker,
+    frame, whose error changes sign once for each precision point: 3 of them, 4 or 5 where start
+    angles are free. ``outcome`` is ``"level"`` or why the peaks are not: ``"not-alternating"``,
+    ``"not-closing"``, ``"stalled"``, and the four-bar the best one met. ``links`` (4,),
+    ``input_start``, ``output_start``, ``greatest`` error, ``unevenness`` of the peaks, the inputs of
+    the ``peaks`` (n + 1,) and the ``precision_inputs`` (n,), ``exchanges``. Freudenstein 1959.
+    """
+    return Values(_core.equal_peaks(output, interval, links, input_start, output_start, assembly,
+                                    input_start_free, output_start_free))
 
 
 def two_poses(poses: Any, *, in_body: Any = None, fixed: Any = None, line: Any = None,
@@ -175,6 +192,45 @@ def smallest_cam(motion: Any, *, pressure_angle_deg: float,
     """
     found = _core.smallest_cam(motion, pressure_angle_deg, offset)
     return None if found is None else _values(found)
+
+
+def smallest_oscillating_cam(motion: Any, *, pressure_angle_deg: float, arm: float,
+                             side: str = "trailing") -> Optional[Values]:
+    """The smallest cam of an oscillating roller follower that keeps a pressure angle, exactly.
+
+    ``motion`` is the list of tables ``[[motion]]`` of a cam file, ``arm`` the follower's length,
+    ``side`` ``"trailing"`` or ``"leading"``. ``base_radius`` of the pitch curve,
+    ``centre_distance``, in the unit of the arm, and the ``binding_angles`` in radians that force the
+    size. None where no cam keeps it.
+
+    >>> motion = [{"law": "cycloidal", "over_deg": 120, "rise_deg": 20},
+    ...           {"law": "dwell", "over_deg": 60},
+    ...           {"law": "cycloidal", "over_deg": 120, "rise_deg": -20},
+    ...           {"law": "dwell", "over_deg": 60}]
+    >>> cam = smallest_oscillating_cam(motion, pressure_angle_deg=35, arm=60)
+    >>> bool(0 < cam.base_radius < cam.centre_distance)
+    True
+    """
+    found = _core.smallest_oscillating_cam(motion, pressure_angle_deg, arm, side)
+    return None if found is None else _values(found)
+
+
+def involute(angle: Any) -> Any:
+    """The involute function tan(a) - a of angles (...) in radians, within (-pi/2, pi/2): (...).
+
+    >>> round(float(involute(0.3490658503988659)), 9)
+    0.014904384
+    """
+    return _core.involute(angle)
+
+
+def involute_angle(value: Any) -> Any:
+    """The angles in radians whose involute is ``value`` (...), of either sign: (...).
+
+    >>> round(float(involute_angle(0.014904384)), 6)
+    0.349066
+    """
+    return _core.involute_angle(value)
 
 
 def quick_return_rockers(*, time_ratio: float, rocker: float, swing: float,

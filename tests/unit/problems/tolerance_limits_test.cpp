@@ -1,0 +1,87 @@
+/// Tolerances at the ends of what has figures: one sample, tails that leave nothing of a length,
+/// tolerances as large as links, cams that are undercut.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "problems/cam/problem.hpp"
+#include "problems/cam/result.hpp"
+#include "problems/evaluation/result.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::problems::tolerance_limits_test {
+namespace {
+
+ToleranceResult of_analysis(const std::string& mechanism, const std::string& tolerance) {
+  const auto read =
+      parse_task<AnalysisProblem>("kind = \"analysis\"\n[mechanism]\n" + mechanism +
+                                  "\n[drive]\nsteps = 12\n[tolerance]\n" + tolerance + "\n");
+  if (!read) {
+    ADD_FAILURE() << read.error().front().message;
+    return {};
+  }
+  const auto result = analyse(*read, {.threads = 1});
+  return result.tolerance.value_or(ToleranceResult{});
+}
+
+ToleranceResult of_cam(const std::string& tolerance) {
+  const auto read = parse_task<CamProblem>(
+      "kind = \"cam\"\n[follower]\ntype = \"translating-roller\"\n[[motion]]\nlaw = \"cycloidal\"\n"
+      "rise = 20\nover_deg = 60\n[[motion]]\nlaw = \"cycloidal\"\nrise = -20\nover_deg = 60\n"
+      "[[motion]]\nlaw = \"dwell\"\nover_deg = 240\n"
+      "[mechanism]\nbase_radius = 50\nroller_radius = 8\noffset = 0\n[tolerance]\n" +
+      tolerance + "\n");
+  if (!read) {
+    ADD_FAILURE() << read.error().front().message;
+    return {};
+  }
+  const auto result = solve(*read, {.threads = 1});
+  return result.designs.at(0).tolerance.value_or(ToleranceResult{});
+}
+
+const std::string kRocker =
+    "type = \"four-bar\"\nfixed_pivots = [[0, 0], [110, 0]]\ncrank = 40\ncoupler = 120\n"
+    "rocker = 80";
+
+TEST(ToleranceLimits, OneSampleHasNoStandardDeviation) {
+  for (const auto& result : {of_analysis(kRocker, "length = 0.1\nsamples = 1"),
+                             of_cam("base_radius = 0.1\nsamples = 1")}) {
+    ASSERT_EQ(result.assembled, 1u);
+    for (const PositionFigures& at : result.quantities.at(0).positions) {
+      EXPECT_TRUE(std::isfinite(at.mean));
+      EXPECT_TRUE(std::isnan(at.sigma));
+    }
+  }
+}
+
+/// ± 0.99 of a crank of 1 are three sigma: a share of 0.0012 lies beyond the whole length.
+TEST(ToleranceLimits, ASampleWithoutALengthIsNotAssembled) {
+  const auto result =
+      of_analysis("type = \"scotch-yoke\"\ncrank = 1", "length = 0.99\nsamples = 100000");
+  const double lost = 1 - static_cast<double>(result.assembled) / 100000;
+  const double share = 0.5 * std::erfc(3 / 0.99 / std::sqrt(2.0));
+  EXPECT_NEAR(lost, share, 4 * std::sqrt(share / 100000));
+}
+
+TEST(ToleranceLimits, AWorstCaseThatOnePositionHasNotIsNone) {
+  const auto result = of_analysis(kRocker, "length = 8\nsamples = 0");
+  ASSERT_FALSE(result.refused);
+  EXPECT_FALSE(result.notes.empty());
+  for (const ToleranceFigures& figures : result.quantities) {
+    EXPECT_FALSE(figures.exact) << figures.name;
+    EXPECT_FALSE(figures.exact_everywhere) << figures.name;
+  }
+}
+
+TEST(ToleranceLimits, ACamOfNoRadiusIsRefusedAndOneUndercutHasNoWorstCase) {
+  const auto refused = of_cam("base_radius = 50\nsamples = 0");
+  ASSERT_TRUE(refused.refused);
+  EXPECT_NE(refused.refused->find("base_radius is 50 long"), std::string::npos);
+  const auto undercut = of_cam("base_radius = { plus = 0, minus = 49 }\nsamples = 0");
+  ASSERT_FALSE(undercut.refused);
+  EXPECT_FALSE(undercut.quantities.at(0).exact_everywhere);
+}
+
+}  // namespace
+}  // namespace cognate::problems::tolerance_limits_test
