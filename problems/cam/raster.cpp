@@ -61,8 +61,7 @@ double greatest_listed(const CamRasterAxis& axis) {
 /// No cam has a larger base radius, or none is looked for.
 double base_reach(const CamProblem& problem, const std::vector<CamRasterAxis>& others) {
   if (!is_oscillating(problem.follower)) {
-    CamProblem bare = problem;
-    double unit = CamVariables(bare).unit();
+    double unit = CamVariables(problem).unit();
     for (const CamRasterAxis& axis : others) unit = std::max(unit, greatest_listed(axis));
     return kFarthestBase * unit;
   }
