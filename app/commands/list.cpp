@@ -154,7 +154,7 @@ std::span<const KeyedEntry> common_tables() {
                       "dimensions that take single values only, the best of all combinations "
                       "(paths of four-bars and chains, functions, motion generation by least "
                       "squares, searches of "
-                      "straight lines)",
+                      "straight lines, the smallest cams)",
                       raster_entries()});
     return tables;
   }();

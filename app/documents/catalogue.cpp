@@ -140,7 +140,9 @@ constexpr Metric kQuantities[] = {
     {"raster_evaluated", "1", "of these, that were evaluated"},
     {"raster_boxes", "1", "ranges of the dimensions whose minima were found"},
     {"raster_complete", "boolean", "whether all combinations are covered"},
-    {"raster_proven", "boolean", "whether each combination was evaluated: none is better"},
+    {"raster_proven", "boolean",
+     "whether each combination was evaluated, or of cams is larger or excluded by a lower bound of "
+     "the base radius: none is better"},
     {"raster_error, raster_bound", "length or deg",
      "root mean square error of the best design on the raster, of straight lines the deviation; "
      "what a combination that is not "
@@ -148,8 +150,9 @@ constexpr Metric kQuantities[] = {
     {"raster_gap", "1", "|raster_error - raster_bound|/raster_error, likewise of length and size"},
     {"raster_length, continuous_length, rounded_length", "length",
      "straight lines of limited deviation: that of the segment, likewise"},
-    {"raster_size, continuous_size, rounded_size", "1",
-     "straight lines of given length and deviation: size over length, likewise"},
+    {"raster_size, continuous_size, rounded_size", "1 or length",
+     "straight lines of given length and deviation: size over length, likewise; cams: the base "
+     "radius as files have it, of rollers that of the prime circle"},
     {"continuous_error, rounded_error", "length or deg",
      "of the optimum without a raster, and of that with each dimension rounded"},
     {"rounded_feasible", "boolean", "whether the latter meets every constraint"},

@@ -14,6 +14,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -99,6 +100,7 @@ struct CamProblem {
   CamObjective objective = CamObjective::size;
   Solve solve;
   std::optional<Tolerances> tolerances{};
+  std::optional<Raster> raster{};  ///< every free length has a value of it
 
   /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }

@@ -9,6 +9,7 @@
 #include "problems/cam/read_lengths.hpp"
 #include "problems/cam/read_motion.hpp"
 #include "problems/cam/read_operation.hpp"
+#include "problems/cam/read_raster.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -56,6 +57,7 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   read_cam_objective(tables.target, problem);
   read_cam_constraints(tables.constraints, problem);
   read_solve(tables.solve, problem);
+  read_cam_raster(document, problem);
   problem.tolerances = read_tolerances(document, cam_scope(problem));
   for (TableReader* table : {&tables.follower, &tables.mechanism, &tables.bounds, &tables.target,
                              &tables.constraints, &tables.solve}) {
@@ -63,7 +65,11 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   }
   if (document.faults().size() > before) return;  // what follows takes the rest for granted
   check_cam_assembly(lengths, problem);
-  check_cam_size(tables.mechanism, problem);
+  if (problem.raster) {
+    check_cam_raster(document, problem);
+  } else {
+    check_cam_size(tables.mechanism, problem);
+  }
   check_preload(tables.follower, problem);
 }
 
@@ -82,7 +88,7 @@ CamProblem KindTraits<CamProblem>::read(reading::TableReader& document,
   if (read_follower(tables.follower, problem)) {
     read_tables(document, tables, problem);
   } else {
-    document.know({"motion", "drive", "contact", "tolerance"});
+    document.know({"motion", "drive", "contact", "tolerance", "raster"});
   }
   return problem;
 }

@@ -54,6 +54,7 @@ struct CamResult {
   std::vector<cam::Jump> jumps;  ///< of velocity and acceleration
   Work work;
   std::vector<std::string> notes;
+  std::vector<Quantity> quantities{};  ///< of a search on a raster
 };
 
 /// The best cams for `problem`; with all dimensions given, what the one given is like.

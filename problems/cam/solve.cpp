@@ -13,6 +13,7 @@
 #include "problems/cam/largest_roller.hpp"
 #include "problems/cam/notes.hpp"
 #include "problems/cam/quantities.hpp"
+#include "problems/cam/raster.hpp"
 #include "problems/cam/result.hpp"
 #include "problems/cam/search.hpp"
 #include "problems/cam/second_contact.hpp"
@@ -305,6 +306,29 @@ class CamSolver {
   CamResult& result_;
 };
 
+/// The best cams on the raster, beside the best one without it.
+void solve_on_raster(const CamProblem& problem, const cam::MotionProgramme& programme,
+                     const Run& run, const Deadline& deadline, CamResult& result) {
+  CamProblem free = between_raster_values(problem);
+  free.solve.designs = 1;
+  CamResult between;
+  CamSolver(free, programme, run, deadline, between).solve();
+  result.work = between.work;
+  const bool is_kept =
+      !between.designs.empty() && all_satisfied(between.designs.front().constraints);
+  const CamProblem pressed = with_preload(problem, programme);
+  const CamRasterAnswer answer = search_cam_raster(pressed, programme, run, deadline);
+  result.work.candidates += answer.evaluated;
+  for (const auto& dimensions : answer.best) {
+    result.designs.push_back(
+        design_of(problem, cam_of(pressed, programme, dimensions), problem.motion, "raster"));
+  }
+  const CamDesign* best = is_kept ? &between.designs.front() : nullptr;
+  tell_cam_raster(pressed, programme, answer, best, result);
+  // A cam that is the smallest between the values bounds those on them.
+  if (best != nullptr && !result.designs.empty()) result.designs.front().proof = best->proof;
+}
+
 /// `problem` whose operation knows the unit of its lengths.
 CamProblem in_unit_of_lengths(CamProblem problem) {
   cam::Operation& operation = problem.operation;
@@ -339,15 +363,21 @@ CamResult solve(const CamProblem& given, const Run& run) {
   }
   const bool still = problem.free_motion.empty();
   const auto impossibility = still ? motion_impossibility(problem, *programme) : std::nullopt;
-  if (!impossibility) CamSolver(problem, *programme, run, deadline, result).solve();
+  if (!impossibility) {
+    if (problem.raster) {
+      solve_on_raster(problem, *programme, run, deadline, result);
+    } else {
+      CamSolver(problem, *programme, run, deadline, result).solve();
+    }
+  }
   const auto all =
       jumps(result.designs.empty() ? *programme : result.designs.front().cam.programme);
   std::ranges::copy_if(all, std::back_inserter(result.jumps),
                        [](const cam::Jump& jump) { return jump.order > 0; });
   result.status = status_of(result, deadline);
-  result.notes = cam_notes(problem, result);
+  std::ranges::move(cam_notes(problem, result), std::back_inserter(result.notes));
   if (impossibility) result.notes.insert(result.notes.begin(), *impossibility);
-  if (result.status == Status::no_solution && !impossibility) {
+  if (result.status == Status::no_solution && !impossibility && !problem.raster) {
     result.notes.emplace_back(
         "No cam of these lengths can be put together with its follower; wider bounds may help.");
   }

@@ -7,6 +7,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/cam/keys.hpp"
+#include "problems/cam/read_raster.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/tolerance/read.hpp"
 
@@ -237,6 +238,7 @@ reading::Written KindTraits<CamProblem>::written(const CamProblem& problem) {
   all.document =
       document.set("solve", solve_writer(problem.solve))
           .append(tolerance_table(problem.tolerances, cam::is_oscillating(problem.follower)))
+          .append(cam_raster_table(problem))
           .take();
   return all;
 }

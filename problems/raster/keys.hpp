@@ -27,7 +27,14 @@ inline constexpr std::array kRasterKeys{
     RasterKey{"coupler", "the coupler"},
     RasterKey{"rocker", "the rocker"},
     RasterKey{"frame", "the frame, where the pivots are free or not searched"},
-    RasterKey{"offset", "the offset of a slider-crank", true}};
+    RasterKey{"offset", "the offset of a slider-crank, of a cam's follower", true},
+    RasterKey{"base_radius",
+              "of cams: that of the prime circle, of flat faces and knife edges of "
+              "the base circle"},
+    RasterKey{"roller_radius", "of cams: the roller"},
+    RasterKey{"centre_distance", "of cams: the follower's pivot from the cam's centre"},
+    RasterKey{"arm", "of cams: from the pivot to the roller's centre"},
+    RasterKey{"face_offset", "of cams: by how much the face lies nearer than its pivot", true}};
 
 inline constexpr std::string_view kRasterBoxesKey = "boxes";
 inline constexpr std::string_view kRasterBoxesMeaning =

@@ -161,10 +161,15 @@ ordered_json Kind<CamProblem>::design_json(const CamProblem& problem, const CamR
   return table;
 }
 
+void Kind<CamProblem>::add_facts(ordered_json& table, const CamResult& result) {
+  if (!result.quantities.empty()) add_finite_quantities(table["facts"], result.quantities);
+}
+
 void Kind<CamProblem>::add_findings(ordered_json& document, const CamProblem& problem,
                                     const CamResult& result) {
   document["segments"] = segments_json(problem, result);
   document["jumps"] = jumps_json(result);
+  add_facts(document, result);
 }
 
 ExportOutcome Kind<CamProblem>::export_design(const ResultDesign& design,

@@ -26,6 +26,9 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
   static Json design_json(const problems::CamProblem& problem, const Result& result,
                           std::size_t index);
 
+  /// What was found on a raster.
+  static void add_facts(Json& table, const Result& result);
+
   /// `segments` and `jumps` of the motion.
   static void add_findings(Json& document, const problems::CamProblem& problem,
                            const Result& result);

@@ -37,6 +37,7 @@ MetricNames Kind<problems::CamProblem>::metric_names(const problems::CamProblem&
   MetricNames names;
   add_metrics(names, cam_metrics());
   add_metrics(names, kToleranceMetrics);
+  add_metrics(names, quantities(), "facts.");
   add_places_of_extremes(names);
   std::erase_if(names.names, [](const auto& name) { return name.name.starts_with("..."); });
   for (const char* angle : {"min", "max", "acute_min"}) {
