@@ -59,8 +59,8 @@ def refuse_constant(name):
 
 
 # Seconds for each worked problem: a search that is cut goes all the same ways, and tests of the kinds
-# let the long ones end. With one seed requested the program is a sanitized one, which is slower.
-BOUND = "2" if "COGNATE_TEST_SEEDS" in os.environ else "6"
+# let the long ones end.
+BOUND = "2"
 
 
 def parse(text):
