@@ -115,6 +115,8 @@ constexpr auto declared(KeyDeclaration declaration) {
   if constexpr (std::is_enum_v<Value>) declaration.words = words_of<Value>;
   Key<Struct> key{declaration};
   key.read = [](TableReader& table, const KeyDeclaration& own, Struct& values) {
+    // What the file does not say stays as it is, whether the member is optional or not.
+    // NOLINTNEXTLINE(bugprone-optional-value-conversion)
     if (auto value = read_value<Value>(table, own)) values.*Member = std::move(*value);
   };
   key.write = [](const Struct& values, const KeyDeclaration& own, TableWriter& table) {
