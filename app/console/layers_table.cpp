@@ -1,10 +1,9 @@
-#include "app/kinds/evaluation/layers.hpp"
+#include "app/console/layers_table.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
 
 #include "app/console/messages.hpp"
 #include "app/console/table_text.hpp"
@@ -14,42 +13,24 @@
 namespace cognate::app {
 namespace {
 
-using nlohmann::ordered_json;
 using problems::LayerConflict;
 using problems::LayerConflictKind;
 using problems::LayerResult;
 
 constexpr std::size_t kShownConflicts = 40;
 
-struct ConflictWords {
-  std::string_view key, words;
-};
-
-ConflictWords words_of(LayerConflictKind kind) {
+const char* words_of(LayerConflictKind kind) {
   switch (kind) {
     case LayerConflictKind::joint:
-      return {"joint", "joined by a pin"};
+      return "joined by a pin";
     case LayerConflictKind::slide:
-      return {"slide", "one slides on the other"};
+      return "one slides on the other";
     case LayerConflictKind::collision:
-      return {"collision", "collide"};
+      return "collide";
     case LayerConflictKind::unresolved:
       break;
   }
-  return {"unresolved", "too near to decide"};
-}
-
-ordered_json conflict_json(const LayerConflict& conflict, bool drive_slides) {
-  ordered_json links = ordered_json::array(), pins = ordered_json::array();
-  (conflict.first_is_pin ? pins : links).push_back(conflict.first);
-  (conflict.second_is_pin ? pins : links).push_back(conflict.second);
-  ordered_json entry = {
-      {"links", links}, {"pins", pins}, {"why", std::string(words_of(conflict.kind).key)}};
-  if (conflict.drive) {
-    entry[drive_slides ? "first_at" : "first_at_deg"] =
-        drive_slides ? *conflict.drive : problems::degrees(*conflict.drive);
-  }
-  return entry;
+  return "too near to decide";
 }
 
 template <class T, class Text>
@@ -103,7 +84,7 @@ std::string conflicts_text(const LayerResult& result, bool drive_slides, const S
     const LayerConflict& conflict = result.conflicts[i];
     parts.cells.push_back(part(conflict.first, conflict.first_is_pin) + " and " +
                           part(conflict.second, conflict.second_is_pin));
-    why.cells.emplace_back(words_of(conflict.kind).words);
+    why.cells.emplace_back(words_of(conflict.kind));
     const double place = conflict.drive.value_or(0);
     places.cells.push_back(
         conflict.drive
@@ -119,30 +100,6 @@ std::string conflicts_text(const LayerResult& result, bool drive_slides, const S
 }
 
 }  // namespace
-
-ordered_json layers_json(const LayerResult& result, bool drive_slides) {
-  ordered_json links = ordered_json::array(), pins = ordered_json::array();
-  for (const auto& link : result.links) {
-    links.push_back({{"name", link.name},
-                     {"layer", link.layer > 0 ? ordered_json(link.layer) : ordered_json(nullptr)},
-                     {"width", link.width}});
-  }
-  for (const auto& pin : result.pins) {
-    pins.push_back({{"name", pin.name}, {"joins", pin.joins}, {"crosses", pin.crosses}});
-  }
-  ordered_json conflicts = ordered_json::array();
-  for (const auto& conflict : result.conflicts) {
-    conflicts.push_back(conflict_json(conflict, drive_slides));
-  }
-  return {{"count", result.count ? ordered_json(*result.count) : ordered_json(nullptr)},
-          {"proof", "exhaustive"},
-          {"links", links},
-          {"pins", pins},
-          {"conflicts", conflicts},
-          {"blocked", result.blocked},
-          {"layers_tried", result.tried},
-          {"drive_cells", result.cells}};
-}
 
 std::string layers_table(const LayerResult& result, bool drive_slides, const Screen& screen) {
   return '\n' + headline(result) + '\n' + links_text(result, screen) +

@@ -1,7 +1,6 @@
-/// @file The layers of a mechanism's links, as a document and as tables for people.
+/// @file The layers of a design's links on the terminal.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/console/screen.hpp"
@@ -9,11 +8,8 @@
 
 namespace cognate::app {
 
-/// `layers` of a design; places of the drive are degrees under `first_at_deg`, or of a driving
-/// slider (`drive_slides`) lengths under `first_at`.
-nlohmann::ordered_json layers_json(const problems::LayerResult& result, bool drive_slides);
-
 /// The number of layers, the layer of each link, the pins, and what cannot share a layer.
+/// `drive_slides`: whether places of the drive are lengths, not angles.
 std::string layers_table(const problems::LayerResult& result, bool drive_slides,
                          const Screen& screen);
 
